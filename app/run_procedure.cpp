@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_procedure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/field/bone_surface.h"
+#include "core/field/removed_volume.h"
+#include "core/session/content_hash.h"
+#include "core/session/recorder.h"
+#include "core/session/report.h"
+#include "core/session/stl.h"
+#include "core/session/summary.h"
+#include "core/session/write_file.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int volume_interval = 50;  // ticks between counts of the removed volume
+
+std::vector<SignalColumn> signal_columns(const kerf_component& force) {
+    std::vector<SignalColumn> columns;
+    for (std::uint32_t i = 0; i < force.force->signal_count; ++i) {
+        const kerf_signal& s = force.force->signals[i];
+        const std::string unit = s.display_unit;
+        const double per_unit = unit == "mm" ? 1e-3 : unit == "um" ? 1e-6 : 1.0;
+        columns.push_back({s.id, s.help, unit, per_unit});
+    }
+    return columns;
+}
+
+/// The material under the tip, present bone only; −1 in air.
+std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
+    // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
+    const Vec3 ahead = tip + scene.procedure.spacing * rotate(simulation.world_from_tool().rotation, {0, 0, 1});
+    const BrickPlace place = locate(scene.body.grid(), ahead);
+    if (std::max(scene.body.surface.at(place), simulation.exact().at(place)) > 0.0) return -1;
+    double weight[KERF_MAX_TISSUES];
+    material_weights(scene.body, place, weight);
+    return static_cast<std::int32_t>(std::max_element(weight, weight + scene.body.materials.size()) - weight);
+}
+
+TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
+               const Pose& handle, double removed) {
+    TickRow row;
+    row.tick = simulation.ticks() - 1;
+    row.time = static_cast<double>(row.tick) * Simulation::dt;
+    row.step = monitor.current() < scene.procedure.steps.size() ? static_cast<std::int32_t>(monitor.current()) : -1;
+    row.device_from_handle = handle;
+    row.world_from_tool = result.world_from_tool;
+    row.modelled = result.bone_on_tool;
+    row.coupled = result.coupled_on_hand;
+    row.limited = result.limited_on_hand;
+    row.commanded = result.commanded;
+    row.thrust = result.thrust;
+    row.torque = result.torque;
+    row.depth = scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
+    row.feed_rate = result.rate[2];
+    row.tissue = tissue_at(scene, simulation, result.world_from_tool.position);
+    row.iterations = result.iterations;
+    row.power_hand = result.power_hand;
+    row.removed = removed;
+    std::copy(simulation.signals(), simulation.signals() + scene.setup.force->force->signal_count, row.signals);
+    for (std::uint32_t i = 0; i < scene.setup.force->force->signal_count; ++i)
+        if (std::string_view(scene.setup.force->force->signals[i].id) == "drive_power") row.power_drive = row.signals[i];
+    return row;
+}
+
+}  // namespace
+
+RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request) {
+    RunOutcome outcome;
+    const auto& rehearsals = scene.procedure.rehearsals;
+    const auto rehearsal = request.rehearsal.empty()
+                               ? rehearsals.begin()
+                               : std::find_if(rehearsals.begin(), rehearsals.end(), [&](const Rehearsal& r) { return r.id == request.rehearsal; });
+    if (rehearsal == rehearsals.end()) {
+        outcome.is_bad_input = true;
+        outcome.error = rehearsals.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
+                                           : "there is no rehearsal `" + request.rehearsal + "`. Write one of:";
+        for (const auto& r : rehearsals) outcome.error += " `" + r.id + "`";
+        return outcome;
+    }
+
+    RunSummary& summary = outcome.summary;
+    summary.procedure = scene.procedure.id;
+    summary.procedure_version = scene.procedure.version;
+    summary.anatomy = scene.anatomy.id;
+    summary.rehearsal = rehearsal->id;
+    summary.hand = "simulated";
+    summary.device = scene.device->id;
+    summary.force_scale = scene.gains.force_scale;
+    summary.coupling_stiffness = scene.gains.stiffness;
+    summary.versions.emplace_back("kerf", KERF_VERSION);
+    for (const auto& plugin : plugins.plugins()) summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
+    for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
+    summary.signals = signal_columns(*scene.setup.force);
+
+    // The record is open before the first tick, so that whatever happens leaves something to read.
+    std::unique_ptr<Recorder> recorder;
+    if (!request.out.empty()) {
+        if (outcome.error = prepare_output(request.out); !outcome.error.empty()) {
+            outcome.is_bad_input = true;
+            return outcome;
+        }
+        SessionHeader header;
+        header.procedure_text = scene.procedure.text;
+        header.anatomy_text = scene.anatomy.text;
+        header.versions = summary.versions;
+        header.envelope.learner = request.learner;
+        header.envelope.mode = request.mode;
+        header.conditions = {scene.device->id, scene.gains.force_scale, "", scene.gains.stiffness};
+        header.signals = summary.signals;
+        header.tissues = summary.tissues;
+        auto created = Recorder::create(request.out + "/session.db", header);
+        if (created.recorder == nullptr) {
+            outcome.error = created.error;
+            return outcome;
+        }
+        recorder = std::move(created.recorder);
+    }
+
+    const HandPlan plan = plan_of(*rehearsal, scene);
+    simulated_hand::SimulatedHand hand(plan.plant, plan.intent, plan.start, Simulation::dt);
+    Simulation simulation(scene.body, scene.setup, scene.outline, scene.gains, plan.start);
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    RemovedVolume removed(scene.body);
+    ContentHash hash;
+    RunEnd end = RunEnd::time_over;
+
+    const auto add_event = [&](const std::string& id, const std::string& detail) {
+        EventRow event;
+        event.tick = simulation.ticks() - 1;
+        event.time = static_cast<double>(event.tick) * Simulation::dt;
+        event.id = id;
+        event.detail = detail;
+        kerf::add_event(hash, event);
+        if (recorder) recorder->push_event(event);
+        outcome.events.push_back(std::move(event));
+    };
+
+    const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
+    const bool has_power = std::any_of(scene.setup.drives.begin(), scene.setup.drives.end(), [](double d) { return d > 0.0; });
+    while (simulation.ticks() < most_ticks) {
+        const Pose handle = hand.reported();
+        const TickResult result = simulation.tick({handle});
+        simulation.after_tick();
+        hand.step(linear(result.commanded));
+
+        if (simulation.ticks() % volume_interval == 0) removed.update(simulation.exact());
+        const bool is_in_bone = result.is_cutting && result.thrust > 0.0;
+        monitor.observe(static_cast<double>(simulation.ticks() - 1) * Simulation::dt, result.world_from_tool,
+                        scene.outline.cutting, is_in_bone, has_power);
+        const TickRow row = row_of(result, scene, simulation, monitor, handle, removed.total());
+        add_tick(hash, row);
+        outcome.ticks.push_back(row);
+        for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+        for (int i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
+        if (recorder) {
+            recorder->push(row);
+            for (int i = 0; i < result.closed_records; ++i) {
+                const CutRecord& record = simulation.closed_record(i);
+                recorder->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
+            }
+            if (!recorder->wait_for_room()) break;
+        }
+        if (request.progress && simulation.ticks() % 250 == 0)
+            request.progress(static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
+                             "drilling, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
+        if (result.is_quarantined) {
+            add_event("quarantined", scene.setup.force->id);
+            end = RunEnd::fault;
+            break;
+        }
+        if (monitor.current() >= scene.procedure.steps.size()) {
+            end = RunEnd::steps_done;
+            break;
+        }
+        if (hand.is_done()) {
+            end = RunEnd::path_ended;
+            break;
+        }
+    }
+
+    simulation.finish();
+    removed.update(simulation.exact());
+    hash.add(simulation.exact().hash());
+    summary.duration = static_cast<double>(simulation.ticks()) * Simulation::dt;
+    summary.ticks = simulation.ticks();
+    summary.removed = removed.total();
+    for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
+        summary.removed_by_tissue.emplace_back(scene.body.materials[m].id, removed.of_material(m));
+    summary.hash = hash.value();
+    judge(monitor, end, summary.duration, summary);
+    summary.metrics = metrics_of(monitor, scene);
+    outcome.is_as_expected = ended_as_expected(*rehearsal, monitor, summary.verdict);
+
+    if (recorder == nullptr) return outcome;
+    if (request.progress) request.progress(1.0, "writing the results");
+    const Mesh bone = bone_surface(scene.body, simulation.exact());
+    const Mesh drawn = bone_surface(scene.body, simulation.exact(), 2);
+    for (const std::string& error :
+         {recorder->finish(summary), write_file(request.out + "/summary.json", summary_json(summary)),
+          write_file(request.out + "/bone.stl", stl_bytes(bone)),
+          write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
+        if (!error.empty() && outcome.error.empty()) outcome.error = error;
+    return outcome;
+}
+
+}  // namespace kerf

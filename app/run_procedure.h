@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/run_result.h"
+
+/// One run in lock-step: the simulated hand, the tick, the record, the verdict.
+namespace kerf {
+
+struct RunRequest {
+    std::string rehearsal;   ///< id; empty: the first
+    std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl; empty: nothing is written
+    std::string learner, mode = "practice";
+    std::function<void(double share, const std::string& what)> progress;  ///< may be empty
+};
+
+struct RunOutcome {
+    RunSummary summary;
+    bool is_as_expected = false;
+    std::vector<TickRow> ticks;
+    std::vector<EventRow> events;
+    std::string error;       ///< for people; not empty: the run could not be made or written
+    bool is_bad_input = false;  ///< the error is the user's input
+};
+
+/// Runs a rehearsal of the scene's procedure.   [main]
+[[nodiscard]] RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request);
+
+}  // namespace kerf

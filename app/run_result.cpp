@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_result.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace kerf {
+
+namespace {
+
+std::string millimetres(double metres) {
+    char text[32];
+    const long tenths = static_cast<long>(metres * 1e4 + (metres >= 0.0 ? 0.5 : -0.5));
+    std::snprintf(text, sizeof text, "%s%ld.%ld mm", tenths < 0 ? "-" : "", std::labs(tenths) / 10, std::labs(tenths) % 10);
+    return text;
+}
+
+std::string what_was_missed(const Goal& goal, const StepState& state) {
+    if (goal.quantity == "entry") return "the tool never met bone";
+    std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
+    if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
+    if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);
+    return text;
+}
+
+}  // namespace
+
+std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene) {
+    std::vector<MetricRow> rows;
+    const double half_voxel = 0.5 * scene.procedure.spacing;
+    for (std::size_t s = 0; s < monitor.steps().size(); ++s) {
+        const StepState& state = monitor.steps()[s];
+        if (!state.start) continue;
+        const std::string& id = state.step->id;
+        const auto length_row = [&](std::string name, double value, double uncertainty, std::string status, std::string help) {
+            MetricRow row;
+            row.id = id + "." + name;
+            row.scope = id;
+            row.value = value;
+            row.unit = "mm";
+            row.per_unit = 1e-3;
+            row.uncertainty = uncertainty;
+            row.status = std::move(status);
+            row.help = std::move(help);
+            rows.push_back(std::move(row));
+        };
+        length_row("depth", std::max(0.0, state.deepest), half_voxel, "info", "Deepest tip position in bone, along the planned axis from its entry.");
+        length_row("entry-offset", state.entry_offset, half_voxel, "info", "Distance of the tip from the planned axis when it first cut bone.");
+        for (const auto& limit : state.limits) {
+            if (limit.limit->quantity != "clearance" || !limit.is_seen) continue;
+            length_row("clearance." + limit.limit->zone, limit.worst, half_voxel, limit.broken_at ? "broken" : "ok",
+                       "Least distance of the running tool's cutting region to the zone; negative inside.");
+        }
+        MetricRow share;
+        share.id = id + ".axis-in-bone";
+        share.scope = id;
+        share.value = scene.share_in_bone[s];
+        share.unit = "%";
+        share.per_unit = 0.01;
+        share.status = "info";
+        share.help = "Share of the planned axis behind its entry that lies in bone.";
+        rows.push_back(std::move(share));
+    }
+    return rows;
+}
+
+void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary) {
+    int demands = 0, met = 0;
+    bool is_broken = false, is_missing = false;
+    for (const auto& state : monitor.steps()) {
+        StepRow row{state.step->id, state.step->title, state.is_done(), state.start.value_or(0.0), state.end.value_or(duration), {}};
+        for (const auto& limit : state.limits) {
+            ++demands;
+            if (!limit.broken_at) {
+                ++met;
+                continue;
+            }
+            is_broken = true;
+            row.broken_limits.push_back(limit.limit->zone.empty() ? limit.limit->quantity : limit.limit->zone);
+            std::string reason = limit.limit->reason;
+            if (limit.limit->quantity == "clearance" && limit.worst < 0.0)
+                reason += " Deepest: " + millimetres(-limit.worst) + ".";
+            if (limit.limit->quantity == "depth") reason += " Depth: " + millimetres(limit.worst) + ".";
+            summary.reasons.push_back(std::move(reason));
+        }
+        for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+            ++demands;
+            met += state.goal_done[g];
+            if (state.goal_done[g]) continue;
+            is_missing = true;
+            summary.reasons.push_back("Step `" + state.step->id + "`: " + what_was_missed(state.step->goals[g], state) + ".");
+        }
+        if (!state.is_done() && !is_missing && !is_broken) {
+            is_missing = true;
+            summary.reasons.push_back("Step `" + state.step->id + "`: the tool was not withdrawn.");
+        }
+        summary.steps.push_back(std::move(row));
+    }
+    if (end == RunEnd::time_over) summary.reasons.push_back("The time of the procedure was over.");
+    summary.verdict = end == RunEnd::fault ? Verdict::invalid
+                      : is_broken          ? Verdict::fail
+                      : is_missing         ? Verdict::incomplete
+                                           : Verdict::pass;
+    if (end == RunEnd::fault) summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
+    summary.score = demands > 0 ? 100.0 * met / demands : 100.0;
+}
+
+bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict) {
+    if (rehearsal.expect == "pass") return verdict == Verdict::pass;
+    if (verdict != Verdict::fail) return false;
+    bool is_named = false;
+    for (const auto& state : monitor.steps()) {
+        for (const auto& limit : state.limits) {
+            if (!limit.broken_at) continue;
+            const bool is_the_one = rehearsal.expect_limit == (limit.limit->zone.empty() ? limit.limit->quantity : limit.limit->zone);
+            if (!is_the_one) return false;
+            is_named = true;
+        }
+        // "For that alone": everything else went well.
+        if (std::find(state.goal_done.begin(), state.goal_done.end(), false) != state.goal_done.end()) return false;
+    }
+    return is_named;
+}
+
+}  // namespace kerf

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/scene.h"
+
+#include <algorithm>
+
+#include "core/haptics/work_force.h"
+#include "core/import/make_body.h"
+#include "core/procedure/read_anatomy.h"
+#include "core/procedure/read_procedure.h"
+
+namespace kerf {
+
+namespace {
+
+Diagnostic fault(std::string code, const std::string& file, std::string message, std::string write) {
+    Diagnostic d;
+    d.code = std::move(code);
+    d.place.file = file;
+    d.message = std::move(message);
+    d.write = std::move(write);
+    return d;
+}
+
+}  // namespace
+
+std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                                const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    Scene scene;
+    auto procedure = read_procedure(procedure_file, plugins.catalog(), diagnostics);
+    if (!procedure || has_error(diagnostics)) return std::nullopt;
+    scene.procedure = std::move(*procedure);
+
+    auto anatomy = read_anatomy(anatomy_file.empty() ? scene.procedure.anatomy_file : anatomy_file, diagnostics);
+    if (!anatomy || has_error(diagnostics)) return std::nullopt;
+    scene.anatomy = std::move(*anatomy);
+    check_needs(scene.procedure, scene.anatomy, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
+
+    scene.device = find_device(scene.procedure.device.c_str());
+    if (scene.device == nullptr) {
+        int count = 0;
+        const DeviceRecord* known = all_devices(count);
+        std::string names;
+        for (int i = 0; i < count; ++i) names += std::string(i > 0 ? ", " : "") + known[i].id;
+        diagnostics.push_back(fault("E0701", procedure_file, "there is no device `" + scene.procedure.device + "`.",
+                                    "Write one of: " + names + "."));
+    }
+
+    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics);
+    if (!body || has_error(diagnostics)) return std::nullopt;
+    scene.body = std::move(*body);
+    for (const auto& step : scene.procedure.steps) {
+        const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
+                                       [&](const LandmarkAxis& a) { return a.id == step.axis; });
+        const AxisInBone found = axis_in_bone(scene.body, *axis);
+        check_axis(*axis, found, scene.anatomy.file, diagnostics);
+        scene.frames.push_back(axis_frame(*axis, found.entry, scene.anatomy));
+        scene.share_in_bone.push_back(found.share);
+    }
+    if (has_error(diagnostics)) return std::nullopt;
+
+    // One tool for the whole run, so far: the first step's.
+    const auto& first = scene.procedure.steps.front().instrument;
+    for (const auto& step : scene.procedure.steps)
+        if (step.instrument != first)
+            diagnostics.push_back(fault("E0702", procedure_file,
+                                        "step `" + step.id + "` changes the instrument, which is not possible yet.",
+                                        "Use `instrument: " + first + "` in every step."));
+    const auto instrument = std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
+                                         [&](const Instrument& i) { return i.id == first; });
+    scene.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
+    scene.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
+    scene.setup.tool_parameters = instrument->tool_parameters;
+    scene.setup.force_parameters = instrument->force_parameters;
+    scene.setup.drives = instrument->drives;
+    if (std::string why; !outline_of(scene.setup, scene.outline, why))
+        diagnostics.push_back(fault("E0703", procedure_file, why, "Change the parameters of `" + first + "`."));
+    if (has_error(diagnostics)) return std::nullopt;
+
+    // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
+    double feed = 0.0;
+    for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
+    scene.work_force = work_force(scene.setup, scene.body, feed > 0.0 ? feed : 1e-3);
+    scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
+    return scene;
+}
+
+HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
+    HandPlan plan;
+    plan.plant.device_mass = scene.device->mass;
+    plan.plant.device_viscosity = scene.device->viscosity;
+    plan.plant.device_friction = scene.device->friction;
+    plan.plant.resolution = scene.device->resolution;
+    plan.intent.reaction = rehearsal.reaction;
+
+    const AxisFrame& frame = scene.frames.front();
+    plan.start = frame.pose_at(rehearsal.path.front());
+    for (std::size_t i = 1; i < rehearsal.path.size(); ++i) {
+        const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
+        const bool is_into_bone = to.depth > from.depth && to.depth > 0.0;
+        plan.intent.legs.push_back({.target = frame.pose_at(to),
+                                    .speed = is_into_bone ? rehearsal.feed : rehearsal.approach,
+                                    .push = rehearsal.push * scene.gains.force_scale});
+    }
+    return plan;
+}
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field/body.h"
+#include "core/haptics/simulation.h"
+#include "core/plugin/loader.h"
+#include "core/procedure/anatomy.h"
+#include "core/procedure/procedure.h"
+#include "core/procedure/step_monitor.h"
+#include "devices/simulated_hand/simulated_hand.h"
+
+/// Documents and plugins, put together into what a run needs.
+namespace kerf {
+
+/// Everything that is known before the first tick. [main]
+struct Scene {
+    Procedure procedure;
+    Anatomy anatomy;
+    Body body;
+    std::vector<AxisFrame> frames;      ///< one per step
+    std::vector<double> share_in_bone;  ///< of each step's axis behind its entry [–]
+    ToolSetup setup;
+    ToolOutline outline;
+    const DeviceRecord* device = nullptr;
+    CouplingGains gains;
+    double work_force = 0.0;            ///< [N] the scale was made for
+};
+
+/// Reads and checks everything. `anatomy_file` empty: the procedure's own.
+/// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
+[[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                                              const PluginRegistry& plugins, Diagnostics& diagnostics);
+
+/// A rehearsal's intent as legs of the simulated hand, and where it starts.
+struct HandPlan {
+    simulated_hand::Plant plant;
+    simulated_hand::Intent intent;
+    Pose start = identity_pose();
+};
+[[nodiscard]] HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene);
+
+}  // namespace kerf

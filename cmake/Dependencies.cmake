@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Third parties, each used as dep::name. Package names and traps: docs/ARCHITECTURE.md.
+find_package(PkgConfig REQUIRED)
+find_package(yaml-cpp 0.7 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(SQLite3 REQUIRED)
+
+function(dep_wrap name)   # the first target that exists wins
+  foreach(target IN LISTS ARGN)
+    if(TARGET ${target})
+      add_library(dep_${name} INTERFACE)
+      target_link_libraries(dep_${name} INTERFACE ${target})
+      add_library(dep::${name} ALIAS dep_${name})
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "dependency '${name}' not found (tried: ${ARGN})")
+endfunction()
+
+dep_wrap(yaml yaml-cpp::yaml-cpp yaml-cpp)
+dep_wrap(json nlohmann_json::nlohmann_json)
+dep_wrap(sqlite SQLite::SQLite3)
+if(KERF_TESTS)
+  find_package(GTest CONFIG REQUIRED)
+  dep_wrap(gtest GTest::gtest_main)
+endif()

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+# The few functions every folder uses.
+
+add_library(kerf_warnings INTERFACE)
+add_library(kerf::warnings ALIAS kerf_warnings)
+target_compile_options(kerf_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  -ffp-contract=off)   # a fused multiply-add would change a replay
+
+# kerf_add_layer(field SOURCES a.cpp b.h LINKS kerf::sdk)  → kerf::field, seen as "core/field/…"
+function(kerf_add_layer name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(kerf_${name} STATIC ${arg_SOURCES})
+  add_library(kerf::${name} ALIAS kerf_${name})
+  target_include_directories(kerf_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(kerf_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS} kerf::warnings)
+endfunction()
+
+# kerf_add_plugin(drilling SOURCES edge_law.cpp ENTRY plugin.cpp)
+#   → kerf::drilling, a static library that tests link; kerf_drilling.so, the module the host loads
+function(kerf_add_plugin name)
+  cmake_parse_arguments(arg "" "ENTRY" "SOURCES;LINKS" ${ARGN})
+  add_library(kerf_${name}_parts STATIC ${arg_SOURCES})
+  add_library(kerf::${name} ALIAS kerf_${name}_parts)
+  target_include_directories(kerf_${name}_parts PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(kerf_${name}_parts PUBLIC kerf::sdk ${arg_LINKS} PRIVATE kerf::warnings)
+  add_library(kerf_${name} MODULE ${arg_ENTRY})
+  target_link_libraries(kerf_${name} PRIVATE kerf_${name}_parts kerf::warnings)
+  set_target_properties(kerf_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL)
+  target_compile_options(kerf_${name} PRIVATE -fno-gnu-unique)
+endfunction()
+
+# kerf_add_test(field_test SOURCES a_test.cpp LINKS kerf::field)
+function(kerf_add_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${arg_LINKS} dep::gtest kerf::warnings)
+  target_compile_definitions(${name} PRIVATE KERF_SOURCE_DIR="${CMAKE_SOURCE_DIR}" KERF_BUILD_DIR="${CMAKE_BINARY_DIR}")
+  include(GoogleTest)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

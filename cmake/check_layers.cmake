@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -D ROOT=<source tree> -P check_layers.cmake
+#
+# Who may know whom (docs/ARCHITECTURE.md):
+#   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
+#   plugins/<name>  kerf/…, its own folder, std
+#   devices/<name>  the same
+# and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
+cmake_minimum_required(VERSION 3.25)
+
+set(layers sdk field plugin haptics procedure session import)   # each may include itself and those before it
+set(std_c_headers assert.h ctype.h errno.h fenv.h float.h inttypes.h limits.h locale.h math.h setjmp.h signal.h
+    stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h time.h uchar.h
+    wchar.h wctype.h)
+set(violations 0)
+
+# Reports one line of `content`, given the text that is wrong in it.
+function(report file content text what allowed)
+  string(FIND "${content}" "${text}" at)
+  string(SUBSTRING "${content}" 0 ${at} before)
+  string(REGEX MATCHALL "\n" newlines "${before}\n")
+  list(LENGTH newlines line)
+  file(RELATIVE_PATH name "${ROOT}" "${file}")
+  message(NOTICE "${name}:${line}: ${what}. Allowed: ${allowed}.")
+  math(EXPR count "${violations} + 1")
+  set(violations ${count} PARENT_SCOPE)
+endfunction()
+
+function(read file out)
+  file(READ "${file}" content)
+  string(REGEX REPLACE "[][;\\]" " " content "${content}")   # they have a meaning in CMake's lists, none here
+  string(REPLACE "\r" "" content "${content}")
+  set(${out} "\n${content}" PARENT_SCOPE)                    # so that each line starts after a newline
+endfunction()
+
+# `includes`: the directives as they stand, each with the newline before it. Inside block comments they count too.
+function(find_includes content out)
+  string(REGEX MATCHALL "\n[ \t]*#[ \t]*include[ \t]*[<\"][^>\"\n]+[>\"]" includes "${content}")
+  set(${out} "${includes}" PARENT_SCOPE)
+endfunction()
+
+function(split_include directive out_path out_is_angled)
+  string(REGEX MATCH "([<\"])([^>\"\n]+)[>\"]$" ignored "${directive}")
+  set(${out_path} "${CMAKE_MATCH_2}" PARENT_SCOPE)
+  if(CMAKE_MATCH_1 STREQUAL "<")
+    set(${out_is_angled} TRUE PARENT_SCOPE)
+  else()
+    set(${out_is_angled} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(is_std path out)
+  if(path MATCHES "^[a-z_0-9]+$" OR path IN_LIST std_c_headers)
+    set(${out} TRUE PARENT_SCOPE)
+  else()
+    set(${out} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(folders_in parent out)
+  file(GLOB entries LIST_DIRECTORIES true RELATIVE "${ROOT}/${parent}" "${ROOT}/${parent}/*")
+  set(folders)
+  foreach(entry IN LISTS entries)
+    if(IS_DIRECTORY "${ROOT}/${parent}/${entry}")
+      list(APPEND folders ${entry})
+    endif()
+  endforeach()
+  set(${out} "${folders}" PARENT_SCOPE)
+endfunction()
+
+function(check_core_include file content directive layer rank)
+  split_include("${directive}" path is_angled)
+  is_std("${path}" is_std)
+  list(SUBLIST layers 0 ${rank} allowed_layers)
+  list(APPEND allowed_layers ${layer})
+  list(JOIN allowed_layers ", core/" allowed)
+  set(allowed "kerf/… and core/${allowed}")
+  set(what "core/${layer} must not include \"${path}\"")
+
+  if(path MATCHES "^kerf/" OR (is_angled AND is_std))
+    return()
+  elseif(path MATCHES "(^|/)\\.\\./")
+    set(what "${what}: a path through \"..\" hides which layer it reaches")
+    set(allowed "${allowed}, written from the root of the tree")
+  elseif(path MATCHES "^core/([^/]+)/")
+    if(CMAKE_MATCH_1 IN_LIST allowed_layers)
+      return()
+    elseif(CMAKE_MATCH_1 IN_LIST layers)
+      set(what "${what}: core/${CMAKE_MATCH_1} is a later layer")
+    else()
+      set(what "${what}: core/${CMAKE_MATCH_1} is no layer")
+    endif()
+  elseif(path MATCHES "^(plugins|devices|app|tests|bench|examples|conformance)/")
+    set(what "${what}: core knows nothing outside core")
+  elseif(layer STREQUAL "sdk")
+    set(what "${what}: the sdk needs nothing but a compiler")
+    set(allowed "kerf/… and the standard library")
+  else()
+    return()   # a third party, or a file beside this one
+  endif()
+  report("${file}" "${content}" "${directive}" "${what}" "${allowed}")
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
+# What would tie core to one plugin or device, outside comments.
+function(check_core_names file content pattern comment)
+  string(REGEX MATCHALL "\n[^\n]*(${pattern})[^\n]*" lines "${content}")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "${comment}" "" code "${line}")
+    if(code MATCHES "^\n[ \t]*#[ \t]*include" OR NOT "${code} " MATCHES "(${pattern})[^A-Za-z0-9_]")
+      continue()
+    endif()
+    report("${file}" "${content}" "${line}" "core must not name \"${CMAKE_MATCH_1}\""
+      "nothing of a plugin or device; core finds them at run time, and procedures name them")
+  endforeach()
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
+function(check_plugin_include file content directive folder)
+  split_include("${directive}" path is_angled)
+  is_std("${path}" is_std)
+  get_filename_component(beside "${file}" DIRECTORY)
+  if(path MATCHES "(^|/)\\.\\./")
+    # may leave the folder: refused below
+  elseif(path MATCHES "^kerf/" OR (is_angled AND is_std))
+    return()
+  elseif(NOT is_angled)
+    string(FIND "${path}" "${folder}/" at)
+    if(at EQUAL 0 OR EXISTS "${beside}/${path}")
+      return()
+    endif()
+  endif()
+  report("${file}" "${content}" "${directive}" "${folder} must not include \"${path}\""
+    "kerf/…, \"${folder}/…\" and the standard library")
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
+# ---- core --------------------------------------------------------------------------------------------------------
+
+folders_in(plugins plugins)
+folders_in(devices devices)
+set(names)
+foreach(name IN LISTS plugins)
+  list(APPEND names "kerf\\.${name}" "kerf_${name}" "kerf::${name}" "plugins/${name}")
+endforeach()
+foreach(name IN LISTS devices)
+  list(APPEND names "kerf\\.${name}" "kerf_${name}" "kerf::${name}" "devices/${name}")
+endforeach()
+list(JOIN names "|" names)
+
+folders_in(core folders)
+foreach(layer IN LISTS folders)
+  list(FIND layers "${layer}" rank)
+  file(GLOB_RECURSE sources "${ROOT}/core/${layer}/*.h" "${ROOT}/core/${layer}/*.hpp" "${ROOT}/core/${layer}/*.cpp")
+  if(rank EQUAL -1)
+    if(sources)
+      list(JOIN layers ", " known)
+      message(NOTICE "core/${layer}: this folder is no layer. Allowed: ${known} (in this order; cmake/check_layers.cmake).")
+      math(EXPR violations "${violations} + 1")
+    endif()
+    continue()
+  endif()
+  foreach(file IN LISTS sources)
+    read("${file}" content)
+    find_includes("${content}" includes)
+    foreach(directive IN LISTS includes)
+      check_core_include("${file}" "${content}" "${directive}" ${layer} ${rank})
+    endforeach()
+    if(names)
+      check_core_names("${file}" "${content}" "${names}" "(//|/\\*|\n[ \t]*\\*).*")
+    endif()
+  endforeach()
+endforeach()
+if(names)
+  file(GLOB_RECURSE lists "${ROOT}/core/CMakeLists.txt")
+  foreach(file IN LISTS lists)
+    read("${file}" content)
+    check_core_names("${file}" "${content}" "${names}" "#.*")
+  endforeach()
+endif()
+
+# ---- plugins and devices -----------------------------------------------------------------------------------------
+
+foreach(kind plugins devices)
+  foreach(name IN LISTS ${kind})
+    file(GLOB_RECURSE sources "${ROOT}/${kind}/${name}/*.h" "${ROOT}/${kind}/${name}/*.hpp" "${ROOT}/${kind}/${name}/*.cpp")
+    foreach(file IN LISTS sources)
+      read("${file}" content)
+      find_includes("${content}" includes)
+      foreach(directive IN LISTS includes)
+        check_plugin_include("${file}" "${content}" "${directive}" ${kind}/${name})
+      endforeach()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(violations GREATER 0)
+  message(FATAL_ERROR "layers: ${violations} line(s) know what they must not know")
+endif()

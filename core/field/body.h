@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/field/level_set.h"
+
+/// A bone: its surface, and its materials composited front to back. Immutable after import.
+namespace kerf {
+
+struct Material {
+    std::string id;
+    double density = 0.0;  ///< [kg/m³]
+    LevelSet border;       ///< negative inside this material; unused for the last (base) material
+};
+
+/// Frame: LPS, metres. The last material is the base and fills what the others leave.
+struct Body {
+    std::string id;
+    LevelSet surface;                 ///< negative inside bone, before any cut
+    std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
+
+    [[nodiscard]] const Grid& grid() const noexcept { return surface.grid(); }
+};
+
+/// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.
+[[nodiscard]] inline double coverage(double d, double spacing) noexcept {
+    const double c = 0.5 - 4.0 * d / spacing;
+    return c < 0.0 ? 0.0 : (c > 1.0 ? 1.0 : c);
+}
+
+/// Weights of the materials at a place: front to back, a partition of unity (resolutions B2).
+inline void material_weights(const Body& body, const BrickPlace& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
+    double left = 1.0;
+    const std::size_t last = body.materials.size() - 1;
+    for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) weight[m] = 0.0;
+    for (std::size_t m = 0; m < last; ++m) {
+        weight[m] = left * coverage(body.materials[m].border.at(place), body.grid().spacing);
+        left -= weight[m];
+    }
+    weight[last] = left;
+}
+
+}  // namespace kerf

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/cut_log.h"
+
+/// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
+namespace kerf {
+
+class BoneView {
+public:
+    BoneView(const Body& body, const CutField& committed, const CutTracker& tracker)
+        : body_(&body), committed_(&committed), tracker_(&tracker) {
+        query_.size = sizeof(kerf_bone_query);
+        query_.tissue_count = static_cast<std::uint32_t>(body.materials.size());
+        query_.sample = &BoneView::sample_entry;
+        query_.nearest = &BoneView::nearest_entry;
+        query_.bone = reinterpret_cast<const kerf_bone*>(this);
+    }
+    BoneView(const BoneView&) = delete;
+    BoneView& operator=(const BoneView&) = delete;
+
+    /// Points are asked about at this pose until the next call.   [haptic, nonblocking]
+    void place(const Pose& body_from_tool) noexcept { body_from_tool_ = body_from_tool; }
+    [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
+
+    /// Edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
+    void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept;
+    /// Contact: the present surface.   [haptic, nonblocking]
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    /// Signed distance to the present surface at a point of the body frame [m].   [haptic, nonblocking]
+    [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
+
+private:
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction,
+                             kerf_bone_sample* out) {
+        reinterpret_cast<const BoneView*>(bone)->sample(points, count, direction, out);
+    }
+    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                              kerf_surface_point* out) {
+        reinterpret_cast<const BoneView*>(bone)->nearest(points, count, out);
+    }
+
+    const Body* body_;
+    const CutField* committed_;
+    const CutTracker* tracker_;
+    Pose body_from_tool_ = identity_pose();
+    kerf_bone_query query_{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/cut_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace kerf {
+
+double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept {
+    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
+    const double r = solid.largest_radius();
+    double largest = 0.0;
+    for (const double z : {solid.tip_z(), solid.end_z()})
+        for (const Vec3 rim : {Vec3{r, 0, z}, Vec3{-r, 0, z}, Vec3{0, r, z}, Vec3{0, -r, z}, Vec3{0, 0, z}})
+            largest = std::max(largest, length(to * rim - from * rim));
+    return largest;
+}
+
+Pose between(const Pose& from, const Pose& to, double t) noexcept {
+    const double sign = from.rotation.w * to.rotation.w + from.rotation.x * to.rotation.x +
+                                    from.rotation.y * to.rotation.y + from.rotation.z * to.rotation.z <
+                                0.0
+                            ? -1.0
+                            : 1.0;
+    const auto mix = [&](double a, double b) { return (1.0 - t) * a + t * sign * b; };
+    const auto &a = from.rotation, &b = to.rotation;
+    return {(1.0 - t) * from.position + t * to.position,
+            normalized(Quat{mix(a.w, b.w), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)})};
+}
+
+CutField::CutField(const Body& body, std::size_t reserve_bricks)
+    : body_(&body),
+      clamp_(body.grid().clamp()),
+      quantum_(body.grid().quantum()),
+      table_(body.grid().brick_count(), -1),
+      changed_(body.grid().brick_count(), 0) {
+    chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
+    reserve(reserve_bricks);
+}
+
+void CutField::reserve(std::size_t count) {
+    while (free_bricks() < count) {
+        chunks_.push_back(std::make_unique<std::int16_t[]>(chunk_bricks * stored_samples));
+        capacity_ += chunk_bricks;
+    }
+}
+
+int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
+    const double motion = largest_motion(solid, record.from, record.to);
+    const int poses = std::clamp(static_cast<int>(std::ceil(motion / (0.25 * grid().spacing))), 1, 4096);
+    int touched = 0;
+    for (int i = 1; i <= poses; ++i)
+        touched += stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
+    return touched;
+}
+
+int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid) {
+    const Grid& g = grid();
+    const Pose tool_from_body = inverse(body_from_tool);
+
+    // The box of bricks that the solid and its band can reach.
+    const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
+    const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
+    const double margin = solid.largest_radius() + clamp_;
+    const auto range = [&](double a, double b, double origin, int bricks, int& first, int& last) {
+        const double edge = brick_edge * g.spacing;
+        first = std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - origin) / edge)) - 1);
+        last = std::min(bricks - 1, static_cast<int>(std::floor((std::max(a, b) + margin - origin) / edge)));
+    };
+    int i0, i1, j0, j1, k0, k1;
+    range(tip.x, end.x, g.origin.x, g.bricks[0], i0, i1);
+    range(tip.y, end.y, g.origin.y, g.bricks[1], j0, j1);
+    range(tip.z, end.z, g.origin.z, g.bricks[2], k0, k1);
+
+    const double reach = 0.5 * brick_edge * std::sqrt(3.0) * g.spacing + clamp_;
+    const double half = 0.5 * brick_edge * g.spacing;
+    int touched = 0;
+    for (int k = k0; k <= k1; ++k)
+        for (int j = j0; j <= j1; ++j)
+            for (int i = i0; i <= i1; ++i) {
+                const std::size_t index = g.brick_index(i, j, k);
+                if (body_->surface.is_all_air(index)) continue;
+                const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
+                if (solid.distance(tool_from_body * (low + Vec3{half, half, half})) >= reach) continue;
+
+                if (table_[index] < 0) {
+                    if (free_bricks() == 0) reserve(1);
+                    table_[index] = static_cast<std::int32_t>(used_++);
+                    std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
+                }
+                ++touched;
+                std::int16_t* v = brick(table_[index]);
+                // Row by row: the tool-frame position moves by a constant step along x.
+                const Vec3 step = rotate(tool_from_body.rotation, Vec3{g.spacing, 0, 0});
+                bool is_changed = false;
+                for (int z = 0; z < stored_edge; ++z)
+                    for (int y = 0; y < stored_edge; ++y) {
+                        // From global integer coordinates, so that shared apron samples get equal bits.
+                        const Vec3 row = tool_from_body * g.sample_position(0, j * brick_edge + y, k * brick_edge + z);
+                        for (int x = 0; x < stored_edge; ++x, ++v) {
+                            if (*v == 32767) continue;
+                            const Vec3 p = row + static_cast<double>(i * brick_edge + x) * step;
+                            const std::int16_t cut = quantised(-solid.distance(p), quantum_);
+                            if (cut > *v) {
+                                *v = cut;
+                                is_changed = true;
+                            }
+                        }
+                    }
+                if (is_changed) changed_[index] = 1;
+            }
+    return touched;
+}
+
+std::int16_t CutField::sample(int i, int j, int k) const noexcept {
+    const Grid& g = grid();
+    if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;
+    const std::int32_t slot = table_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)];
+    if (slot < 0) return -32767;
+    return brick(slot)[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
+}
+
+std::vector<std::size_t> CutField::take_changed() {
+    std::vector<std::size_t> bricks;
+    for (std::size_t b = 0; b < changed_.size(); ++b)
+        if (changed_[b] != 0) {
+            bricks.push_back(b);
+            changed_[b] = 0;
+        }
+    return bricks;
+}
+
+std::uint64_t CutField::hash() const noexcept {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    const auto add = [&h](std::uint64_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i) {
+            h ^= (value >> (8 * i)) & 0xffu;
+            h *= 0x100000001b3u;
+        }
+    };
+    for (std::size_t b = 0; b < table_.size(); ++b) {
+        if (table_[b] < 0) continue;
+        const std::int16_t* v = brick(table_[b]);
+        for (int s = 0; s < stored_samples; ++s)
+            if (v[s] != -32767) {
+                add(b, 8);
+                add(static_cast<std::uint64_t>(s), 4);
+                add(static_cast<std::uint16_t>(v[s]), 2);
+            }
+    }
+    return h;
+}
+
+bool CutField::same_bits(const CutField& other) const noexcept {
+    if (table_.size() != other.table_.size()) return false;
+    const auto is_default = [](const std::int16_t* v) {
+        return std::all_of(v, v + stored_samples, [](std::int16_t s) { return s == -32767; });
+    };
+    for (std::size_t b = 0; b < table_.size(); ++b) {
+        const std::int16_t *mine = stored(b), *theirs = other.stored(b);
+        if (mine == nullptr && theirs == nullptr) continue;
+        if (mine == nullptr || theirs == nullptr) {
+            if (!is_default(mine != nullptr ? mine : theirs)) return false;
+        } else if (std::memcmp(mine, theirs, stored_samples * sizeof(std::int16_t)) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/field/body.h"
+#include "core/field/revolution_solid.h"
+
+/// What has been removed from a body, as a sparse level set: positive where bone is gone.
+namespace kerf {
+
+/// One closed stretch of tool motion. Append-only: everybody stamps records, nobody re-segments poses (R2).
+struct CutRecord {
+    std::uint64_t sequence = 0, tick = 0;
+    std::uint16_t body = 0, solid = 0;
+    bool removes = true;     ///< false: logged only, nobody stamps it
+    Pose from{}, to{};       ///< body_from_tool
+};
+
+/// Bone is max(surface, cut). Stamping is max(cut, −distance to the swept solid): pure, commutative, idempotent.
+class CutField {
+public:
+    /// `reserve` bricks are ready before the first stamp, so that stamping does not allocate.   [main]
+    CutField(const Body& body, std::size_t reserve);
+
+    /// Stamps one record. Sub-poses at most a quarter voxel apart are a function of (record, spacing) alone.
+    /// Returns the bricks touched.   [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
+    int stamp(const CutRecord& record, const RevolutionSolid& solid);
+
+    /// Makes room for at least `count` further bricks.   [main, worker]
+    void reserve(std::size_t count);
+    [[nodiscard]] std::size_t free_bricks() const noexcept { return capacity_ - used_; }
+
+    /// Trilinear cut [m]: positive where removed; −clamp where never cut.   [any] pure, nonblocking.
+    [[nodiscard]] double at(const BrickPlace& place) const noexcept {
+        if (!place.is_inside) return -clamp_;
+        const std::int32_t slot = table_[place.brick];
+        return slot < 0 ? -clamp_ : quantum_ * trilinear(brick(slot), place);
+    }
+    [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
+    [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
+        return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);
+    }
+    /// Bricks whose values changed since the last call, ascending.   [worker]
+    std::vector<std::size_t> take_changed();
+
+    /// 64-bit FNV-1a over every sample that is not the default, with its index.
+    [[nodiscard]] std::uint64_t hash() const noexcept;
+    /// Whether both hold the same bits (storage may differ).
+    [[nodiscard]] bool same_bits(const CutField& other) const noexcept;
+    [[nodiscard]] const Grid& grid() const noexcept { return body_->grid(); }
+
+private:
+    static constexpr std::size_t chunk_bricks = 256;
+    [[nodiscard]] std::int16_t* brick(std::int32_t slot) noexcept {
+        const auto s = static_cast<std::size_t>(slot);
+        return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
+    }
+    [[nodiscard]] const std::int16_t* brick(std::int32_t slot) const noexcept {
+        const auto s = static_cast<std::size_t>(slot);
+        return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
+    }
+    int stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid);
+
+    const Body* body_;
+    double clamp_ = 0.0, quantum_ = 0.0;
+    std::vector<std::int32_t> table_;
+    std::vector<std::uint8_t> changed_;
+    std::vector<std::unique_ptr<std::int16_t[]>> chunks_;
+    std::size_t used_ = 0, capacity_ = 0;
+};
+
+/// The farthest any point of the solid's cutting region moves between two poses [m].   [any] pure.
+[[nodiscard]] double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept;
+
+/// The pose a share `t` of the way from `from` to `to`.   [any] pure.
+[[nodiscard]] Pose between(const Pose& from, const Pose& to, double t) noexcept;
+
+}  // namespace kerf

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/cut_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
+constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
+constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
+}  // namespace
+
+void CutTracker::restart(const Pose& body_from_tool) noexcept {
+    open_from_ = farthest_ = body_from_tool;
+    farthest_motion_ = 0.0;
+    is_started_ = true;
+    closed_count_ = 0;
+}
+
+int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
+    if (!is_started_) restart(now);
+    closed_count_ = 0;
+
+    const double h = body_->grid().spacing;
+    double motion = largest_motion(*solid_, open_from_, now);
+    if (motion < farthest_motion_ && largest_motion(*solid_, farthest_, now) >= reversal_voxels * h) {
+        close_at(farthest_, tick);
+        last_reversal_ = sequence_;
+        motion = largest_motion(*solid_, open_from_, now);
+    }
+    if (motion >= farthest_motion_) {
+        farthest_ = now;
+        farthest_motion_ = motion;
+    }
+    if (motion >= record_voxels * h) close_at(now, tick);
+    return closed_count_;
+}
+
+int CutTracker::close(std::uint64_t tick) noexcept {
+    closed_count_ = 0;
+    if (is_started_ && farthest_motion_ > 0.0) close_at(farthest_, tick);
+    return closed_count_;
+}
+
+void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
+    CutRecord record;
+    record.sequence = sequence_++;
+    record.tick = tick;
+    record.from = open_from_;
+    record.to = to;
+    record.removes = removes_bone(to) || removes_bone(between(record.from, to, 0.5));
+    open_from_ = farthest_ = to;
+    farthest_motion_ = 0.0;
+    closed_[static_cast<std::size_t>(closed_count_++)] = record;
+    if (!record.removes) return;
+
+    last_removing_ = to;
+    has_removed_ = true;
+    const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
+    pending_[slot] = record;
+    pending_inverse_[slot] = inverse(record.to);
+    ++pending_count_;
+}
+
+void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
+    const double h = body_->grid().spacing;
+    int bricks = 0;
+    while (pending_count_ > 0 && bricks < bricks_per_tick) {
+        const bool is_too_many = pending_count_ > pending_limit;
+        const bool is_passed = is_at_front && largest_motion(*solid_, pending(0).to, now) >= h;
+        if (!is_passed && !is_too_many) break;
+        if (!is_passed) ++early_commits_;
+        bricks += committed_->stamp(pending(0), *solid_);
+        pending_first_ = (pending_first_ + 1) % pending_capacity;
+        --pending_count_;
+    }
+}
+
+void CutTracker::flush() {
+    for (; pending_count_ > 0; --pending_count_) {
+        committed_->stamp(pending(0), *solid_);
+        pending_first_ = (pending_first_ + 1) % pending_capacity;
+    }
+}
+
+std::size_t CutTracker::first_that_matters() const noexcept {
+    // Without a turn the last pending solid is the farthest along; the others lie behind it.
+    const bool has_turned = pending_count_ > 0 && last_reversal_ > pending(0).sequence;
+    return has_turned ? 0 : pending_count_ - std::min<std::size_t>(pending_count_, 1);
+}
+
+double CutTracker::gap(Vec3 point, Vec3 direction) const noexcept {
+    double gap = 0.0;
+    for (std::size_t i = first_that_matters(); i < pending_count_; ++i) {
+        const Pose& tool_from = tool_from_body(i);
+        gap = std::max(gap, solid_->travel_to_leave(tool_from * point, rotate(tool_from.rotation, direction)));
+    }
+    return gap;
+}
+
+double CutTracker::depth_in_pending(Vec3 point) const noexcept {
+    double depth = -body_->grid().clamp();
+    for (std::size_t i = 0; i < pending_count_; ++i)
+        depth = std::max(depth, -solid_->distance(tool_from_body(i) * point));
+    return depth;
+}
+
+bool CutTracker::removes_bone(const Pose& at) const noexcept {
+    if (!is_in_reach_of_bone(at)) return false;
+    if (!has_removed_) return true;
+
+    // Past the deepest front so far: new bone for certain, however thin the slice.
+    if ((inverse(last_removing_) * at).position.z > 1e-9) return true;
+
+    // Elsewhere: does the outline stand in present bone by more than the wall is exact?
+    const double limit = -wall_voxels * body_->grid().spacing;
+    constexpr int azimuths = 8;
+    constexpr double c = 0.70710678118654752440;
+    constexpr double ring[azimuths][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
+    const auto& outline = solid_->outline();
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+        for (int step = 0; step <= 4; ++step) {
+            const double t = 0.25 * step;
+            const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
+            const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
+            for (const auto& direction : ring) {
+                const Vec3 p = at * Vec3{r * direction[0], r * direction[1], z};
+                const BrickPlace place = locate(body_->grid(), p);
+                if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)
+                    return true;
+            }
+        }
+    return false;
+}
+
+bool CutTracker::is_in_reach_of_bone(const Pose& body_from_tool) const noexcept {
+    const Grid& g = body_->grid();
+    const Vec3 tip = body_from_tool * Vec3{0, 0, solid_->tip_z()};
+    const Vec3 end = body_from_tool * Vec3{0, 0, solid_->end_z()};
+    const double margin = solid_->largest_radius() + g.clamp();
+    const double edge = brick_edge * g.spacing;
+    const auto first = [&](double a, double b, double o) {
+        return std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - o) / edge)));
+    };
+    const auto last = [&](double a, double b, double o, int n) {
+        return std::min(n - 1, static_cast<int>(std::floor((std::max(a, b) + margin - o) / edge)));
+    };
+    for (int k = first(tip.z, end.z, g.origin.z); k <= last(tip.z, end.z, g.origin.z, g.bricks[2]); ++k)
+        for (int j = first(tip.y, end.y, g.origin.y); j <= last(tip.y, end.y, g.origin.y, g.bricks[1]); ++j)
+            for (int i = first(tip.x, end.x, g.origin.x); i <= last(tip.x, end.x, g.origin.x, g.bricks[0]); ++i)
+                if (!body_->surface.is_all_air(g.brick_index(i, j, k))) return true;
+    return false;
+}
+
+}  // namespace kerf

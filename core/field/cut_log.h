@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "core/field/cut_field.h"
+
+/// From tool poses to cut records, and from records to the lagged cut that edges read (resolutions R2).
+namespace kerf {
+
+/// Closes records as the tool moves, and holds back those too near the edge to be committed.
+///
+/// A cutting edge lies on the border of what it just removed. Reading that border halves its engagement at every
+/// spacing, so a record reaches the committed field only when the tool is about one voxel farther.
+class CutTracker {
+public:
+    static constexpr std::size_t pending_capacity = 128;
+    static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
+    static constexpr int bricks_per_tick = 32;
+
+    CutTracker(const Body& body, const RevolutionSolid& solid, CutField& committed)
+        : body_(&body), solid_(&solid), committed_(&committed) {}
+
+    /// Starts at a pose: nothing is cut on the way there.   [haptic, nonblocking]
+    void restart(const Pose& body_from_tool) noexcept;
+
+    /// The tool moved while cutting. Returns how many records were closed, 0 … 2; read them with `closed(i)`.
+    /// [haptic, nonblocking]
+    int advance(const Pose& body_from_tool, std::uint64_t tick) noexcept;
+    [[nodiscard]] const CutRecord& closed(int i) const noexcept { return closed_[static_cast<std::size_t>(i)]; }
+
+    /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
+    int close(std::uint64_t tick) noexcept;
+
+    /// Stamps records that the front has left a voxel behind.   [haptic, nonblocking]
+    void commit_passed(const Pose& body_from_tool, bool is_at_front);
+    /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
+    void flush();
+
+    /// How far a point travels along `direction` (body frame) until it leaves every pending solid [m].
+    [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
+    /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
+    [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
+
+    [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
+    [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
+
+private:
+    [[nodiscard]] const CutRecord& pending(std::size_t i) const noexcept {
+        return pending_[(pending_first_ + i) % pending_capacity];
+    }
+    [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept {
+        return pending_inverse_[(pending_first_ + i) % pending_capacity];
+    }
+    void close_at(const Pose& to, std::uint64_t tick) noexcept;
+    [[nodiscard]] bool is_in_reach_of_bone(const Pose& body_from_tool) const noexcept;
+    /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
+    /// nothing is logged, and nobody stamps it.
+    [[nodiscard]] bool removes_bone(const Pose& body_from_tool) const noexcept;
+    [[nodiscard]] std::size_t first_that_matters() const noexcept;
+
+    const Body* body_;
+    const RevolutionSolid* solid_;
+    CutField* committed_;
+    Pose open_from_ = identity_pose();   ///< the last record's end
+    Pose farthest_ = identity_pose();    ///< of the open stretch
+    double farthest_motion_ = 0.0;       ///< [m] from open_from_
+    Pose last_removing_ = identity_pose();
+    bool has_removed_ = false;
+    bool is_started_ = false;
+    std::uint64_t sequence_ = 0;
+    std::uint64_t last_reversal_ = 0;   ///< sequence of the first record after the path last turned back
+    std::array<CutRecord, 2> closed_{};
+    int closed_count_ = 0;
+
+    std::array<CutRecord, pending_capacity> pending_{};
+    std::array<Pose, pending_capacity> pending_inverse_{};
+    std::size_t pending_first_ = 0, pending_count_ = 0;
+    std::uint64_t early_commits_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "kerf/math.hpp"
+
+/// The isotropic grid a body's fields share, cut into bricks of 8³ samples.
+namespace kerf {
+
+inline constexpr int brick_edge = 8;                                          ///< samples owned per axis
+inline constexpr int stored_edge = brick_edge + 1;                            ///< with the apron of one
+inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
+/// Distances are kept within this many voxels of the surface.
+inline constexpr double clamp_voxels = 4.0;
+
+struct Grid {
+    std::array<int, 3> bricks{};  ///< per axis
+    double spacing = 0.0;         ///< [m]
+    Vec3 origin{};                ///< of sample (0,0,0), body frame [m]
+
+    [[nodiscard]] std::size_t brick_count() const noexcept {
+        return static_cast<std::size_t>(bricks[0]) * static_cast<std::size_t>(bricks[1]) *
+               static_cast<std::size_t>(bricks[2]);
+    }
+    [[nodiscard]] std::size_t brick_index(int i, int j, int k) const noexcept {
+        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(bricks[1]) + static_cast<std::size_t>(j)) *
+                   static_cast<std::size_t>(bricks[0]) +
+               static_cast<std::size_t>(i);
+    }
+    [[nodiscard]] int samples(std::size_t axis) const noexcept { return bricks[axis] * brick_edge; }
+    [[nodiscard]] Vec3 sample_position(int i, int j, int k) const noexcept {
+        return origin + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+    }
+    [[nodiscard]] double clamp() const noexcept { return clamp_voxels * spacing; }
+    /// Size of one int16 step [m].
+    [[nodiscard]] double quantum() const noexcept { return clamp() / 32767.0; }
+
+    /// The smallest grid of whole bricks that covers the box.
+    static Grid covering(Vec3 low, Vec3 high, double spacing);
+};
+
+/// Where a point lies in the brick lattice. `is_inside` is false outside the grid; then nothing else counts.
+struct BrickPlace {
+    bool is_inside = false;
+    std::size_t brick = 0;
+    int offset = 0;          ///< of the low corner within the brick's 9³ samples
+    double fx = 0, fy = 0, fz = 0;
+};
+
+[[nodiscard]] inline BrickPlace locate(const Grid& grid, Vec3 p) noexcept {
+    const double gx = (p.x - grid.origin.x) / grid.spacing;
+    const double gy = (p.y - grid.origin.y) / grid.spacing;
+    const double gz = (p.z - grid.origin.z) / grid.spacing;
+    // Written so that NaN is outside.
+    const bool is_inside = gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) &&
+                           gz < grid.samples(2);
+    if (!is_inside) return {};
+    const int i = static_cast<int>(gx), j = static_cast<int>(gy), k = static_cast<int>(gz);
+    BrickPlace place;
+    place.is_inside = true;
+    place.brick = grid.brick_index(i / brick_edge, j / brick_edge, k / brick_edge);
+    place.offset = ((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge;
+    place.fx = gx - i;
+    place.fy = gy - j;
+    place.fz = gz - k;
+    return place;
+}
+
+/// Trilinear value of one brick's stored samples, in quanta.
+[[nodiscard]] inline double trilinear(const std::int16_t* brick, const BrickPlace& at) noexcept {
+    constexpr int y = stored_edge, z = stored_edge * stored_edge;
+    const std::int16_t* v = brick + at.offset;
+    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
+    const double c00 = lerp(v[0], v[1], at.fx), c10 = lerp(v[y], v[y + 1], at.fx);
+    const double c01 = lerp(v[z], v[z + 1], at.fx), c11 = lerp(v[z + y], v[z + y + 1], at.fx);
+    return lerp(lerp(c00, c10, at.fy), lerp(c01, c11, at.fy), at.fz);
+}
+
+}  // namespace kerf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/removed_volume.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+namespace {
+/// Share of a voxel that is inside a surface at distance `d` voxels from its centre.
+double inside_share(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
+}  // namespace
+
+void RemovedVolume::update(CutField& cut) {
+    const Grid& g = body_->grid();
+    const double voxels_per_quantum = g.quantum() / g.spacing;
+    const double voxel_volume = g.spacing * g.spacing * g.spacing;
+    for (const std::size_t b : cut.take_changed()) {
+        std::array<double, KERF_MAX_TISSUES> gone{};
+        const std::int16_t* removed = cut.stored(b);
+        const std::int16_t* bone = body_->surface.stored(b);
+        const std::int16_t uniform = body_->surface.uniform_value(b);
+        for (int z = 0; z < brick_edge; ++z)
+            for (int y = 0; y < brick_edge; ++y)
+                for (int x = 0; x < brick_edge; ++x) {
+                    const int o = (z * stored_edge + y) * stored_edge + x;
+                    const double phi = voxels_per_quantum * (bone != nullptr ? bone[o] : uniform);
+                    const double after = std::max(phi, voxels_per_quantum * removed[o]);
+                    const double share = inside_share(phi) - inside_share(after);
+                    if (share <= 0.0) continue;
+                    BrickPlace place;
+                    place.is_inside = true;
+                    place.brick = b;
+                    place.offset = o;
+                    double weight[KERF_MAX_TISSUES];
+                    material_weights(*body_, place, weight);
+                    for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) gone[m] += share * weight[m];
+                }
+        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
+            const auto now = static_cast<float>(gone[m]);
+            total_[m] += (static_cast<double>(now) - static_cast<double>(per_brick_[b][m])) * voxel_volume;
+            per_brick_[b][m] = now;
+        }
+    }
+}
+
+double RemovedVolume::total() const noexcept {
+    double sum = 0.0;
+    for (const double v : total_) sum += v;
+    return sum;
+}
+
+}  // namespace kerf

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/revolution_solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kerf/assert.hpp"
+
+namespace kerf {
+
+namespace {
+
+double squared(double v) noexcept { return v * v; }
+
+/// Squared distance from (r, z) to the segment a–b of the half plane.
+double squared_distance_to_segment(double r, double z, kerf_profile_point a, kerf_profile_point b) noexcept {
+    const double dr = b.radius - a.radius, dz = b.z - a.z;
+    const double length2 = dr * dr + dz * dz;
+    double t = length2 > 0.0 ? ((r - a.radius) * dr + (z - a.z) * dz) / length2 : 0.0;
+    t = std::clamp(t, 0.0, 1.0);
+    return squared(r - a.radius - t * dr) + squared(z - a.z - t * dz);
+}
+
+double radius_at(const std::vector<kerf_profile_point>& outline, double z) noexcept {
+    for (std::size_t i = 1; i < outline.size(); ++i) {
+        if (z < outline[i].z) continue;
+        const auto &a = outline[i - 1], &b = outline[i];
+        return a.radius + (b.radius - a.radius) * (a.z - z) / (a.z - b.z);
+    }
+    return outline.back().radius;
+}
+
+}  // namespace
+
+RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outline_(std::move(outline)) {
+    KERF_ASSERT(outline_.size() >= 2, "give the outline at least a tip and an end");
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        KERF_ASSERT(outline_[i].radius >= 0.0, "radii are not negative");
+        KERF_ASSERT(i == 0 || outline_[i].z < outline_[i - 1].z, "list the outline from the tip backwards");
+        largest_radius_ = std::max(largest_radius_, outline_[i].radius);
+    }
+}
+
+double RevolutionSolid::distance(Vec3 p) const noexcept {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+
+    double nearest2 = 1e300;
+    for (std::size_t i = 1; i < outline_.size(); ++i)
+        nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, outline_[i - 1], outline_[i]));
+    const auto& front = outline_.front();
+    const auto& back = outline_.back();
+    if (front.radius > 0.0)
+        nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, {front.z, 0.0}, front));
+    nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, back, {back.z, 0.0}));
+
+    const bool is_inside = p.z < front.z && p.z > back.z && r < radius_at(outline_, p.z);
+    return is_inside ? -std::sqrt(nearest2) : std::sqrt(nearest2);
+}
+
+double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {
+    if (distance(p) >= -tolerance) return 0.0;
+
+    // From inside, the first crossing of any face is the exit: caps first, then each cone.
+    double exit = 1e300;
+    const auto consider = [&](double t) {
+        if (t > 0.0 && t < exit) exit = t;
+    };
+    const auto& front = outline_.front();
+    const auto& back = outline_.back();
+    if (direction.z > 0.0 && front.radius > 0.0) consider((front.z - p.z) / direction.z);
+    if (direction.z < 0.0) consider((back.z - p.z) / direction.z);
+
+    for (std::size_t i = 1; i < outline_.size(); ++i) {
+        // On the cone r = q + m z:  (x + t dx)² + (y + t dy)² = (q + m z + m t dz)²
+        const auto &a = outline_[i - 1], &b = outline_[i];
+        const double m = (a.radius - b.radius) / (a.z - b.z);
+        const double q = a.radius - m * a.z;
+        const double c0 = q + m * p.z, c1 = m * direction.z;
+        const double A = squared(direction.x) + squared(direction.y) - c1 * c1;
+        const double B = p.x * direction.x + p.y * direction.y - c0 * c1;
+        const double C = p.x * p.x + p.y * p.y - c0 * c0;
+        double roots[2];
+        int count = 0;
+        if (std::abs(A) < 1e-14) {
+            if (B != 0.0) roots[count++] = -C / (2.0 * B);
+        } else if (const double discriminant = B * B - A * C; discriminant >= 0.0) {
+            const double s = std::sqrt(discriminant);
+            const double u = B >= 0.0 ? -B - s : -B + s;  // no cancellation
+            roots[count++] = u / A;
+            if (u != 0.0) roots[count++] = C / u;
+        }
+        for (int k = 0; k < count; ++k) {
+            const double z = p.z + roots[k] * direction.z;
+            const bool is_on_segment = z <= a.z + 1e-12 && z >= b.z - 1e-12;
+            const bool is_on_this_nappe = q + m * z >= -1e-12;
+            if (is_on_segment && is_on_this_nappe) consider(roots[k]);
+        }
+    }
+    return exit < 1e299 ? exit : 0.0;
+}
+
+}  // namespace kerf

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "kerf/math.hpp"
+
+/// A solid of revolution about the tool's z axis.
+namespace kerf {
+
+/// The outline is a polyline (z, radius) from the tip (largest z) backwards; it is closed by the axis and by a flat
+/// end cap behind its last point. Tool frame [m].
+class RevolutionSolid {
+public:
+    RevolutionSolid() = default;
+    /// Pre: at least two points, z strictly falling, radii ≥ 0 (asserted).
+    explicit RevolutionSolid(std::vector<kerf_profile_point> outline);
+
+    /// Exact signed distance [m], negative inside.   [any] pure.
+    [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
+
+    /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
+    /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
+    [[nodiscard]] double travel_to_leave(Vec3 point_in_tool, Vec3 direction, double tolerance = 1e-9) const noexcept;
+
+    [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
+    [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
+    [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
+    [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
+
+private:
+    std::vector<kerf_profile_point> outline_;
+    double largest_radius_ = 0.0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kerf/math.hpp"
+
+/// One monotone scalar channel of a law: its force, its slope, whether it is sound.
+namespace kerf {
+
+/// Force and slope of a channel at rate `s`.
+struct ChannelForce {
+    double lambda = 0.0;  ///< [N]
+    double slope = 0.0;   ///< [N·s/m] ≥ 0
+};
+
+/// λ(s) of a channel as the ABI states it, `dt` the tick [s]. Non-decreasing in s.   [any] pure, nonblocking.
+///
+/// Source: docs/ARCHITECTURE.md, "The tick's solve".
+[[nodiscard]] ChannelForce channel_force(const kerf_channel& channel, double s, double dt) noexcept;
+
+/// Whether the host may solve with it: finite, a direction, nothing that would push.   [any] pure, nonblocking.
+[[nodiscard]] bool is_sound(const kerf_channel& channel) noexcept;
+
+[[nodiscard]] inline Vec6 direction(const kerf_channel& c) noexcept {
+    return {c.d[0], c.d[1], c.d[2], c.d[3], c.d[4], c.d[5]};
+}
+
+}  // namespace kerf

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+/// Lower Cholesky factor of a symmetric positive definite matrix. False where a pivot is not positive.
+bool factorise(Mat6& a) noexcept {
+    for (std::size_t j = 0; j < 6; ++j) {
+        for (std::size_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
+        if (!(a[j][j] > 0.0)) return false;
+        a[j][j] = std::sqrt(a[j][j]);
+        for (std::size_t i = j + 1; i < 6; ++i) {
+            for (std::size_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
+            a[i][j] /= a[j][j];
+        }
+    }
+    return true;
+}
+
+Vec6 forward(const Mat6& l, Vec6 b) noexcept {
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t k = 0; k < i; ++k) b[i] -= l[i][k] * b[k];
+        b[i] /= l[i][i];
+    }
+    return b;
+}
+
+Vec6 backward(const Mat6& l, Vec6 b) noexcept {
+    for (std::size_t i = 6; i-- > 0;) {
+        for (std::size_t k = i + 1; k < 6; ++k) b[i] -= l[k][i] * b[k];
+        b[i] /= l[i][i];
+    }
+    return b;
+}
+
+/// Rate of the grip from the rate of the tip.
+Vec3 grip_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.grip); }
+/// Wrench about the tip of a force at the grip.
+Vec6 at_tip(const Balance& b, Vec3 force, Vec3 torque) noexcept {
+    return make_vec6(force, torque + cross(b.grip, force));
+}
+
+Vec3 limited(const CouplingBlock& block, Vec3 y) noexcept {
+    const double size = length(y);
+    return size > block.limit ? (block.limit / size) * y : y;
+}
+
+using Mat3 = std::array<std::array<double, 3>, 3>;
+
+/// −∂f/∂(rate) of a block: drag, less along y once the limit is reached.
+Mat3 stiffness(const CouplingBlock& block, Vec3 y) noexcept {
+    constexpr double kept_when_saturated = 1e-3;
+    const double size = length(y);
+    Mat3 d{};
+    if (size <= block.limit) {
+        for (std::size_t i = 0; i < 3; ++i) d[i][i] = block.drag;
+        return d;
+    }
+    const double across = block.drag * block.limit / size;
+    const double along = kept_when_saturated * block.drag;
+    const double n[3] = {y.x / size, y.y / size, y.z / size};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) d[i][j] = (i == j ? across : 0.0) + (along - across) * n[i] * n[j];
+    return d;
+}
+
+/// Adds Jᵀ diag(f, t) J, with the grip's lever, about the tip.
+void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexcept {
+    // grip velocity = v + ω × r = v − [r]ω
+    const double r[3][3] = {{0, -b.grip.z, b.grip.y}, {b.grip.z, 0, -b.grip.x}, {-b.grip.y, b.grip.x, 0}};
+    double fr[3][3] = {};  // f (−[r])
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t k = 0; k < 3; ++k) fr[i][j] -= f[i][k] * r[k][j];
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            h[i][j] += f[i][j];
+            h[i][3 + j] += fr[i][j];
+            h[3 + j][i] += fr[i][j];
+            double rfr = 0.0;
+            for (std::size_t k = 0; k < 3; ++k) rfr -= r[k][i] * fr[k][j];
+            h[3 + i][3 + j] += rfr + t[i][j];
+        }
+}
+
+/// Everything at one rate: −gradient (what is out of balance) and, on demand, the Hessian.
+struct At {
+    Vec6 out_of_balance{};
+    Vec3 force_pull{}, torque_pull{};
+};
+
+double release_force(const Balance& b, const Vec6& u) noexcept {
+    return b.release_damping * std::max(0.0, dot(b.release_along, linear(u)) - b.release_from);
+}
+
+At evaluate(const Balance& b, const Vec6& u) noexcept {
+    At at;
+    at.force_pull = b.force.pull - b.force.drag * grip_velocity(b, u);
+    at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
+    Vec6 g = at_tip(b, limited(b.force, at.force_pull), limited(b.torque, at.torque_pull));
+    for (std::size_t i = 0; i < 6; ++i) g[i] += b.following[i];
+    for (std::size_t i = 0; i < 3; ++i) g[i] -= b.mass / b.dt * (u[i] - b.previous_rate[i]);
+    for (const auto& channel : b.channels) {
+        const Vec6 d = direction(channel);
+        const double lambda = channel_force(channel, dot(d, u), b.dt).lambda;
+        for (std::size_t i = 0; i < 6; ++i) g[i] -= d[i] * lambda;
+    }
+    const Vec3 release = release_force(b, u) * b.release_along;
+    g[0] -= release.x;
+    g[1] -= release.y;
+    g[2] -= release.z;
+    at.out_of_balance = g;
+    return at;
+}
+
+Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
+    Mat6 h{};
+    add_coupling(b, stiffness(b.force, at.force_pull), stiffness(b.torque, at.torque_pull), h);
+    for (std::size_t i = 0; i < 3; ++i) h[i][i] += b.mass / b.dt;
+    for (const auto& channel : b.channels) {
+        const Vec6 d = direction(channel);
+        const double slope = channel_force(channel, dot(d, u), b.dt).slope;
+        if (slope == 0.0) continue;
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j) h[i][j] += slope * d[i] * d[j];
+    }
+    if (release_force(b, u) > 0.0) {
+        const double e[3] = {b.release_along.x, b.release_along.y, b.release_along.z};
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) h[i][j] += b.release_damping * e[i] * e[j];
+    }
+    return h;
+}
+
+Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
+    Vec6 out;
+    for (std::size_t i = 0; i < 6; ++i) out[i] = u[i] + t * p[i];
+    return out;
+}
+
+/// The share of `step` at which the slope along it vanishes. The slope falls monotonically: bracket, then close in.
+double exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start) noexcept {
+    const auto slope = [&](double t) { return dot(evaluate(b, stepped(u, t, step)).out_of_balance, step); };
+    const double small = 1e-3 * slope_at_start;
+    double low = 0.0, low_slope = slope_at_start;
+    double high = 1.0, high_slope = slope(1.0);
+    for (int i = 0; high_slope > small && i < 40; ++i) {
+        low = high;
+        low_slope = high_slope;
+        high *= 2.0;
+        high_slope = slope(high);
+    }
+    if (std::abs(high_slope) <= small) return high;
+    // Illinois' false position: monotone, so it cannot leave the bracket.
+    int kept_side = 0;
+    for (int i = 0; i < 80; ++i) {
+        double t = (low * high_slope - high * low_slope) / (high_slope - low_slope);
+        if (!(t > low && t < high)) t = 0.5 * (low + high);
+        const double s = slope(t);
+        if (std::abs(s) <= small) return t;
+        if (s > 0.0) {
+            low = t;
+            low_slope = s;
+            if (kept_side == 1) high_slope *= 0.5;
+            kept_side = 1;
+        } else {
+            high = t;
+            high_slope = s;
+            if (kept_side == -1) low_slope *= 0.5;
+            kept_side = -1;
+        }
+        if (i % 8 == 7) {  // a kink can stall it: halve
+            t = 0.5 * (low + high);
+            const double half = slope(t);
+            if (half > 0.0) {
+                low = t;
+                low_slope = half;
+            } else {
+                high = t;
+                high_slope = half;
+            }
+            kept_side = 0;
+        }
+    }
+    return low > 0.0 ? low : 0.5 * (low + high);
+}
+
+}  // namespace
+
+Motion solve(const Balance& balance) noexcept { return solve_from(balance, Vec6{}); }
+
+Motion solve_from(const Balance& b, const Vec6& start) noexcept {
+    // A channel at the floor w = 1 µm/s has slopes of 3e8 N·s/m: rounding of the rate alone leaves some 1e-8.
+    constexpr double tolerance = 1e-7;
+    Motion motion;
+
+    // The norm xᵀA⁻¹x of the unsaturated problem makes newtons and newton metres comparable.
+    Mat6 norm{};
+    Mat3 force_drag{}, torque_drag{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        force_drag[i][i] = b.force.drag;
+        torque_drag[i][i] = b.torque.drag;
+    }
+    add_coupling(b, force_drag, torque_drag, norm);
+    for (std::size_t i = 0; i < 3; ++i) norm[i][i] += b.mass / b.dt;
+    if (!factorise(norm)) return motion;
+    const auto size = [&norm](const Vec6& x) {
+        const Vec6 y = forward(norm, x);
+        return std::sqrt(dot(y, y));
+    };
+    const double scale = size(evaluate(b, Vec6{}).out_of_balance) + 1e-9;
+
+    Vec6 u = start;
+    At at = evaluate(b, u);
+    for (; motion.iterations < iteration_cap; ++motion.iterations) {
+        motion.residual = size(at.out_of_balance) / scale;
+        if (motion.residual <= tolerance) {
+            motion.has_converged = true;
+            break;
+        }
+        Mat6 h = hessian(b, u, at);
+        if (!factorise(h)) break;
+        const Vec6 step = backward(h, forward(h, at.out_of_balance));
+        const double slope = dot(at.out_of_balance, step);
+        if (!(slope > 0.0)) break;
+        u = stepped(u, exact_line_search(b, u, step, slope), step);
+        at = evaluate(b, u);
+    }
+
+    motion.rate = u;
+    motion.force = limited(b.force, at.force_pull);
+    motion.torque = limited(b.torque, at.torque_pull);
+    motion.release = release_force(b, u);
+    for (std::size_t c = 0; c < b.channels.size() && c < KERF_MAX_CHANNELS; ++c)
+        motion.lambda[c] = channel_force(b.channels[c], dot(direction(b.channels[c]), u), b.dt).lambda;
+    return motion;
+}
+
+}  // namespace kerf

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/haptics/channel.h"
+
+/// The tick's solve: the one motion at which hand and bone balance.
+namespace kerf {
+
+using Mat6 = std::array<std::array<double, 6>, 6>;
+
+/// A spring and damper to the hand that gives way at a limit; one for forces, one for torques.
+/// Its force on the tool at rate u is f = y min(1, limit/|y|) with y = pull − drag u.
+struct CouplingBlock {
+    Vec3 pull{};         ///< K e + B û_hand, at u = 0 [N] or [N·m]
+    double drag = 0.0;   ///< B + T K [N·s/m] or [N·m·s/rad], > 0
+    double limit = 0.0;  ///< device limit / force scale [N] or [N·m], > 0
+};
+
+/// Everything one tick has to balance, tool frame, about the tip. Bone newtons.
+struct Balance {
+    CouplingBlock force;       ///< acts at the grip
+    CouplingBlock torque;
+    Vec3 grip{};               ///< from the tip [m]
+    double mass = 0.0;         ///< [kg] of the proxy; 0 by default
+    Vec6 previous_rate{};      ///< only used with a mass
+    double dt = 1e-3;          ///< [s]
+    std::span<const kerf_channel> channels;
+    Vec6 following{};          ///< Σ follow λ̄: what follows the law without working against the rate
+    /// One-sided damper between tool and hand (resolutions R5): λ = damping max(0, along·v_tip − from).
+    Vec3 release_along{};
+    double release_damping = 0.0;  ///< [N·s/m]
+    double release_from = 0.0;     ///< [m/s]
+};
+
+struct Motion {
+    Vec6 rate{};                                         ///< of the tool, tool frame [m/s, rad/s]
+    std::array<double, KERF_MAX_CHANNELS> lambda{};      ///< [N]
+    double release = 0.0;                                ///< [N] of the release damper
+    Vec3 force{}, torque{};                              ///< of the coupling on the tool; the force acts at the grip
+    int iterations = 0;
+    double residual = 0.0;  ///< [–] relative
+    bool has_converged = false;
+};
+
+inline constexpr int iteration_cap = 32;
+
+/// Solves  Jᵀf(u) − (M/T)(u − u_prev) − Σ d λ(dᵀu) + following = 0.
+///
+/// The left side is minus the gradient of a strictly convex function of u (every λ rises, the coupling is a Huber
+/// spring), so there is one answer. Newton with an exact line search finds it: a loose one does not.
+/// Pre: every channel is_sound.   [haptic, nonblocking]
+///
+/// Source: docs/ARCHITECTURE.md, "The tick's solve".
+[[nodiscard]] Motion solve(const Balance& balance) noexcept;
+/// The same from another start; the answer must not depend on it.   [any]
+[[nodiscard]] Motion solve_from(const Balance& balance, const Vec6& start) noexcept;
+
+}  // namespace kerf

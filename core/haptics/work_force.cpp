@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/work_force.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace kerf {
+
+namespace {
+
+/// Bone everywhere, of one material: answers the same to every question.
+struct EndlessBone {
+    std::size_t material;
+    double density;
+};
+
+void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+    const auto* endless = reinterpret_cast<const EndlessBone*>(bone);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        out[i] = kerf_bone_sample{};
+        out[i].engagement = 1.0;
+        out[i].weight[endless->material] = 1.0;
+        out[i].density[endless->material] = endless->density;
+    }
+}
+
+/// The hole already fits: nothing touches the shank.
+void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_surface_point* out) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        out[i] = kerf_surface_point{};
+        out[i].body = -1;
+        out[i].distance = 1.0;
+    }
+}
+
+}  // namespace
+
+double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
+    const kerf_force& force = *setup.force->force;
+    const auto storage = std::make_unique<std::byte[]>(force.state_size + force.state_align);
+    void* state = storage.get();
+    std::size_t space = force.state_size + force.state_align;
+    state = std::align(force.state_align, force.state_size, state, space);
+
+    double largest = 0.0;
+    for (std::size_t m = 0; m < body.materials.size(); ++m) {
+        const EndlessBone endless{m, body.materials[m].density};
+        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()), &sample_endless,
+                              &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
+        kerf_tick_in in{};
+        in.size = sizeof in;
+        in.dt = Simulation::dt;
+        in.tool_params = setup.tool_parameters.data();
+        in.force_params = setup.force_parameters.data();
+        in.drive = setup.drives.data();
+        in.bone = &query;
+        kerf_channel channels[KERF_MAX_CHANNELS];
+        kerf_law law{sizeof(kerf_law), 0, channels};
+        force.reset(state);
+        if (force.resist(&in, state, &law) != KERF_OK) continue;
+        double along = 0.0;
+        for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
+            if (is_sound(channels[c])) along += channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
+        largest = std::max(largest, along);
+    }
+    return largest;
+}
+
+}  // namespace kerf

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/make_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/procedure/solids.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double least_share = 0.80;             // of a planned axis in bone
+constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
+
+Diagnostic error(std::string code, const std::string& file, std::string message, std::string write) {
+    Diagnostic d;
+    d.code = std::move(code);
+    d.place.file = file;
+    d.message = std::move(message);
+    d.write = std::move(write);
+    return d;
+}
+
+std::string rounded(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    for (char& c : text)
+        if (c == ',') c = '.';
+    return text;
+}
+
+}  // namespace
+
+std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics) {
+    Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const auto& part : anatomy.phantom.parts) {
+        if (part.subtract) continue;
+        const Box box = bounds_of(part.solid);
+        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y), std::min(bounds.low.z, box.low.z)};
+        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y), std::max(bounds.high.z, box.high.z)};
+    }
+    if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
+        diagnostics.push_back(error("E0601", anatomy.file, "the phantom has no part that adds bone.",
+                                    "Give `phantom.parts` at least one part without `subtract`."));
+        return std::nullopt;
+    }
+    const double margin = 6.0 * spacing;
+    const Vec3 around{margin, margin, margin};
+    const Vec3 extent = bounds.high - bounds.low + 2.0 * around;
+    const double edge = spacing * brick_edge;
+    if (!(extent.x / edge * (extent.y / edge) * (extent.z / edge) < static_cast<double>(most_bricks))) {
+        diagnostics.push_back(error("E0602", anatomy.file,
+                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
+                                        rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) + " mm is too large.",
+                                    "Use a coarser `accuracy.spacing` or a smaller phantom."));
+        return std::nullopt;
+    }
+
+    Body body;
+    body.id = anatomy.id;
+    const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
+    body.surface = LevelSet::build(grid, [&](Vec3 p) { return distance_to(anatomy.phantom, p); });
+    for (const auto& tissue : anatomy.tissues) {
+        Material material{tissue.id, tissue.density, {}};
+        const bool is_base = &tissue == &anatomy.tissues.back();
+        // A shell lies between the surface and its own thickness below it.
+        if (!is_base)
+            material.border = LevelSet::build(
+                grid, [&](Vec3 p) { return -distance_to(anatomy.phantom, p) - tissue.thickness; });
+        body.materials.push_back(std::move(material));
+    }
+    return body;
+}
+
+AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
+    const double step = 0.1 * body.grid().spacing;
+    const Vec3 along = normalized(axis.to - axis.from);
+    const int steps = static_cast<int>(length(axis.to - axis.from) / step);
+    AxisInBone found{-1.0, 0.0};
+    int inside = 0, behind = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const bool is_bone = body.surface.at(locate(body.grid(), axis.from + i * step * along)) < 0.0;
+        if (found.entry < 0.0 && is_bone) found.entry = i * step;
+        if (found.entry < 0.0) continue;
+        ++behind;
+        inside += is_bone;
+    }
+    if (behind > 0) found.share = static_cast<double>(inside) / behind;
+    return found;
+}
+
+void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::string& file, Diagnostics& diagnostics) {
+    if (found.entry < 0.0)
+        diagnostics.push_back(error("E0610", file, "the axis `" + axis.id + "` meets no bone.",
+                                    "Check its points: LPS, millimetres, from outside into the bone."));
+    else if (found.share < least_share)
+        diagnostics.push_back(error("E0611", file,
+                                    "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                                        " % of its length behind the entry, need 80 %.",
+                                    "Check its points, or the tissues of the anatomy."));
+}
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "core/field/body.h"
+#include "core/procedure/anatomy.h"
+
+namespace kerf {
+
+/// The body an anatomy describes, sampled at `spacing` [m].
+/// Error (E06xx): no bone at all, a grid too large, a shell thinner than can be carried.   [main]
+[[nodiscard]] std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics);
+
+/// Where an axis meets bone.
+struct AxisInBone {
+    double entry = 0.0;  ///< [m] from the axis's origin to the first bone; < 0: none
+    double share = 0.0;  ///< [–] of the axis from the entry to its end that lies in bone
+};
+[[nodiscard]] AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis);
+
+/// Refuses an axis that meets no bone, or lies in bone for less than 80 % behind its entry (E0610, E0611).   [main]
+void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace kerf

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cstdint>
+
+#include "kerf/abi.h"
+
+/// What a plugin says about itself, as plain values: enough to check a procedure without running plugin code.
+namespace kerf {
+
+struct ParameterInfo {
+    std::string id;
+    std::string help;
+    kerf_dimension dimension{};
+    std::string display_unit;
+    double min = 0.0, max = 0.0, def = 0.0;  ///< SI
+    std::string source;
+};
+
+struct SignalInfo {
+    std::string id;
+    std::string help;
+    kerf_dimension dimension{};
+    std::string display_unit;
+};
+
+struct ComponentInfo {
+    std::string plugin;  ///< "kerf.drilling"
+    std::string id;      ///< "twist_drill"
+    uint32_t kind = 0;   ///< KERF_KIND_TOOL or KERF_KIND_FORCE
+    std::string help;
+    std::vector<ParameterInfo> parameters;
+    std::vector<ParameterInfo> drives;  ///< tools only; source is empty
+    std::vector<SignalInfo> signals;    ///< forces only
+};
+
+/// Every component of every plugin that was found.
+using ComponentCatalog = std::vector<ComponentInfo>;
+
+}  // namespace kerf

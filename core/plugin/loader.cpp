@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/plugin/loader.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace kerf {
+
+namespace {
+
+struct LayoutField {
+    const char* name;
+    std::uint32_t kerf_layout::*size;
+};
+constexpr LayoutField layout_fields[] = {
+    {"kerf_param", &kerf_layout::param},           {"kerf_drive", &kerf_layout::drive},
+    {"kerf_signal", &kerf_layout::signal},         {"kerf_solid", &kerf_layout::solid},
+    {"kerf_tool_shape", &kerf_layout::tool_shape}, {"kerf_tool", &kerf_layout::tool},
+    {"kerf_bone_sample", &kerf_layout::bone_sample}, {"kerf_surface_point", &kerf_layout::surface_point},
+    {"kerf_bone_query", &kerf_layout::bone_query}, {"kerf_channel", &kerf_layout::channel},
+    {"kerf_law", &kerf_layout::law},               {"kerf_tick_in", &kerf_layout::tick_in},
+    {"kerf_advance", &kerf_layout::advance},       {"kerf_action", &kerf_layout::action},
+    {"kerf_commit_out", &kerf_layout::commit_out}, {"kerf_force", &kerf_layout::force},
+    {"kerf_component", &kerf_layout::component},
+};
+
+std::string differs(const std::string& path, const std::string& what, std::uint64_t got, std::uint64_t wanted) {
+    return "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): " + what + " is " +
+           std::to_string(got) + ", need " + std::to_string(wanted) + ": rebuild it against this Kerf.";
+}
+
+/// What is wrong with one component's own tables; empty when nothing.
+std::string fault_of(const kerf_component& c) {
+    if (c.id == nullptr || c.id[0] == '\0') return "a component without an id";
+    const std::string name = std::string("component `") + c.id + "` ";
+    if (c.kind != KERF_KIND_TOOL && c.kind != KERF_KIND_FORCE) return name + "is of no known kind (tool 1, force 2)";
+    if (c.kind == KERF_KIND_TOOL && (c.tool == nullptr || c.tool->shape == nullptr)) return name + "has no tool table";
+    if (c.kind == KERF_KIND_TOOL && c.tool->drive_count > KERF_MAX_DRIVES) return name + "has too many drives";
+    if (c.kind == KERF_KIND_FORCE &&
+        (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->reset == nullptr))
+        return name + "has no complete force table (reset, resist, commit)";
+    if (c.kind == KERF_KIND_FORCE && c.force->signal_count > KERF_MAX_SIGNALS) return name + "has too many signals";
+    for (std::uint32_t i = 0; i < c.param_count; ++i) {
+        const kerf_param& p = c.params[i];
+        if (p.id == nullptr || p.help == nullptr || p.source == nullptr || p.display_unit == nullptr)
+            return name + "has a parameter without id, help, unit or source";
+        if (!(p.min <= p.def && p.def <= p.max && std::isfinite(p.min) && std::isfinite(p.max)))
+            return name + "parameter `" + p.id + "` has a default outside its range";
+    }
+    return {};
+}
+
+template <class D>
+ParameterInfo parameter_info(const D& d, const char* source) {
+    return {d.id, d.help, d.dimension, d.display_unit, d.min, d.max, d.def, source};
+}
+
+}  // namespace
+
+std::string refusal_of(const kerf_entry& entry, const std::string& path) {
+    if (entry.magic != KERF_MAGIC) return differs(path, "magic", entry.magic, KERF_MAGIC);
+    if (entry.abi != KERF_ABI_VERSION) return differs(path, "ABI", entry.abi, KERF_ABI_VERSION);
+    if (entry.size != sizeof(kerf_entry)) return differs(path, "size of kerf_entry", entry.size, sizeof(kerf_entry));
+    const kerf_layout wanted = KERF_LAYOUT_INIT;
+    for (const auto& field : layout_fields)
+        if (entry.layout.*field.size != wanted.*field.size)
+            return differs(path, std::string("size of ") + field.name, entry.layout.*field.size, wanted.*field.size);
+    const std::string name = "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): ";
+    if (entry.plugin_id == nullptr || entry.plugin_version == nullptr || entry.components == nullptr || entry.component_count == 0)
+        return name + "its entry names no id, version or components: fill in kerf_entry.";
+    for (std::uint32_t i = 0; i < entry.component_count; ++i)
+        if (const std::string fault = fault_of(entry.components[i]); !fault.empty()) return name + fault + ": mend its table.";
+    return {};
+}
+
+Plugin::~Plugin() { dlclose(handle_); }
+
+PluginLoad load_plugin(const std::string& path) {
+    dlerror();
+    void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle == nullptr) {
+        const char* why = dlerror();
+        return {nullptr, "plugin " + path + " cannot be loaded: " + (why != nullptr ? why : "unknown reason") + "."};
+    }
+    const auto* entry = static_cast<const kerf_entry*>(dlsym(handle, KERF_ENTRY_SYMBOL));
+    std::string refusal = entry == nullptr
+                              ? "plugin " + path + ": exports no `" KERF_ENTRY_SYMBOL "`: is it a Kerf plugin?"
+                              : refusal_of(*entry, path);
+    if (!refusal.empty()) {
+        dlclose(handle);
+        return {nullptr, std::move(refusal)};
+    }
+    return {std::shared_ptr<Plugin>(new Plugin(handle, entry, path)), {}};
+}
+
+ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
+    ComponentInfo info;
+    info.plugin = plugin_id;
+    info.id = c.id;
+    info.kind = c.kind;
+    info.help = c.help != nullptr ? c.help : "";
+    for (std::uint32_t i = 0; i < c.param_count; ++i) info.parameters.push_back(parameter_info(c.params[i], c.params[i].source));
+    if (c.kind == KERF_KIND_TOOL)
+        for (std::uint32_t i = 0; i < c.tool->drive_count; ++i) info.drives.push_back(parameter_info(c.tool->drives[i], ""));
+    if (c.kind == KERF_KIND_FORCE)
+        for (std::uint32_t i = 0; i < c.force->signal_count; ++i) {
+            const kerf_signal& s = c.force->signals[i];
+            info.signals.push_back({s.id, s.help, s.dimension, s.display_unit});
+        }
+    return info;
+}
+
+void PluginRegistry::scan(const std::vector<std::string>& folders) {
+    for (const auto& folder : folders) {
+        std::vector<std::string> files;
+        std::error_code error;
+        for (const auto& file : std::filesystem::directory_iterator(folder, error))
+            if (file.path().extension() == ".so") files.push_back(file.path().string());
+        std::sort(files.begin(), files.end());
+        for (const auto& file : files) {
+            PluginLoad load = load_plugin(file);
+            if (load.plugin == nullptr) {
+                refusals_.push_back(load.refusal);
+                continue;
+            }
+            const std::string id = load.plugin->entry().plugin_id;
+            const auto twin = std::find_if(plugins_.begin(), plugins_.end(),
+                                           [&](const auto& p) { return id == p->entry().plugin_id; });
+            if (twin != plugins_.end()) {
+                refusals_.push_back("plugin " + id + " is found twice: " + (*twin)->path() + " (used) and " + file +
+                                    ". Remove one.");
+                continue;
+            }
+            for (std::uint32_t i = 0; i < load.plugin->entry().component_count; ++i)
+                catalog_.push_back(describe(id, load.plugin->entry().components[i]));
+            plugins_.push_back(std::move(load.plugin));
+        }
+    }
+}
+
+const kerf_component* PluginRegistry::find(const std::string& plugin, std::uint32_t kind, const std::string& id) const noexcept {
+    for (const auto& p : plugins_) {
+        if (plugin != p->entry().plugin_id) continue;
+        for (std::uint32_t i = 0; i < p->entry().component_count; ++i) {
+            const kerf_component& c = p->entry().components[i];
+            if (c.kind == kind && id == c.id) return &c;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace kerf

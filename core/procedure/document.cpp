@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/document.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unordered_set>
+#include <utility>
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t largest_file = 1u << 20;  // [byte]
+constexpr std::size_t deepest_level = 64;
+constexpr std::size_t longest_line_shown = 240;  // [byte]
+
+bool starts_character(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
+
+int characters(std::string_view text) noexcept {
+    return static_cast<int>(std::count_if(text.begin(), text.end(), starts_character));
+}
+
+/// Bytes of the character that starts at `at`: 1 … 4, or 0 if it is not UTF-8 or a control character.
+std::size_t character_size(std::string_view text, std::size_t at) noexcept {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
+    const unsigned first = byte(at);
+    if (first < 0x80) return (first >= 0x20 && first != 0x7F) || first == '\t' || first == '\n' || first == '\r';
+    const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return 0;
+    unsigned value = first & (0xFFu >> (size + 1));
+    for (std::size_t i = 1; i < size; ++i) {
+        if ((byte(at + i) & 0xC0u) != 0x80u) return 0;
+        value = value << 6 | (byte(at + i) & 0x3Fu);
+    }
+    constexpr unsigned smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
+    return value < smallest[size] || value > 0x10FFFF || is_surrogate ? 0 : size;
+}
+
+/// Where the first byte stands that is no text; npos if all is well.
+std::size_t find_not_text(std::string_view text) noexcept {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t size = character_size(text, at);
+        if (size == 0) return at;
+        at += size;
+    }
+    return std::string_view::npos;
+}
+
+/// Thrown by the handler below to leave the parser; never leaves this file.
+struct StopReading {};
+
+/// Builds the tree from yaml-cpp's events: the only part of yaml-cpp that gives a position for everything.
+class TreeBuilder final : public YAML::EventHandler {
+public:
+    TreeBuilder(Document& document, Report& report) : document_(document), report_(report) {}
+
+    bool has_content() const noexcept { return has_content_; }
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (documents_++ == 0) return;
+        report_.error(Code::several_documents, {at(mark), 1}, "A second document starts here; one file holds one.");
+        throw StopReading{};
+    }
+    void OnDocumentEnd() override {}
+
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { add_scalar(mark, "", ""); }
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& value) override {
+        add_scalar(mark, tag, value);
+    }
+    void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+        report_.error(Code::anchor_or_alias, {at(mark), name.size() + 1},
+                      "Anchors are not used here: they hide where a value comes from. Remove the anchor.");
+    }
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+        Node node;
+        node.span = {at(mark), 1};
+        node.is_refused = true;
+        report_.error(Code::anchor_or_alias, node.span,
+                      "Aliases are not used here: they hide where a value comes from. Repeat the value.");
+        add(std::move(node));
+    }
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                         YAML::EmitterStyle::value) override {
+        open(Node::Kind::list, mark, tag);
+    }
+    void OnSequenceEnd() override { close(); }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                    YAML::EmitterStyle::value) override {
+        open(Node::Kind::map, mark, tag);
+    }
+    void OnMapEnd() override { close(); }
+
+private:
+    /// A map or list whose end has not come yet.
+    struct Open {
+        Node node;
+        std::optional<Node> key;  ///< waiting for its value
+        std::unordered_set<std::string> keys;
+    };
+
+    std::size_t at(const YAML::Mark& mark) const noexcept {
+        const std::size_t begin = document_.line_begin(std::max(0, mark.line));
+        return std::min(begin + static_cast<std::size_t>(std::max(0, mark.column)), document_.text().size());
+    }
+
+    /// Bytes from `begin` that show `value`, on one line: with its quotes, or as it stands.
+    std::size_t shown_size(std::size_t begin, std::string_view value) const noexcept {
+        const std::string_view rest = std::string_view(document_.text()).substr(begin);
+        if (rest.empty()) return 1;
+        if (rest[0] != '"' && rest[0] != '\'') return rest.starts_with(value) ? std::max<std::size_t>(1, value.size()) : 1;
+        for (std::size_t i = 1; i < rest.size() && rest[i] != '\n'; ++i) {
+            if (rest[0] == '"' && rest[i] == '\\') ++i;
+            else if (rest[i] == rest[0]) return i + 1;
+        }
+        return 1;
+    }
+
+    void refuse_tag(std::size_t begin, const std::string& tag) {
+        const bool is_written = begin < document_.text().size() && document_.text()[begin] == '!';
+        if (!is_written && (tag.empty() || tag == "?" || tag == "!")) return;
+        report_.error(Code::tag, {begin, 1}, "Tags are not used here: what a value means follows from its key. "
+                                             "Remove the tag.");
+    }
+
+    void add_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
+        Node node;
+        node.text = value;
+        node.span = {at(mark), 1};
+        node.span.size = shown_size(node.span.begin, value);
+        refuse_tag(node.span.begin, tag);
+        add(std::move(node));
+    }
+
+    void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag) {
+        Open opened;
+        opened.node.kind = kind;
+        opened.node.span = {at(mark), 1};
+        refuse_tag(opened.node.span.begin, tag);
+        if (open_.size() >= deepest_level) {
+            report_.error(Code::nested_too_deep, opened.node.span,
+                          "This is nested more than " + std::to_string(deepest_level) + " levels deep.");
+            throw StopReading{};
+        }
+        open_.push_back(std::move(opened));
+    }
+
+    void close() {
+        Node node = std::move(open_.back().node);
+        open_.pop_back();
+        add(std::move(node));
+    }
+
+    void add(Node node) {
+        if (open_.empty()) {
+            has_content_ = node.kind != Node::Kind::scalar || !node.text.empty() || node.is_refused;
+            document_.root = std::move(node);
+            return;
+        }
+        Open& parent = open_.back();
+        if (parent.node.kind == Node::Kind::list) {
+            parent.node.children.push_back(std::move(node));
+        } else if (!parent.key) {
+            parent.key = std::move(node);
+        } else {
+            add_entry(parent, std::move(node));
+        }
+    }
+
+    void add_entry(Open& parent, Node value) {
+        const Node key = std::move(*parent.key);
+        parent.key.reset();
+        if (key.is_refused) return;
+        if (key.kind != Node::Kind::scalar || key.text.empty()) {
+            report_.error(Code::key_not_text, key.span, "A key must be a word.");
+            return;
+        }
+        if (!parent.keys.insert(key.text).second) {
+            report_.error(Code::duplicate_key, key.span,
+                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.");
+            return;
+        }
+        // yaml-cpp places an absent value at the next token, often on another line.
+        const bool is_absent = value.kind == Node::Kind::scalar && value.text.empty() && !value.is_refused;
+        if (is_absent) value.span = key.span;
+        value.key = key.text;
+        value.key_span = key.span;
+        parent.node.children.push_back(std::move(value));
+    }
+
+    Document& document_;
+    Report& report_;
+    std::vector<Open> open_;
+    int documents_ = 0;
+    bool has_content_ = false;
+};
+
+void report_file(Code code, const std::string& file, std::string message, Diagnostics& diagnostics) {
+    Diagnostic diagnostic;
+    diagnostic.code = code_text(code);
+    diagnostic.place.file = file;
+    diagnostic.message = std::move(message);
+    diagnostics.push_back(std::move(diagnostic));
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view wanted) const noexcept {
+    const auto found = std::find_if(children.begin(), children.end(), [&](const Node& c) { return c.key == wanted; });
+    return kind == Kind::map && found != children.end() ? &*found : nullptr;
+}
+
+Document::Document(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
+    line_begins_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i)
+        if (text_[i] == '\n') line_begins_.push_back(i + 1);
+}
+
+std::size_t Document::line_begin(int line) const noexcept {
+    const auto index = static_cast<std::size_t>(std::max(0, line));
+    return index < line_begins_.size() ? line_begins_[index] : text_.size();
+}
+
+std::size_t Document::line_of(std::size_t at) const noexcept {
+    const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), at);
+    return static_cast<std::size_t>(after - line_begins_.begin()) - 1;
+}
+
+std::string_view Document::line(std::size_t index) const noexcept {
+    const std::size_t begin = line_begins_[index];
+    std::size_t end = index + 1 < line_begins_.size() ? line_begins_[index + 1] - 1 : text_.size();
+    if (end > begin && text_[end - 1] == '\r') --end;
+    return std::string_view(text_).substr(begin, end - begin);
+}
+
+SourcePlace Document::place(TextSpan span) const {
+    const std::size_t at = std::min(span.begin, text_.size());
+    const std::size_t index = line_of(at);
+    SourcePlace place;
+    place.file = file_;
+    place.line = static_cast<int>(index) + 1;
+    place.column = characters(std::string_view(text_).substr(line_begins_[index], at - line_begins_[index])) + 1;
+    place.length = std::max(1, characters(std::string_view(text_).substr(at, span.size)));
+    return place;
+}
+
+std::string Document::source_line(TextSpan span) const {
+    const std::string_view shown = line(line_of(std::min(span.begin, text_.size())));
+    return shown.size() <= longest_line_shown ? std::string(shown) : std::string();
+}
+
+void Report::error(Code code, TextSpan span, std::string message, std::string write) {
+    ++errors_;
+    add(Diagnostic::Level::error, code, span, std::move(message), std::move(write));
+}
+
+void Report::warning(Code code, TextSpan span, std::string message, std::string write) {
+    add(Diagnostic::Level::warning, code, span, std::move(message), std::move(write));
+}
+
+void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write) {
+    if (++shown_ > most_shown + 1) return;
+    if (shown_ == most_shown + 1) {
+        level = Diagnostic::Level::error;
+        code = Code::too_many_errors;
+        message = "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown.";
+        write.clear();
+    }
+    Diagnostic diagnostic;
+    diagnostic.level = level;
+    diagnostic.code = code_text(code, level == Diagnostic::Level::error ? 'E' : 'W');
+    diagnostic.place = document_.place(span);
+    diagnostic.message = std::move(message);
+    diagnostic.write = std::move(write);
+    diagnostic.source_line = document_.source_line(span);
+    diagnostics_.push_back(std::move(diagnostic));
+}
+
+std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics) {
+    std::error_code failure;
+    if (!std::filesystem::exists(file, failure)) {
+        report_file(Code::file_unreadable, file, "There is no such file.", diagnostics);
+        return std::nullopt;
+    }
+    // A pipe or a device could keep us waiting for ever.
+    std::ifstream stream;
+    if (std::filesystem::is_regular_file(file, failure)) stream.open(file, std::ios::binary);
+    if (!stream.is_open()) {
+        report_file(Code::file_unreadable, file, "This is not a file that can be read.", diagnostics);
+        return std::nullopt;
+    }
+    std::string text(largest_file + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (stream.bad()) {
+        report_file(Code::file_unreadable, file, "Reading this file failed.", diagnostics);
+        return std::nullopt;
+    }
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;  // one byte too many is refused where the text is parsed
+}
+
+std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics) {
+    if (text.size() > largest_file) {
+        report_file(Code::file_too_large, file, "The file is larger than 1 MB; no document needs that.", diagnostics);
+        return std::nullopt;
+    }
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark would shift the first line
+
+    std::optional<Document> document(std::in_place, file, std::move(text));
+    Report report(*document, diagnostics);
+    if (const std::size_t at = find_not_text(document->text()); at != std::string::npos) {
+        report.error(Code::not_text, {at, 1}, "This is not text: save the file as UTF-8, without control characters.");
+        return std::nullopt;
+    }
+
+    TreeBuilder builder(*document, report);
+    try {
+        std::istringstream stream(document->text());
+        YAML::Parser parser(stream);
+        while (parser.HandleNextDocument(builder)) {
+        }
+        if (!builder.has_content()) {
+            report_file(Code::file_empty, file, "The file says nothing.", diagnostics);
+            return std::nullopt;
+        }
+    } catch (const StopReading&) {
+        return std::nullopt;
+    } catch (const YAML::Exception& failure) {
+        const std::size_t begin = document->line_begin(failure.mark.line);
+        const std::size_t at = begin + static_cast<std::size_t>(std::max(0, failure.mark.column));
+        report.error(Code::syntax, {at, 1}, "This is not YAML: " + failure.msg + ".");
+        return std::nullopt;
+    } catch (const std::exception& failure) {  // yaml-cpp on input that its authors did not think of
+        report_file(Code::syntax, file, std::string("This is not YAML: ") + failure.what() + ".", diagnostics);
+        return std::nullopt;
+    }
+    return document;
+}
+
+}  // namespace kerf

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/plugin/component_info.h"
+#include "core/procedure/source.h"
+#include "kerf/math.hpp"
+
+/// `kind: Procedure` as checked values: all SI, nothing left to parse. Reading it: core/procedure/read_procedure.h.
+namespace kerf {
+
+struct ParameterSetting {
+    std::string id;
+    double value = 0.0;  ///< SI
+};
+
+struct Instrument {
+    std::string id;
+    std::string plugin;  ///< "kerf.drilling"
+    std::string tool;    ///< component id of kind tool
+    std::string force;   ///< component id of kind force
+    std::vector<double> tool_parameters;   ///< SI, declared order, defaults filled in
+    std::vector<double> force_parameters;  ///< SI, declared order, defaults filled in
+    std::vector<double> drives;            ///< SI, declared order, defaults filled in
+};
+
+/// A goal or limit on one number: `at_least` and/or `at_most`, SI.
+struct Bound {
+    std::optional<double> at_least, at_most;
+};
+
+struct Goal {
+    std::string quantity;  ///< "entry" (first bone met) or "depth" (of the tip along the step's axis, from the entry [m])
+    Bound bound;           ///< empty for "entry"
+    SourcePlace place;
+};
+
+struct Limit {
+    std::string quantity;  ///< "depth" [m] or "clearance" (of the cutting region to `zone` [m], negative inside)
+    std::string zone;      ///< for "clearance"
+    Bound bound;
+    std::string reason;    ///< the sentence a trainee reads when it is broken
+    SourcePlace place;
+};
+
+struct Step {
+    std::string id, title;
+    std::string instrument;  ///< id of an Instrument
+    std::string axis;        ///< name of the landmark axis
+    std::vector<Goal> goals;
+    std::vector<Limit> limits;
+};
+
+/// One waypoint of a rehearsal, in the frame of the step's axis: depth from the axis's origin along it, and a shift.
+struct Waypoint {
+    double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
+    double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
+};
+
+/// Intent, carried out by the simulated hand; it never writes the tool's pose.
+struct Rehearsal {
+    std::string id, title;
+    std::string expect;        ///< "pass" or "fail"
+    std::string expect_limit;  ///< for "fail": the zone (or quantity) whose limit must be the only one broken
+    double feed = 1e-3;        ///< [m/s] what the hand aims at in bone
+    double approach = 10e-3;   ///< [m/s] in air
+    double push = 60.0;        ///< [N] the most it pushes, bone side
+    double reaction = 0.15;    ///< [s]
+    std::vector<Waypoint> path;
+};
+
+struct Procedure {
+    std::string file;          ///< as the user typed it; stderr only, never written to a result
+    std::string id, title, version, status;
+    std::vector<std::string> authors;
+    std::string text;          ///< the document itself, for the session
+    std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
+    std::string anatomy_file;  ///< resolved against the document's folder
+    double spacing = 0.25e-3;  ///< [m] of the cut field
+    std::string device;        ///< name of the device record the simulated hand holds
+    std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent
+    double time_limit = 120.0; ///< [s] simulated
+    std::vector<Instrument> instruments;
+    std::vector<Step> steps;
+    std::vector<Rehearsal> rehearsals;
+};
+
+}  // namespace kerf

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+/// A fraction of whole numbers where there is one, so that 1 g/cm3 is exactly 1000 kg/m³.
+struct Symbol {
+    std::string_view name;
+    double numerator, denominator;
+    kerf_dimension dimension;
+};
+
+constexpr kerf_dimension mass{{0, 1, 0, 0, 0, 0, 0, 0}};
+constexpr kerf_dimension energy = dimension::torque;
+
+constexpr std::array symbols{
+    Symbol{"1", 1, 1, dimension::none},
+    Symbol{"m", 1, 1, dimension::length},
+    Symbol{"cm", 1, 100, dimension::length},
+    Symbol{"mm", 1, 1e3, dimension::length},
+    Symbol{"um", 1, 1e6, dimension::length},
+    Symbol{"µm", 1, 1e6, dimension::length},
+    Symbol{"rad", 1, 1, dimension::angle},
+    Symbol{"deg", pi, 180, dimension::angle},
+    Symbol{"s", 1, 1, dimension::time},
+    Symbol{"ms", 1, 1e3, dimension::time},
+    Symbol{"min", 60, 1, dimension::time},
+    Symbol{"Hz", 1, 1, dimension::frequency},
+    Symbol{"kHz", 1e3, 1, dimension::frequency},
+    Symbol{"rpm", 1, 60, dimension::frequency},
+    Symbol{"kg", 1, 1, mass},
+    Symbol{"g", 1, 1e3, mass},
+    Symbol{"mg", 1, 1e6, mass},
+    Symbol{"N", 1, 1, dimension::force},
+    Symbol{"mN", 1, 1e3, dimension::force},
+    Symbol{"kN", 1e3, 1, dimension::force},
+    Symbol{"Nm", 1, 1, dimension::torque},
+    Symbol{"Nmm", 1, 1e3, dimension::torque},
+    Symbol{"J", 1, 1, energy},
+    Symbol{"mJ", 1, 1e3, energy},
+    Symbol{"Pa", 1, 1, dimension::pressure},
+    Symbol{"kPa", 1e3, 1, dimension::pressure},
+    Symbol{"MPa", 1e6, 1, dimension::pressure},
+    Symbol{"GPa", 1e9, 1, dimension::pressure},
+    Symbol{"ml", 1, 1e6, dimension::volume},
+};
+
+constexpr std::size_t most_factors = 6;  // no unit needs more; a long text is not searched in vain
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\n')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\n')) text.remove_suffix(1);
+    return text;
+}
+
+/// The power at the end of "mm3", "mm^3" or "mm³": takes it off `factor`.
+int take_power(std::string_view& factor) {
+    int power = 1;
+    if (factor.size() < 2) return power;
+    if (factor.ends_with("²") || factor.ends_with("³")) {
+        power = factor.ends_with("²") ? 2 : 3;
+        factor.remove_suffix(std::string_view("²").size());
+    } else if (factor.back() >= '2' && factor.back() <= '4') {
+        power = factor.back() - '0';
+        factor.remove_suffix(1);
+        if (factor.ends_with("^")) factor.remove_suffix(1);
+    }
+    return power;
+}
+
+/// Takes a number off the front of `text`. Empty if there is none, or none that a computer can hold.
+std::optional<double> take_number(std::string_view& text) {
+    text = trimmed(text);
+    const std::size_t digit = !text.empty() && text[0] == '-' ? 1 : 0;
+    const bool is_figure = text.size() > digit && ((text[digit] >= '0' && text[digit] <= '9') || text[digit] == '.');
+    if (!is_figure) return std::nullopt;  // from_chars would take "inf" and "nan"
+    double value = 0.0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || !std::isfinite(value)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return value;
+}
+
+/// A value of the file, shortened: it may be a whole paragraph.
+std::string quoted(std::string_view text) {
+    std::string shown(text.substr(0, 40));
+    while (!shown.empty() && text.size() > 40 && (static_cast<unsigned char>(shown.back()) & 0x80u)) shown.pop_back();
+    std::replace(shown.begin(), shown.end(), '\n', ' ');
+    return "`" + shown + (text.size() > 40 ? "…`" : "`");
+}
+
+std::string number_text(double value) {
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value, std::chars_format::general, 10).ptr;
+    return std::string(text, end);
+}
+
+std::string with_unit(std::string number, std::string_view unit) {
+    if (!unit.empty()) number.append(" ").append(unit);
+    return number;
+}
+
+std::string what_is_needed(const QuantityNeed& need) {
+    return need.unit.empty() ? "a plain number" : "a number in " + need.unit;
+}
+
+QuantityProblem not_a_number(std::string_view text, const std::string& name, const QuantityNeed& need) {
+    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ".", {}};
+
+    // "3,2 mm" is how half of the world writes it.
+    std::string with_point(text.substr(0, 40));
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    std::string_view rest = with_point;
+    if (std::count(text.begin(), text.end(), ',') == 1 && take_number(rest) &&
+        (need.unit.empty() ? trimmed(rest).empty() : parse_unit(rest).has_value()))
+        problem.write = with_point;
+    return problem;
+}
+
+/// The factor of the unit behind a number; the problem if it is not a unit of the kind needed.
+Parsed<double> factor_of(std::string_view unit_text, std::string_view number, std::string_view text,
+                         const std::string& name, const QuantityNeed& need) {
+    const std::string as_needed = with_unit(std::string(trimmed(number)), need.unit);
+    if (unit_text.empty()) {
+        if (need.unit.empty()) return {1.0, {}};
+        return {std::nullopt, {Code::missing_unit, name + " is " + quoted(text) + ", which has no unit.", as_needed}};
+    }
+    const std::optional<Unit> unit = parse_unit(unit_text);
+    if (!unit)
+        return {std::nullopt, {Code::unknown_unit, name + " has an unknown unit " + quoted(unit_text) + ", must be " +
+                                                       what_is_needed(need) + ".", as_needed}};
+    if (!(unit->dimension == need.dimension))
+        return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", must be " +
+                                                          what_is_needed(need) + ".", as_needed}};
+    return {unit->factor, {}};
+}
+
+/// What somebody meant who wrote a value out of range: the decimal point slipped, or else the nearest end.
+double likely_meant(double value, const QuantityNeed& need) {
+    const auto fits = [&](double v) { return v >= need.min && v <= need.max; };
+    if (value > 2.0 * need.max && fits(value / 10.0)) return value / 10.0;
+    if (value < 0.5 * need.min && value > 0.0 && fits(value * 10.0)) return value * 10.0;
+    return std::clamp(value, need.min, need.max);
+}
+
+QuantityProblem out_of_range(double value, const std::string& name, const QuantityNeed& need) {
+    return {Code::out_of_range,
+            name + " is " + quantity_text(value, need.unit) + ", must be " + quantity_text(need.min, need.unit) + " … " +
+                quantity_text(need.max, need.unit) + ".",
+            quantity_text(likely_meant(value, need), need.unit)};
+}
+
+bool in_range(double value, const QuantityNeed& need) {
+    // 0.1 mm must not fail against a limit of 0.1e-3 m for its last bit.
+    const double slack = 1e-12 * std::max(std::abs(need.min), std::abs(need.max));
+    return value >= need.min - slack && value <= need.max + slack;
+}
+
+}  // namespace
+
+std::optional<Unit> parse_unit(std::string_view text) {
+    text = trimmed(text);
+    double numerator = 1.0, denominator = 1.0;
+    std::array<int, 8> exponents{};
+    bool is_divided = false;
+    for (std::size_t count = 0;; ++count) {
+        // One factor, up to the next sign.
+        if (count == most_factors) return std::nullopt;
+        const std::size_t end = text.find_first_of("/* ");
+        std::string_view factor = text.substr(0, end);
+        const int power = take_power(factor);
+        const auto symbol = std::find_if(symbols.begin(), symbols.end(), [&](const Symbol& s) { return s.name == factor; });
+        if (symbol == symbols.end()) return std::nullopt;
+        for (int i = 0; i < power; ++i) {
+            numerator *= is_divided ? symbol->denominator : symbol->numerator;
+            denominator *= is_divided ? symbol->numerator : symbol->denominator;
+        }
+        for (std::size_t i = 0; i < exponents.size(); ++i)
+            exponents[i] += (is_divided ? -power : power) * symbol->dimension.exponent[i];
+
+        // The sign: a slash divides by the next factor alone.
+        if (end == std::string_view::npos) break;
+        is_divided = text[end] == '/';
+        text.remove_prefix(end + 1);
+    }
+    Unit unit;
+    unit.factor = numerator / denominator;
+    for (std::size_t i = 0; i < exponents.size(); ++i) unit.dimension.exponent[i] = static_cast<int8_t>(exponents[i]);
+    return unit;
+}
+
+std::string quantity_text(double value, std::string_view unit) {
+    const std::optional<Unit> known = parse_unit(unit);
+    return with_unit(number_text(known ? value / known->factor : value), unit);
+}
+
+Parsed<double> parse_quantity(std::string_view text, const std::string& name, const QuantityNeed& need) {
+    text = trimmed(text);
+    std::string_view rest = text;
+    const std::optional<double> number = take_number(rest);
+    if (!number) return {std::nullopt, not_a_number(text, name, need)};
+    const std::string_view number_part = text.substr(0, text.size() - rest.size());
+    if (rest.starts_with(',')) return {std::nullopt, not_a_number(text, name, need)};
+    rest = trimmed(rest);
+
+    double value = *number;
+    if (need.unit.empty() && rest.starts_with('/')) {  // a fraction
+        rest.remove_prefix(1);
+        const std::optional<double> below = take_number(rest);
+        if (!below || *below == 0.0) return {std::nullopt, not_a_number(text, name, need)};
+        value /= *below;
+        rest = trimmed(rest);
+    }
+    const Parsed<double> factor = factor_of(rest, number_part, text, name, need);
+    if (!factor.value) return factor;
+    value *= *factor.value;
+    if (!std::isfinite(value)) return {std::nullopt, not_a_number(text, name, need)};
+    if (!in_range(value, need)) return {std::nullopt, out_of_range(value, name, need)};
+    return {value, {}};
+}
+
+Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const QuantityNeed& need) {
+    text = trimmed(text);
+    std::string_view rest = text;
+    std::array<double, 3> number{};
+    for (double& component : number) {
+        const std::optional<double> taken = take_number(rest);
+        if (!taken || rest.starts_with(','))
+            return {std::nullopt,
+                    {Code::not_three_numbers,
+                     name + " is " + quoted(text) + ", must be three numbers" +
+                         (need.unit.empty() ? "." : " and one unit."),
+                     with_unit("0 0 0", need.unit)}};
+        component = *taken;
+    }
+    const std::string_view number_part = text.substr(0, text.size() - rest.size());
+    rest = trimmed(rest);
+    if (std::string_view more = rest; take_number(more) && !parse_unit(rest))
+        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more.", {}}};
+    const Parsed<double> factor = factor_of(rest, number_part, text, name, need);
+    if (!factor.value) return {std::nullopt, factor.problem};
+    for (double& component : number) {
+        component *= *factor.value;
+        if (!in_range(component, need)) return {std::nullopt, out_of_range(component, name, need)};
+    }
+    return {Vec3{number[0], number[1], number[2]}, {}};
+}
+
+}  // namespace kerf

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/procedure/anatomy.h"
+
+/// `kind: Anatomy` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
+namespace kerf {
+
+/// Reads and checks one anatomy. Empty if anything is wrong. Never throws.   [main]
+std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagnostics);
+
+/// The same for text that is in memory already, as in a recorded session. `file` is only its name.   [main]
+std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics);
+
+}  // namespace kerf

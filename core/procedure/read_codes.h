@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+/// What can be wrong with a document. The number is the code a person sees: 412 is `E0412`, as a warning `W0412`.
+/// Numbers are never reused, so that a search for one finds its meaning.
+namespace kerf {
+
+enum class Code {
+    // The file and its YAML
+    file_unreadable = 101,    ///< missing, a folder, or not allowed
+    file_too_large = 102,     ///< over 1 MB
+    not_text = 103,           ///< not UTF-8, or a control character
+    file_empty = 104,         ///< nothing but comments
+    syntax = 105,             ///< not YAML
+    several_documents = 106,  ///< a second document after `---`
+    nested_too_deep = 107,    ///< more than 64 levels
+    duplicate_key = 108,      ///< a key twice in one map
+    anchor_or_alias = 109,    ///< `&name` or `*name`
+    tag = 110,                ///< `!name`
+    key_not_text = 111,       ///< a key that is empty, a list or a map
+    too_many_errors = 112,    ///< the rest is not shown
+
+    // Its structure
+    wrong_api_version = 201,
+    wrong_kind = 202,      ///< an anatomy where a procedure is needed, or the other way round
+    unknown_key = 203,
+    missing_key = 204,
+    wrong_shape = 205,     ///< a list where a map is needed, and the like
+    empty_value = 206,     ///< a key with nothing behind it, or an empty list
+    unknown_word = 207,    ///< not one of the few words allowed here
+    duplicate_id = 208,
+    malformed_word = 209,  ///< an id or a version in a wrong form
+    path_outside = 210,    ///< absolute, or leaving the document's folder
+    one_of = 211,          ///< not exactly one of several keys
+
+    // What it refers to
+    unknown_plugin = 301,
+    unknown_tool = 302,
+    unknown_force = 303,
+    unknown_parameter = 304,
+    unknown_drive = 305,
+    unknown_instrument = 306,
+    undeclared_zone = 307,      ///< not under needs.zones
+    undeclared_landmark = 308,  ///< not under needs.landmarks
+    unknown_limit = 309,        ///< a rehearsal expects a limit to break that no step has
+    unused_instrument = 310,    ///< warning
+
+    // Its numbers
+    not_a_number = 401,
+    missing_unit = 402,
+    unknown_unit = 403,
+    wrong_dimension = 404,
+    not_three_numbers = 405,
+    empty_bound = 406,  ///< neither at_least nor at_most, or at_least above at_most
+    degenerate = 407,   ///< a solid or axis without extent, a shell that is not one
+    out_of_range = 412,
+
+    // What the procedure needs of the anatomy
+    missing_landmark = 501,
+    missing_zone = 502,
+    missing_tissue = 503,
+    axis_is_a_point = 504,
+    missing_midline = 505,
+};
+
+/// `E0412`; `W0412` for a warning.
+inline std::string code_text(Code code, char letter = 'E') {
+    char text[8];
+    std::snprintf(text, sizeof text, "%c%04d", letter, static_cast<int>(code) % 10000);
+    return text;
+}
+
+}  // namespace kerf

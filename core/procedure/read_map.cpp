@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/read_map.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t longest_word = 48;  // longer ones are no slip of the finger
+constexpr std::size_t most_candidates = 200;
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
+}
+
+const char* kind_name(Node::Kind kind) {
+    switch (kind) {
+        case Node::Kind::map: return "a map of keys";
+        case Node::Kind::list: return "a list";
+        case Node::Kind::scalar: break;
+    }
+    return "a single value";
+}
+
+bool is_absent(const Node& node) { return node.kind == Node::Kind::scalar && node.text.empty(); }
+
+bool is_id(std::string_view text) {
+    const auto is_alphanumeric = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
+    return !text.empty() && text.size() <= 64 && is_alphanumeric(text[0]) &&
+           std::all_of(text.begin(), text.end(),
+                       [&](char c) { return is_alphanumeric(c) || c == '.' || c == '_' || c == '-'; });
+}
+
+}  // namespace
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
+    if (word.size() > longest_word || report.is_full()) return {};
+    std::string best;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
+        const std::string& candidate = candidates[i];
+        if (candidate.size() > longest_word) continue;
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < best_distance) {
+            best = candidate;
+            best_distance = distance;
+        }
+    }
+    return best;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    constexpr std::size_t most = 8;
+    std::string text;
+    const std::size_t shown = std::min(words.size(), most);
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+        text += "`" + words[i] + "`";
+    }
+    return words.size() > most ? text + ", …" : text;
+}
+
+bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
+    if (node.is_refused) return false;
+    if (is_absent(node)) {
+        report.error(Code::empty_value, node.span, name + " is empty, must be " + kind_name(kind) + ".");
+        return false;
+    }
+    if (node.kind == kind) return true;
+    report.error(Code::wrong_shape, node.span, name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ".");
+    return false;
+}
+
+std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report) {
+    if (!is_kind(node, Node::Kind::scalar, name, report)) return std::nullopt;
+    return node.text;
+}
+
+std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report) {
+    std::optional<std::string> text = read_text(node, name, report);
+    if (text && !is_id(*text)) {
+        report.error(Code::malformed_word, node.span,
+                     name + " must be one word of letters, digits, `.`, `_` and `-`, at most 64.");
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    if (*text == "true" || *text == "false") return *text == "true";
+    report.error(Code::unknown_word, node.span, name + " must be `true` or `false`.");
+    return std::nullopt;
+}
+
+std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    Parsed<double> parsed = parse_quantity(*text, name, need);
+    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write);
+    return parsed.value;
+}
+
+std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
+    if (node.kind == Node::Kind::list) {
+        if (node.children.size() != 3) {
+            report.error(Code::not_three_numbers, node.span, name + " has " + std::to_string(node.children.size()) +
+                                                                 " values, must have three.");
+            return std::nullopt;
+        }
+        std::array<std::optional<double>, 3> values;
+        for (std::size_t i = 0; i < 3; ++i) values[i] = read_quantity(node.children[i], name, need, report);
+        if (!values[0] || !values[1] || !values[2]) return std::nullopt;
+        return Vec3{*values[0], *values[1], *values[2]};
+    }
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return std::nullopt;
+    Parsed<Vec3> parsed = parse_vector(*text, name, need);
+    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write);
+    return parsed.value;
+}
+
+const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report) {
+    static const std::vector<Node> none;
+    if (!is_kind(node, Node::Kind::list, name, report)) return none;
+    if (node.children.empty()) report.error(Code::empty_value, node.span, name + " is an empty list.");
+    return node.children;
+}
+
+std::vector<std::string> read_ids(const Node& node, const std::string& name, Report& report) {
+    std::vector<std::string> ids;
+    UniqueIds unique;
+    for (const Node& item : read_list(node, name, report))
+        if (const std::optional<std::string> id = read_id(item, "A name in " + name, report))
+            if (unique.add(*id, item.span, report)) ids.push_back(*id);
+    return ids;
+}
+
+bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
+    if (ids_.insert(id).second) return true;
+    report.error(Code::duplicate_id, span, "`" + id + "` is used already; give this one another name.");
+    return false;
+}
+
+std::string item_name(const Node& item, const std::string& sort) {
+    const Node* id = item.find("id");
+    return id && id->kind == Node::Kind::scalar && is_id(id->text) ? id->text : sort;
+}
+
+bool read_header(MapReader& document, const std::string& kind, Report& report) {
+    constexpr const char* api_version = "kerf/v1";
+    bool is_right = document.is_map();
+    if (const Node* node = document.required("apiVersion"))
+        if (const auto text = read_text(*node, "apiVersion", report); text && *text != api_version) {
+            report.error(Code::wrong_api_version, node->span, "This is not a version that this Kerf reads.", api_version);
+            is_right = false;
+        }
+    if (const Node* node = document.required("kind"))
+        if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
+            report.error(Code::wrong_kind, node->span, "A document of kind " + kind + " is needed here.", kind);
+            is_right = false;
+        }
+    return is_right;
+}
+
+MapReader::MapReader(const Node& node, std::string name, Report& report)
+    : node_(node),
+      name_(std::move(name)),
+      report_(report),
+      span_(node.key.empty() ? node.span : node.key_span),
+      is_map_(is_kind(node, Node::Kind::map, name_.empty() ? "The document" : name_, report)) {}
+
+std::string MapReader::name_of(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
+
+const Node* MapReader::optional(const std::string& key) {
+    known_.push_back(key);
+    return is_map_ ? node_.find(key) : nullptr;
+}
+
+const Node* MapReader::required(const std::string& key) {
+    const Node* found = optional(key);
+    if (!found && is_map_)
+        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`.");
+    return found;
+}
+
+std::string MapReader::text(const std::string& key) {
+    const Node* found = required(key);
+    return found ? read_text(*found, name_of(key), report_).value_or("") : "";
+}
+
+std::string MapReader::optional_text(const std::string& key) {
+    const Node* found = optional(key);
+    return found ? read_text(*found, name_of(key), report_).value_or("") : "";
+}
+
+std::string MapReader::id(const std::string& key) {
+    const Node* found = required(key);
+    return found ? read_id(*found, name_of(key), report_).value_or("") : "";
+}
+
+double MapReader::quantity(const std::string& key, const QuantityNeed& need) {
+    const Node* found = required(key);
+    return found ? read_quantity(*found, name_of(key), need, report_).value_or(need.min) : need.min;
+}
+
+void MapReader::quantity(const std::string& key, const QuantityNeed& need, double& value) {
+    if (const Node* found = optional(key)) value = read_quantity(*found, name_of(key), need, report_).value_or(value);
+}
+
+std::optional<Vec3> MapReader::vector(const std::string& key, const QuantityNeed& need) {
+    const Node* found = required(key);
+    return found ? read_vector(*found, name_of(key), need, report_) : std::nullopt;
+}
+
+const Node* MapReader::one_of(const std::vector<std::string>& keys) {
+    const Node* found = nullptr;
+    for (const std::string& key : keys) {
+        const Node* candidate = optional(key);
+        if (candidate && found) {
+            report_.error(Code::one_of, candidate->key_span,
+                          name_ + " has both `" + found->key + "` and `" + key + "`; it can have one.");
+        } else if (candidate) {
+            found = candidate;
+        }
+    }
+    if (!found && is_map_) report_.error(Code::one_of, span_, name_ + " needs " + listed(keys) + ".");
+    return found;
+}
+
+void MapReader::finish() {
+    if (!is_map_) return;
+    for (const Node& child : node_.children) {
+        if (std::find(known_.begin(), known_.end(), child.key) != known_.end()) continue;
+        const std::string meant = closest(child.key, known_, report_);
+        report_.error(Code::unknown_key, child.key_span,
+                      "`" + child.key.substr(0, longest_word) + "` is not a key of " +
+                          (name_.empty() ? "the document" : name_) + "; it knows " + listed(known_) + ".",
+                      meant.empty() ? "" : meant + ":");
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,516 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/read_procedure.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "core/procedure/read_map.h"
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// What a person can plausibly ask for; anything else is a slip of the pen or a wrong unit.
+const QuantityNeed voxel_spacing{dimension::length, "mm", 0.05_mm, 2.0_mm};
+const QuantityNeed duration{dimension::time, "s", 1.0_s, 3600.0_s};
+const QuantityNeed scale{dimension::none, "", 1e-4, 10.0};
+const QuantityNeed hand_speed{dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s};
+const QuantityNeed hand_force{dimension::force, "N", 0.1_N, 500.0_N};
+const QuantityNeed hand_reaction{dimension::time, "ms", 0.0_ms, 2000.0_ms};
+const QuantityNeed depth_along_axis{dimension::length, "mm", -300.0_mm, 300.0_mm};
+const QuantityNeed sideways{dimension::length, "mm", -100.0_mm, 100.0_mm};
+const QuantityNeed clearance{dimension::length, "mm", -50.0_mm, 50.0_mm};
+
+constexpr const char* midline = "midline";
+
+std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// ---- metadata, needs, anatomy ---------------------------------------------------------------------------------
+
+bool is_version(std::string_view text) {
+    int dots = 0;
+    char before = '.';
+    for (const char c : text) {
+        if (c == '.' && before == '.') return false;
+        if (c == '.') ++dots;
+        else if (c < '0' || c > '9') return false;
+        before = c;
+    }
+    return dots == 2 && before != '.' && text.size() <= 32;
+}
+
+void read_metadata(const Node& node, Procedure& procedure, Report& report) {
+    MapReader map(node, "metadata", report);
+    procedure.id = map.id("id");
+    procedure.title = map.text("title");
+    if (const Node* version = map.required("version")) {
+        procedure.version = read_text(*version, "metadata.version", report).value_or("");
+        if (!procedure.version.empty() && !is_version(procedure.version))
+            report.error(Code::malformed_word, version->span, "metadata.version must be three numbers.", "0.1.0");
+    }
+    if (const Node* status = map.required("status")) {
+        const std::vector<std::string> words{"draft", "piloted", "validated"};
+        procedure.status = read_text(*status, "metadata.status", report).value_or("");
+        if (!procedure.status.empty() && !contains(words, procedure.status))
+            report.error(Code::unknown_word, status->span, "metadata.status must be " + listed(words) + ".",
+                         closest(procedure.status, words, report));
+    }
+    if (const Node* authors = map.optional("authors"))
+        for (const Node& author : read_list(*authors, "metadata.authors", report))
+            procedure.authors.push_back(read_text(author, "An author", report).value_or(""));
+    map.finish();
+}
+
+void read_needs(const Node& node, Procedure& procedure, Report& report) {
+    MapReader map(node, "needs", report);
+    const auto ids = [&](const std::string& key) {
+        const Node* list = map.optional(key);
+        return list ? read_ids(*list, map.name_of(key), report) : std::vector<std::string>{};
+    };
+    procedure.needs_landmarks = ids("landmarks");
+    procedure.needs_zones = ids("zones");
+    procedure.needs_tissues = ids("tissues");
+    map.finish();
+}
+
+/// A path inside the document's folder, so that a procedure can be handed on, and cannot reach for other files.
+std::string read_path(const Node& node, const std::string& document_file, Report& report) {
+    const std::optional<std::string> text = read_text(node, node.key, report);
+    if (!text) return {};
+    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
+    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
+    if (path.is_absolute() || has_drive || (!path.empty() && *path.begin() == "..")) {
+        report.error(Code::path_outside, node.span,
+                     node.key + " must be a path inside the document's own folder, with `/` between folders.");
+        return {};
+    }
+    return (std::filesystem::path(document_file).parent_path() / path).generic_string();
+}
+
+// ---- instruments -------------------------------------------------------------------------------------------------
+
+class InstrumentReader {
+public:
+    InstrumentReader(const ComponentCatalog& catalog, Report& report) : catalog_(catalog), report_(report) {}
+
+    Instrument read(const Node& node) {
+        MapReader map(node, node.key, report_);
+        Instrument instrument;
+        instrument.id = node.key;
+        Node key;
+        key.text = node.key;
+        key.span = node.key_span;
+        read_id(key, "An instrument's name", report_);
+
+        const Node* plugin = map.required("plugin");
+        const Node* tool_node = map.required("tool");
+        const Node* force_node = map.required("force");
+        const ComponentInfo* tool = nullptr;
+        const ComponentInfo* force = nullptr;
+        if (plugin && find_plugin(*plugin, instrument.plugin)) {
+            tool = find_component(tool_node, instrument.plugin, KERF_KIND_TOOL, instrument.tool);
+            force = find_component(force_node, instrument.plugin, KERF_KIND_FORCE, instrument.force);
+        }
+        if (tool) instrument.tool_parameters = defaults(tool->parameters);
+        if (tool) instrument.drives = defaults(tool->drives);
+        if (force) instrument.force_parameters = defaults(force->parameters);
+
+        // Without both components nobody knows which parameters there should be.
+        const Node* parameters = map.optional("parameters");
+        const Node* drives = map.optional("drives");
+        if (parameters && tool && force) read_parameters(*parameters, *tool, *force, instrument);
+        if (drives && tool) read_drives(*drives, *tool, instrument);
+        map.finish();
+        return instrument;
+    }
+
+private:
+    static std::vector<double> defaults(const std::vector<ParameterInfo>& parameters) {
+        std::vector<double> values;
+        for (const ParameterInfo& parameter : parameters) values.push_back(parameter.def);
+        return values;
+    }
+
+    static std::vector<std::string> ids_of(const std::vector<ParameterInfo>& parameters) {
+        std::vector<std::string> ids;
+        for (const ParameterInfo& parameter : parameters) ids.push_back(parameter.id);
+        return ids;
+    }
+
+    bool find_plugin(const Node& node, std::string& id) {
+        id = read_text(node, "plugin", report_).value_or("");
+        if (id.empty()) return false;
+        std::vector<std::string> known;
+        for (const ComponentInfo& component : catalog_)
+            if (!contains(known, component.plugin)) known.push_back(component.plugin);
+        if (contains(known, id)) return true;
+        report_.error(Code::unknown_plugin, node.span,
+                      known.empty() ? "No plugin was found at all." : "No such plugin was found; there is " + listed(known) + ".",
+                      closest(id, known, report_));
+        return false;
+    }
+
+    const ComponentInfo* find_component(const Node* node, const std::string& plugin, uint32_t kind, std::string& id) {
+        if (!node) return nullptr;
+        const bool is_tool = kind == KERF_KIND_TOOL;
+        id = read_text(*node, is_tool ? "tool" : "force", report_).value_or("");
+        if (id.empty()) return nullptr;
+        std::vector<std::string> known;
+        for (const ComponentInfo& component : catalog_) {
+            if (component.plugin != plugin || component.kind != kind) continue;
+            if (component.id == id) return &component;
+            known.push_back(component.id);
+        }
+        report_.error(is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
+                      plugin + " has no such " + (is_tool ? "tool" : "force") +
+                          (known.empty() ? "." : "; it has " + listed(known) + "."),
+                      closest(id, known, report_));
+        return nullptr;
+    }
+
+    /// Sets the one of `values` that `node` names. False if it names none.
+    bool set(const Node& node, const std::string& instrument, const std::vector<ParameterInfo>& parameters,
+             std::vector<double>& values) {
+        const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const ParameterInfo& p) { return p.id == node.key; });
+        if (found == parameters.end()) return false;
+        const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
+        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_))
+            values[static_cast<std::size_t>(found - parameters.begin())] = *value;
+        return true;
+    }
+
+    void read_parameters(const Node& node, const ComponentInfo& tool, const ComponentInfo& force, Instrument& instrument) {
+        if (!is_kind(node, Node::Kind::map, instrument.id + ".parameters", report_)) return;
+        std::vector<std::string> known = ids_of(tool.parameters);
+        for (const std::string& id : ids_of(force.parameters))
+            if (!contains(known, id)) known.push_back(id);
+        for (const Node& child : node.children) {
+            // The same quantity may matter to both, as a diameter does.
+            const bool is_of_tool = set(child, instrument.id, tool.parameters, instrument.tool_parameters);
+            const bool is_of_force = set(child, instrument.id, force.parameters, instrument.force_parameters);
+            if (is_of_tool || is_of_force) continue;
+            report_.error(Code::unknown_parameter, child.key_span,
+                          "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
+                              (known.empty() ? "." : "; they have " + listed(known) + "."),
+                          suggestion(child.key, known));
+        }
+    }
+
+    void read_drives(const Node& node, const ComponentInfo& tool, Instrument& instrument) {
+        if (!is_kind(node, Node::Kind::map, instrument.id + ".drives", report_)) return;
+        const std::vector<std::string> known = ids_of(tool.drives);
+        for (const Node& child : node.children)
+            if (!set(child, instrument.id, tool.drives, instrument.drives))
+                report_.error(Code::unknown_drive, child.key_span,
+                              tool.id + " has no such drive" + (known.empty() ? "." : "; it has " + listed(known) + "."),
+                              suggestion(child.key, known));
+    }
+
+    std::string suggestion(const std::string& key, const std::vector<std::string>& known) const {
+        const std::string meant = closest(key, known, report_);
+        return meant.empty() ? meant : meant + ":";
+    }
+
+    const ComponentCatalog& catalog_;
+    Report& report_;
+};
+
+// ---- steps -------------------------------------------------------------------------------------------------------
+
+/// `{at_least: …, at_most: …}`, one or both.
+void read_bound_values(MapReader& map, const QuantityNeed& need, const std::string& name, Bound& bound, Report& report) {
+    const Node* at_least = map.optional("at_least");
+    const Node* at_most = map.optional("at_most");
+    if (at_least) bound.at_least = read_quantity(*at_least, map.name_of("at_least"), need, report);
+    if (at_most) bound.at_most = read_quantity(*at_most, map.name_of("at_most"), need, report);
+    if (!at_least && !at_most && map.is_map())
+        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`.");
+    if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
+        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it.");
+}
+
+Goal read_goal(const Node& item, const Document& document, Report& report) {
+    MapReader map(item, "goal", report);
+    Goal goal;
+    if (const Node* quantity = map.one_of({"entry", "depth"})) {
+        goal.quantity = quantity->key;
+        goal.place = document.place(quantity->key_span);
+        MapReader bound(*quantity, quantity->key, report);
+        if (quantity->key == "depth") read_bound_values(bound, depth_along_axis, "depth", goal.bound, report);
+        bound.finish();
+    }
+    map.finish();
+    return goal;
+}
+
+Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
+    MapReader map(item, "limit", report);
+    Limit limit;
+    if (const Node* quantity = map.one_of({"clearance", "depth"})) {
+        limit.quantity = quantity->key;
+        limit.place = document.place(quantity->key_span);
+        MapReader bound(*quantity, quantity->key, report);
+        if (const Node* zone = quantity->key == "clearance" ? bound.required("zone") : nullptr) {
+            limit.zone = read_id(*zone, "clearance.zone", report).value_or("");
+            if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
+                report.error(Code::undeclared_zone, zone->span, "This zone is not listed under needs.zones.",
+                             closest(limit.zone, procedure.needs_zones, report));
+        }
+        read_bound_values(bound, quantity->key == "depth" ? depth_along_axis : clearance, quantity->key, limit.bound, report);
+        bound.finish();
+    }
+    limit.reason = map.text("reason");
+    map.finish();
+    return limit;
+}
+
+Step read_step(const Node& item, const Procedure& procedure, const std::vector<std::string>& instrument_ids,
+               const Document& document, Report& report) {
+    MapReader map(item, item_name(item, "step"), report);
+    Step step;
+    step.id = map.id("id");
+    step.title = map.text("title");
+    if (const Node* instrument = map.required("instrument")) {
+        step.instrument = read_id(*instrument, "instrument", report).value_or("");
+        if (!step.instrument.empty() && !contains(instrument_ids, step.instrument))
+            report.error(Code::unknown_instrument, instrument->span,
+                         instrument_ids.empty() ? "There are no instruments."
+                                                : "There is no such instrument; there is " + listed(instrument_ids) + ".",
+                         closest(step.instrument, instrument_ids, report));
+    }
+    if (const Node* axis = map.required("axis")) {
+        step.axis = read_id(*axis, "axis", report).value_or("");
+        if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
+            report.error(Code::undeclared_landmark, axis->span, "This landmark is not listed under needs.landmarks.",
+                         closest(step.axis, procedure.needs_landmarks, report));
+    }
+    if (const Node* goals = map.required("goals"))
+        for (const Node& goal : read_list(*goals, "goals", report)) step.goals.push_back(read_goal(goal, document, report));
+    if (const Node* limits = map.optional("limits"))
+        for (const Node& limit : read_list(*limits, "limits", report))
+            step.limits.push_back(read_limit(limit, procedure, document, report));
+    map.finish();
+    return step;
+}
+
+// ---- rehearsals --------------------------------------------------------------------------------------------------
+
+/// The names by which a rehearsal can expect a limit to break: the zone, or else the quantity.
+std::vector<std::string> limit_names(const std::vector<Step>& steps) {
+    std::vector<std::string> names;
+    for (const Step& step : steps)
+        for (const Limit& limit : step.limits)
+            if (const std::string& name = limit.zone.empty() ? limit.quantity : limit.zone; !contains(names, name))
+                names.push_back(name);
+    return names;
+}
+
+/// `expect: pass`, or `expect: {fail: canal}`.
+void read_expectation(const Node& node, const std::vector<std::string>& limits, Rehearsal& rehearsal, Report& report) {
+    if (node.kind == Node::Kind::map) {
+        MapReader map(node, "expect", report);
+        rehearsal.expect = "fail";
+        if (const Node* limit = map.required("fail")) {
+            rehearsal.expect_limit = read_id(*limit, "expect.fail", report).value_or("");
+            if (!rehearsal.expect_limit.empty() && !contains(limits, rehearsal.expect_limit))
+                report.error(Code::unknown_limit, limit->span,
+                             limits.empty() ? "No step has a limit that could be broken."
+                                            : "No step has such a limit; there is " + listed(limits) + ".",
+                             closest(rehearsal.expect_limit, limits, report));
+        }
+        map.finish();
+        return;
+    }
+    const std::optional<std::string> text = read_text(node, "expect", report);
+    if (!text) return;
+    rehearsal.expect = *text;
+    if (*text != "pass")
+        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks.");
+}
+
+Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, Report& report) {
+    MapReader map(item, item_name(item, "rehearsal"), report);
+    Rehearsal rehearsal;
+    rehearsal.id = map.id("id");
+    rehearsal.title = map.optional_text("title");
+    if (const Node* expect = map.required("expect")) read_expectation(*expect, limits, rehearsal, report);
+    if (const Node* node = map.optional("hand")) {
+        MapReader hand(*node, "hand", report);
+        hand.quantity("feed", hand_speed, rehearsal.feed);
+        hand.quantity("approach", hand_speed, rehearsal.approach);
+        hand.quantity("push", hand_force, rehearsal.push);
+        hand.quantity("reaction", hand_reaction, rehearsal.reaction);
+        hand.finish();
+    }
+    if (const Node* path = map.required("path"))
+        for (const Node& point : read_list(*path, "path", report)) {
+            MapReader waypoint(point, "waypoint", report);
+            Waypoint at;
+            at.depth = waypoint.quantity("depth", depth_along_axis);
+            waypoint.quantity("medial", sideways, at.medial);
+            waypoint.finish();
+            rehearsal.path.push_back(at);
+        }
+    map.finish();
+    return rehearsal;
+}
+
+// ---- the whole ---------------------------------------------------------------------------------------------------
+
+template <class T>
+void add_unique(T thing, const Node& item, UniqueIds& ids, std::vector<T>& things, Report& report) {
+    if (!thing.id.empty() && !ids.add(thing.id, item.find("id")->span, report)) return;
+    things.push_back(std::move(thing));
+}
+
+void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Report& report) {
+    std::set<std::string> used;
+    for (const Step& step : steps) used.insert(step.instrument);
+    for (const Node& child : instruments.children)
+        if (!used.contains(child.key))
+            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument.");
+}
+
+Procedure read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report) {
+    Procedure procedure;
+    procedure.file = document.file();
+    procedure.text = document.text();
+    if (const Node* node = map.required("metadata")) read_metadata(*node, procedure, report);
+    if (const Node* node = map.required("needs")) read_needs(*node, procedure, report);
+    if (const Node* node = map.required("anatomy")) procedure.anatomy_file = read_path(*node, document.file(), report);
+    if (const Node* node = map.optional("accuracy")) {
+        MapReader accuracy(*node, "accuracy", report);
+        accuracy.quantity("spacing", voxel_spacing, procedure.spacing);
+        accuracy.finish();
+    }
+    if (const Node* node = map.required("haptics")) {
+        MapReader haptics(*node, "haptics", report);
+        procedure.device = haptics.id("device");
+        if (const Node* force_scale = haptics.optional("force_scale"))
+            procedure.force_scale = read_quantity(*force_scale, "haptics.force_scale", scale, report);
+        haptics.finish();
+    }
+    map.quantity("time_limit", duration, procedure.time_limit);
+
+    std::vector<std::string> instrument_ids;
+    const Node* instruments = map.required("instruments");
+    if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
+        InstrumentReader reader(catalog, report);
+        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments.");
+        for (const Node& child : instruments->children) {
+            procedure.instruments.push_back(reader.read(child));
+            instrument_ids.push_back(child.key);
+        }
+    }
+    const Node* steps = map.required("steps");
+    UniqueIds step_ids, rehearsal_ids;
+    if (steps)
+        for (const Node& item : read_list(*steps, "steps", report))
+            add_unique(read_step(item, procedure, instrument_ids, document, report), item, step_ids, procedure.steps, report);
+    if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
+    if (const Node* node = map.optional("rehearsals")) {
+        const std::vector<std::string> limits = limit_names(procedure.steps);
+        for (const Node& item : read_list(*node, "rehearsals", report))
+            add_unique(read_rehearsal(item, limits, report), item, rehearsal_ids, procedure.rehearsals, report);
+    }
+    map.finish();
+    return procedure;
+}
+
+// ---- what the procedure needs of the anatomy -----------------------------------------------------------------------
+
+template <class T>
+void append_ids(const std::vector<T>& things, std::vector<std::string>& ids) {
+    for (const T& thing : things) ids.push_back(thing.id);
+}
+
+/// The place of item `index` of `list`, or of the whole document if its text does not have it.
+TextSpan span_of_item(const Node* list, std::size_t index) {
+    return list && index < list->children.size() ? list->children[index].span : TextSpan{};
+}
+
+void check_names(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
+                 Code code, const std::string& what, Report& report) {
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        if (contains(present, needed[i])) continue;
+        report.error(code, span_of_item(list, i), "The anatomy has no " + what + " " + quoted_id(needed[i]) +
+                                                      (present.empty() ? "." : "; it has " + listed(present) + "."),
+                     closest(needed[i], present, report));
+    }
+}
+
+}  // namespace
+
+std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
+                                        Diagnostics& diagnostics) {
+    std::optional<std::string> text = read_text_file(file, diagnostics);
+    return text ? read_procedure_text(file, std::move(*text), catalog, diagnostics) : std::nullopt;
+}
+
+std::optional<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
+                                             Diagnostics& diagnostics) {
+    Diagnostics found;
+    std::optional<Procedure> procedure;
+    if (const std::optional<Document> document = parse_document(file, std::move(text), found)) {
+        Report report(*document, found);
+        MapReader map(document->root, "", report);
+        if (read_header(map, "Procedure", report)) procedure = read_body(map, *document, catalog, report);
+    }
+    if (has_error(found)) procedure.reset();
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+    return procedure;
+}
+
+void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+    // The procedure keeps no places; its text still has them.
+    Diagnostics known_already;
+    const std::optional<Document> parsed = parse_document(procedure.file, procedure.text, known_already);
+    const Document document = parsed ? *parsed : Document(procedure.file, procedure.text);
+    Report report(document, diagnostics);
+    const Node* needs = document.root.find("needs");
+    const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };
+
+    std::vector<std::string> axes, points, landmarks, zones, tissues;
+    append_ids(anatomy.axes, axes);
+    append_ids(anatomy.points, points);
+    append_ids(anatomy.axes, landmarks);
+    append_ids(anatomy.points, landmarks);
+    append_ids(anatomy.zones, zones);
+    append_ids(anatomy.tissues, tissues);
+    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", report);
+    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", report);
+    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", report);
+
+    const Node* steps = document.root.find("steps");
+    for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
+        const std::string& axis = procedure.steps[i].axis;
+        if (!contains(points, axis) || contains(axes, axis)) continue;
+        const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
+        const Node* node = step ? step->find("axis") : nullptr;
+        report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
+                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis.",
+                     closest(axis, axes, report));
+    }
+
+    if (contains(points, midline)) return;
+    const Node* rehearsals = document.root.find("rehearsals");
+    for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
+        const std::vector<Waypoint>& path = procedure.rehearsals[i].path;
+        const auto shifted = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.medial != 0.0; });
+        if (shifted == path.end()) continue;
+        const Node* node = rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
+        report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
+                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.");
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/plugin/component_info.h"
+#include "core/procedure/anatomy.h"
+#include "core/procedure/procedure.h"
+
+/// `kind: Procedure` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
+namespace kerf {
+
+/// Reads and checks one procedure. Empty if anything is wrong; warnings alone do not stop it. Never throws.
+/// @param catalog   what the plugins offer; no plugin code runs   [main]
+std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
+                                        Diagnostics& diagnostics);
+
+/// The same for text that is in memory already, as in a recorded session. `file` is only its name.   [main]
+std::optional<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
+                                             Diagnostics& diagnostics);
+
+/// Reports what the procedure needs and this anatomy does not have: landmarks, zones and tissues by name, an axis for
+/// every step, and the point `midline` when a rehearsal moves towards it. Places are those in the procedure.   [main]
+void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/procedure/anatomy.h"
+
+/// Distances to the implicit solids that phantoms and zones are made of.
+namespace kerf {
+
+/// Signed distance [m], negative inside; exact for box and tube, a lower bound outside an elliptic tube.   [any] pure.
+[[nodiscard]] double distance_to(const Solid& solid, Vec3 point) noexcept;
+
+/// To the union of solids; +infinity for none.
+[[nodiscard]] double distance_to_any(const std::vector<Solid>& solids, Vec3 point) noexcept;
+
+/// To a phantom: parts united and subtracted in their order.
+[[nodiscard]] double distance_to(const PhantomSource& phantom, Vec3 point) noexcept;
+
+struct Box {
+    Vec3 low{}, high{};
+};
+[[nodiscard]] Box bounds_of(const Solid& solid) noexcept;
+
+}  // namespace kerf

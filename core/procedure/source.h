@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// Where things stand in a document, and what is wrong with them.
+namespace kerf {
+
+/// A place in a text file, counted from 1; line 0 means "the file as a whole".
+struct SourcePlace {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    int length = 1;  ///< characters to underline
+};
+
+/// One error or warning for a person: code, place, what we got, what is needed, what to write.
+struct Diagnostic {
+    enum class Level { error, warning };
+    Level level = Level::error;
+    std::string code;     ///< "E0412"
+    SourcePlace place;
+    std::string message;  ///< one sentence: what we got and what is needed, with its unit
+    std::string write;    ///< what to write instead; may be empty
+    std::string source_line;  ///< the text of place.line, for the caret; may be empty
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+bool has_error(const Diagnostics& diagnostics) noexcept;
+
+/// `E0412 file:14:22: message Write `6.5 mm`.` followed by the source line and a caret.
+std::string to_text(const Diagnostics& diagnostics);
+
+}  // namespace kerf

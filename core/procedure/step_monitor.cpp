@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/step_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/procedure/solids.h"
+
+namespace kerf {
+
+Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
+    return {entry + w.depth * along + w.medial * medial, quat_between({0, 0, 1}, along)};
+}
+
+AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept {
+    AxisFrame frame;
+    frame.along = normalized(axis.to - axis.from);
+    frame.entry = axis.from + entry_along_axis * frame.along;
+    for (const auto& point : anatomy.points)
+        if (point.id == "midline") {
+            // Across the axis, towards the middle at the depth where both are level.
+            const Vec3 away = point.at - frame.entry;
+            frame.medial = normalized(away - dot(away, frame.along) * frame.along);
+        }
+    return frame;
+}
+
+double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept {
+    constexpr double c = 0.70710678118654752440;
+    constexpr double ring[][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
+    const auto& outline = solid.outline();
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+        for (int step = 0; step <= 4; ++step) {
+            const double t = 0.25 * step;
+            const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
+            const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
+            for (const auto& at : ring)
+                least = std::min(least, distance_to_any(zone.solids, world_from_tool * Vec3{r * at[0], r * at[1], z}));
+        }
+    return least;
+}
+
+StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames)
+    : anatomy_(&anatomy), frames_(std::move(frames)) {
+    for (const auto& step : procedure.steps) {
+        StepState state;
+        state.step = &step;
+        state.goal_done.assign(step.goals.size(), false);
+        for (const auto& limit : step.limits) {
+            state.limits.emplace_back();
+            state.limits.back().limit = &limit;
+        }
+        steps_.push_back(std::move(state));
+    }
+}
+
+void StepMonitor::observe(double time, const Pose& tool, const RevolutionSolid& cutting, bool is_in_bone, bool has_power) {
+    news_.clear();
+    if (current_ >= steps_.size()) return;
+    StepState& state = steps_[current_];
+    const AxisFrame& frame = frames_[current_];
+    if (!state.start) state.start = time;
+
+    const double depth = frame.depth_of(tool.position);
+    const bool is_first_bone = is_in_bone && state.deepest < 0.0;
+    if (is_first_bone) {
+        state.deepest = 0.0;
+        state.entry_offset = length(tool.position - frame.entry - depth * frame.along);
+        news_.emplace_back("entered_bone", state.step->id);
+    }
+    if (is_in_bone) state.deepest = std::max(state.deepest, depth);
+
+    for (auto& limit : state.limits) {
+        if (!has_power) continue;  // a still tool harms nothing
+        double value = depth;
+        if (limit.limit->quantity == "clearance") {
+            const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
+                                           [&](const Zone& z) { return z.id == limit.limit->zone; });
+            if (zone == anatomy_->zones.end()) continue;
+            value = clearance(cutting, tool, *zone);
+        }
+        const Bound& bound = limit.limit->bound;
+        const bool is_broken = (bound.at_least && value < *bound.at_least) || (bound.at_most && value > *bound.at_most);
+        const bool is_low_bad = bound.at_least.has_value();
+        if (!limit.is_seen || (is_low_bad ? value < limit.worst : value > limit.worst)) limit.worst = value;
+        limit.is_seen = true;
+        if (is_broken && !limit.broken_at) {
+            limit.broken_at = time;
+            news_.emplace_back(limit.limit->zone.empty() ? "limit_broken" : "zone_entered",
+                               limit.limit->zone.empty() ? limit.limit->quantity : limit.limit->zone);
+        }
+    }
+
+    for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
+        if (state.goal_done[g]) continue;
+        const Goal& goal = state.step->goals[g];
+        const bool is_reached = goal.quantity == "entry" ? state.deepest >= 0.0
+                                                         : state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
+                                                               state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
+        if (!is_reached) break;  // goals are reached in order
+        state.goal_done[g] = true;
+        news_.emplace_back("goal_reached", state.step->id + ": " + goal.quantity);
+    }
+
+    // The step ends when its goals are reached and the tool is back outside.
+    const bool has_all = std::all_of(state.goal_done.begin(), state.goal_done.end(), [](bool done) { return done; });
+    if (has_all && depth < 0.0) {
+        state.end = time;
+        news_.emplace_back("step_done", state.step->id);
+        ++current_;
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/field/revolution_solid.h"
+#include "core/procedure/anatomy.h"
+#include "core/procedure/procedure.h"
+
+/// Steps in file order, their goals and limits, tick by tick. A pure function of what it is shown.
+namespace kerf {
+
+/// The frame of a step: its axis, from the first bone along it.
+struct AxisFrame {
+    Vec3 entry{};   ///< LPS [m]
+    Vec3 along{};   ///< unit, into the bone
+    Vec3 medial{};  ///< unit, across the axis towards the landmark `midline`; zero without it
+
+    [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
+    /// Tool pose at a waypoint: tip there, shaft along the axis.
+    [[nodiscard]] Pose pose_at(const Waypoint& waypoint) const noexcept;
+};
+[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept;
+
+/// How far the outline of a solid stays from a zone [m]; negative inside. Looked at on rings along the outline.
+[[nodiscard]] double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
+
+struct LimitState {
+    const Limit* limit = nullptr;
+    double worst = 0.0;            ///< the value farthest towards the wrong side
+    bool is_seen = false;
+    std::optional<double> broken_at;  ///< [s]
+};
+
+struct StepState {
+    const Step* step = nullptr;
+    std::vector<bool> goal_done;
+    std::vector<LimitState> limits;
+    std::optional<double> start, end;  ///< [s]
+    double deepest = -1.0;             ///< [m]
+    double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first met bone
+
+    [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
+};
+
+class StepMonitor {
+public:
+    /// Keeps references: procedure and anatomy must outlive it. `frames`: one per step.
+    StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
+
+    /// Shows one tick. `is_in_bone`: the tool cut bone in it. `has_power`: the tool is running.
+    void observe(double time, const Pose& world_from_tool, const RevolutionSolid& cutting, bool is_in_bone, bool has_power);
+
+    [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
+    /// Index of the step that runs; the number of steps when all are done.
+    [[nodiscard]] std::size_t current() const noexcept { return current_; }
+    [[nodiscard]] const AxisFrame& frame(std::size_t step) const noexcept { return frames_[step]; }
+    /// What was newly reached or broken in the last tick, as text for the event list.
+    [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& news() const noexcept { return news_; }
+
+private:
+    const Anatomy* anatomy_;
+    std::vector<AxisFrame> frames_;
+    std::vector<StepState> steps_;
+    std::size_t current_ = 0;
+    std::vector<std::pair<std::string, std::string>> news_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef KERF_ABI_H
+#define KERF_ABI_H
+
+/* The plugin boundary, ABI 0: plain C11, no dependencies.
+ *
+ * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. Everything else is static const
+ * tables reachable from it. ABI 0 promises nothing yet: host and plugin must be built against the same layout,
+ * and the loader refuses anything else with a message that says which field differs.
+ *
+ * Units: SI and radians everywhere. Frames: `world` (LPS), `body` (LPS of one body), `tool` (origin at the tip, +z
+ * along the shaft and out of the tip). Poses are `a_from_b`: they take coordinates in b to coordinates in a.
+ *
+ * Threads: [main] may allocate and fail. [haptic] runs once a tick. [any] pure. `nonblocking` is said separately:
+ * no allocation, lock, system call, throw or wait.
+ */
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KERF_ABI_VERSION 0u
+#define KERF_MAGIC 0x4652454bu /* "KERF" */
+
+#define KERF_MAX_CHANNELS 16u /* monotone scalar channels in one law                */
+#define KERF_MAX_SIGNALS 16u  /* declared signals of one force component            */
+#define KERF_MAX_DRIVES 8u    /* drive channels of one tool                         */
+#define KERF_MAX_TISSUES 4u   /* materials that one sample can mix                  */
+#define KERF_MAX_ACTIONS 8u   /* actions of one commit                              */
+
+/* ---- plain values ------------------------------------------------------------------------------------------ */
+
+typedef struct kerf_vec3 { double x, y, z; } kerf_vec3;
+typedef struct kerf_quat { double w, x, y, z; } kerf_quat; /* unit quaternion */
+typedef struct kerf_pose { kerf_vec3 position; kerf_quat rotation; } kerf_pose;
+
+/* Exponents of m, kg, s, A, K, mol, cd, rad. */
+typedef struct kerf_dimension { int8_t exponent[8]; } kerf_dimension;
+
+typedef int32_t kerf_status; /* 0 ok, < 0 failure */
+enum { KERF_OK = 0, KERF_FAILED = -1, KERF_OUT_OF_RANGE = -2, KERF_CAPACITY = -3 };
+
+/* ---- self-description -------------------------------------------------------------------------------------- */
+
+typedef struct kerf_param {
+    const char *id;           /* snake_case, unique within its component                      */
+    const char *help;         /* one sentence                                                  */
+    kerf_dimension dimension; /* of the value; all zero for a plain number                     */
+    const char *display_unit; /* "mm", "deg", "rpm", "N/mm"; "" for a plain number             */
+    double min, max, def;     /* SI                                                            */
+    const char *source;       /* where the default comes from, and whether it is calibrated or assumed */
+} kerf_param;
+
+/* A drive channel: what the user's trigger or the procedure sets on a powered tool. */
+typedef struct kerf_drive {
+    const char *id; /* spindle_speed, stroke_rate, amplitude, irrigation, trigger … */
+    const char *help;
+    kerf_dimension dimension;
+    const char *display_unit;
+    double min, max, def;
+} kerf_drive;
+
+/* A quantity the force component reports each tick: recorded, and usable in goals and scores. */
+typedef struct kerf_signal {
+    const char *id;
+    const char *help;
+    kerf_dimension dimension;
+    const char *display_unit;
+} kerf_signal;
+
+/* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
+
+/* A solid of revolution about the tool's z axis: the polyline (z, radius), from the tip backwards, z decreasing.
+ * It must be convex towards the tip along +z: the radius never falls while z decreases within the cutting region. */
+typedef struct kerf_profile_point { double z, radius; } kerf_profile_point;
+
+enum { KERF_SOLID_REVOLUTION = 1 };
+
+typedef struct kerf_solid {
+    uint32_t size;
+    uint32_t kind;
+    const kerf_profile_point *profile;
+    uint32_t profile_count;
+    uint32_t cutting_count; /* the first this many profile points bound the region that removes bone            */
+} kerf_solid;
+
+/* What a tool writes into for the host: at most `capacity` points. */
+typedef struct kerf_tool_shape {
+    uint32_t size;
+    uint32_t profile_capacity;
+    kerf_profile_point *profile;
+    uint32_t profile_count;  /* out */
+    uint32_t cutting_count;  /* out */
+    double grip_z;           /* out: where the hand holds the tool on its axis [m], < 0 */
+} kerf_tool_shape;
+
+typedef struct kerf_tool {
+    uint32_t size;
+    const kerf_drive *drives;
+    uint32_t drive_count;
+    /* The tool's outline for these parameters. [main] */
+    kerf_status (*shape)(const double *params, kerf_tool_shape *out);
+} kerf_tool;
+
+/* ---- bone: an opaque handle with batch queries --------------------------------------------------------------- */
+
+typedef struct kerf_bone kerf_bone;
+
+typedef struct kerf_bone_sample {
+    double engagement; /* [-] 0 in air … 1 in bone not yet cut (the cut as committed about one voxel behind)     */
+    double gap;        /* [m] how far the point must travel along `direction` to reach uncut bone; ≥ 0             */
+    double weight[KERF_MAX_TISSUES]; /* [-] share of each tissue; sums to 1 where there is bone                    */
+    double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                        */
+    int32_t body;      /* which body answered, -1 for none                                                          */
+    uint32_t reserved;
+} kerf_bone_sample;
+
+typedef struct kerf_surface_point {
+    double distance;   /* [m] to the present surface, negative inside, clamped to a few voxels                     */
+    kerf_vec3 normal;  /* outward unit normal, tool frame; zero where there is no surface near                     */
+    int32_t body;
+    uint32_t reserved;
+} kerf_surface_point;
+
+typedef struct kerf_bone_query {
+    uint32_t size;
+    uint32_t tissue_count;
+    /* Edges ask here. `points`, `direction` (unit) in the tool frame at the pose of this tick.  [haptic, nonblocking] */
+    void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_vec3 direction,
+                   kerf_bone_sample *out);
+    /* Contact asks here: the present geometry.  [haptic, nonblocking] */
+    void (*nearest)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_surface_point *out);
+    const kerf_bone *bone;
+} kerf_bone_query;
+
+/* ---- force: the law of one tick ------------------------------------------------------------------------------ */
+
+enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
+
+/* One monotone scalar channel. s = dᵀu is its rate, u the tool's rate (velocity of the tip, angular velocity) in the
+ * tool frame; its force is −d λ(s).
+ *   cut       s − g/T ≤ 0 → λ = 0;  else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
+ *   contact   λ = max(0, k(δ + sT) + b(s + min(δ, 0)/T))
+ *   friction  λ = τ clamp(s/w, −1, 1)
+ *   hold      λ = k(δ + sT) + b s
+ * `follow` is a wrench per newton of (filtered) λ that does no work against s: reaction torque, imbalance. */
+typedef struct kerf_channel {
+    uint32_t kind;
+    uint32_t reserved;
+    double d[6];      /* linear [-], angular [m] */
+    double follow[6]; /* force [N/N], torque [N·m/N] */
+    double tau;       /* [N] */
+    double w;         /* [m/s] ≥ 1e-6 */
+    double eta;       /* [N·s/m] ≥ 0 */
+    double gap;       /* [m] ≥ 0 */
+    double k, b;      /* [N/m], [N·s/m] ≥ 0 */
+    double delta;     /* [m] > 0: penetration */
+} kerf_channel;
+
+typedef struct kerf_law {
+    uint32_t size;
+    uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
+    kerf_channel *channel;
+} kerf_law;
+
+typedef struct kerf_tick_in {
+    uint32_t size;
+    uint32_t hand;              /* index of the hand that holds the tool */
+    uint64_t tick;
+    double dt;                  /* [s] nominal, always */
+    const double *tool_params;  /* SI, declared order */
+    const double *force_params;
+    const double *drive;        /* the commanded drive values, declared order */
+    const kerf_bone_query *bone;
+} kerf_tick_in;
+
+/* What happened in the tick, told once. */
+typedef struct kerf_advance {
+    uint32_t size;
+    uint32_t channel_count;
+    double rate[6];           /* the tool's rate that balanced, tool frame [m/s, rad/s] */
+    const kerf_channel *channel; /* the law that was solved                    */
+    const double *lambda;        /* what each of its channels carried [N]      */
+} kerf_advance;
+
+enum { KERF_ACTION_CUT = 1, KERF_ACTION_PLACE = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
+
+typedef struct kerf_action {
+    uint32_t kind;
+    uint32_t value;
+    const char *event; /* static text, "<plugin>.<name>", for KERF_ACTION_EVENT */
+} kerf_action;
+
+typedef struct kerf_commit_out {
+    uint32_t size;
+    uint32_t action_count;   /* out, ≤ KERF_MAX_ACTIONS */
+    kerf_action *action;
+    double *signal;          /* out, declared order */
+} kerf_commit_out;
+
+typedef struct kerf_force {
+    uint32_t size;
+    uint32_t state_size, state_align;
+    const kerf_signal *signals;
+    uint32_t signal_count;
+    uint32_t budget_ns; /* what one `resist` should take at most */
+    void (*reset)(void *state);
+    /* States the law at the present pose. Pure: may be asked again. [haptic, nonblocking] */
+    kerf_status (*resist)(const kerf_tick_in *in, const void *state, kerf_law *out);
+    /* Told once which motion happened. [haptic, nonblocking] */
+    kerf_status (*commit)(const kerf_tick_in *in, const kerf_advance *advance, void *state, kerf_commit_out *out);
+} kerf_force;
+
+/* ---- components and the entry --------------------------------------------------------------------------------- */
+
+enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2 };
+
+typedef struct kerf_component {
+    uint32_t size;
+    uint32_t kind;
+    const char *id;
+    const char *help;
+    const kerf_param *params;
+    uint32_t param_count;
+    uint32_t reserved;
+    const kerf_tool *tool;   /* for KERF_KIND_TOOL  */
+    const kerf_force *force; /* for KERF_KIND_FORCE */
+} kerf_component;
+
+/* Sizes of every struct that crosses the boundary, so that a mismatch is named, not suffered. */
+typedef struct kerf_layout {
+    uint32_t param, drive, signal, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
+        tick_in, advance, action, commit_out, force, component;
+} kerf_layout;
+
+#define KERF_LAYOUT_INIT                                                                                              \
+    {                                                                                                                 \
+        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_solid), sizeof(kerf_tool_shape),     \
+            sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), sizeof(kerf_bone_query),         \
+            sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in), sizeof(kerf_advance), sizeof(kerf_action),  \
+            sizeof(kerf_commit_out), sizeof(kerf_force), sizeof(kerf_component)                                       \
+    }
+
+typedef struct kerf_entry {
+    uint32_t magic;
+    uint32_t abi;
+    uint32_t size;
+    uint32_t component_count;
+    kerf_layout layout;
+    const char *plugin_id;      /* "kerf.drilling" */
+    const char *plugin_version; /* "0.1.0" */
+    const char *licence;        /* SPDX */
+    const char *toolchain;      /* printed, never compared */
+    const kerf_component *components;
+} kerf_entry;
+
+#define KERF_ENTRY_SYMBOL "kerf_plugin_entry"
+
+#ifdef __cplusplus
+}
+#endif
+#endif

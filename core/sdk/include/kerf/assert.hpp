@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+/// The programmer's errors: on unless NDEBUG. The text says what to do instead.
+#ifdef NDEBUG
+#define KERF_ASSERT(condition, advice) static_cast<void>(0)
+#else
+#define KERF_ASSERT(condition, advice)                                                                        \
+    do {                                                                                                      \
+        if (!(condition)) {                                                                                   \
+            std::fprintf(stderr, "%s:%d: %s does not hold: %s\n", __FILE__, __LINE__, #condition, advice);    \
+            std::abort();                                                                                     \
+        }                                                                                                     \
+    } while (false)
+#endif

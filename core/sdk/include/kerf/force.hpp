@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "kerf/abi.h"
+#include "kerf/math.hpp"
+
+/// The C++ face of a force component: write a plain struct, get the C table.
+namespace kerf {
+
+/// One tick as a force law sees it.
+struct Tick {
+    double dt;                     ///< [s]
+    std::span<const double> tool;  ///< tool parameters, declared order, SI
+    std::span<const double> force; ///< force parameters, declared order, SI
+    std::span<const double> drive; ///< commanded drive values, declared order, SI
+};
+
+/// Batch questions to the bone, tool frame.   [haptic, nonblocking]
+class BoneQuery {
+public:
+    explicit BoneQuery(const kerf_bone_query& query) : query_(&query) {}
+    /// @param direction  unit; the gap is measured along it
+    void sample(std::span<const Vec3> points, Vec3 direction, std::span<kerf_bone_sample> out) const noexcept {
+        query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), direction, out.data());
+    }
+    void nearest(std::span<const Vec3> points, std::span<kerf_surface_point> out) const noexcept {
+        query_->nearest(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), out.data());
+    }
+    [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
+
+private:
+    const kerf_bone_query* query_;
+};
+
+/// Where a law writes its channels. Too many are dropped and counted, never written past the end.
+class Channels {
+public:
+    explicit Channels(kerf_law& law) : law_(&law) { law.count = 0; }
+    kerf_channel* add(std::uint32_t kind) noexcept {
+        if (law_->count >= KERF_MAX_CHANNELS) {
+            ++dropped_;
+            return nullptr;
+        }
+        kerf_channel& c = law_->channel[law_->count++];
+        c = kerf_channel{};
+        c.kind = kind;
+        c.w = 1e-6;
+        return &c;
+    }
+    [[nodiscard]] int dropped() const noexcept { return dropped_; }
+
+private:
+    kerf_law* law_;
+    int dropped_ = 0;
+};
+
+/// What happened in the tick.
+struct Advance {
+    Vec6 rate;                              ///< tool frame [m/s, rad/s]
+    std::span<const kerf_channel> channel;  ///< the law that was solved
+    std::span<const double> lambda;         ///< what each of its channels carried [N]
+
+    /// What all channels of one kind carried together [N].
+    [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
+        double sum = 0.0;
+        for (std::size_t c = 0; c < channel.size(); ++c)
+            if (channel[c].kind == kind) sum += lambda[c];
+        return sum;
+    }
+};
+
+class Actions {
+public:
+    explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = 0; }
+    void cut() noexcept { add(KERF_ACTION_CUT, nullptr); }
+    /// @param id  static text, "<plugin>.<name>"
+    void event(const char* id) noexcept { add(KERF_ACTION_EVENT, id); }
+
+private:
+    void add(std::uint32_t kind, const char* event) noexcept {
+        if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, 0, event};
+    }
+    kerf_commit_out* out_;
+};
+
+/// A force law: what resists the tool in this tick, as a few monotone channels.
+///
+/// `resist` states the law at the present pose; the core then finds the one motion at which hand and law balance. So
+/// it is pure, and may be asked again. `commit` is told once which motion happened.
+template <class L>
+concept ForceLaw = requires(const Tick& tick, const BoneQuery& bone, const typename L::State& state,
+                            typename L::State& next, Channels& channels, const Advance& advance,
+                            std::span<double> signals, Actions& actions) {
+    { L::resist(tick, bone, state, channels) } noexcept;                    // [haptic, nonblocking] pure
+    { L::commit(tick, bone, advance, next, signals, actions) } noexcept;    // [haptic, nonblocking]
+    requires std::is_trivially_copyable_v<typename L::State>;  // the host saves, restores and moves it
+    requires std::is_default_constructible_v<typename L::State>;
+};
+
+/// The C table of a law.
+template <ForceLaw L>
+struct ForceTable {
+    static Tick tick_of(const kerf_tick_in& in) noexcept {
+        return {in.dt,
+                {in.tool_params, L::tool_parameter_count},
+                {in.force_params, L::force_parameter_count},
+                {in.drive, L::drive_count}};
+    }
+    static void reset(void* state) { *static_cast<typename L::State*>(state) = typename L::State{}; }
+    static kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* out) {
+        Channels channels(*out);
+        L::resist(tick_of(*in), BoneQuery(*in->bone), *static_cast<const typename L::State*>(state), channels);
+        return channels.dropped() == 0 ? KERF_OK : KERF_CAPACITY;
+    }
+    static kerf_status commit(const kerf_tick_in* in, const kerf_advance* a, void* state, kerf_commit_out* out) {
+        Actions actions(*out);
+        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}};
+        for (std::size_t i = 0; i < 6; ++i) advance.rate[i] = a->rate[i];
+        L::commit(tick_of(*in), BoneQuery(*in->bone), advance, *static_cast<typename L::State*>(state),
+                  {out->signal, L::signal_count}, actions);
+        return KERF_OK;
+    }
+};
+
+}  // namespace kerf

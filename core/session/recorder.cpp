@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/recorder.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "core/session/content_hash.h"
+#include "core/session/session_tables.h"
+#include "core/session/spsc_ring.h"
+#include "core/session/sqlite_database.h"
+#include "core/session/summary.h"
+
+namespace kerf {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr std::size_t ring_rows = 8192;   // 8 s at 1 kHz
+constexpr std::size_t event_rows = 1024;
+constexpr std::size_t batch_rows = 250;
+constexpr auto batch_time = milliseconds(100);  // with one commit's time on top well under the promised 0.25 s
+constexpr auto poll_time = milliseconds(10);
+// Folding the -wal into the file waits for the disk. It has a thread of its own, so that a commit never does.
+constexpr auto checkpoint_time = milliseconds(5000);
+
+/// An event without the heap.
+struct EventSlot {
+    std::uint64_t tick = 0;
+    double time = 0.0;
+    char id[64]{};
+    char detail[256]{};
+};
+
+/// As much as fits, not ending within a UTF-8 character.
+template <std::size_t N>
+void copy_text(char (&to)[N], const std::string& from) noexcept {
+    std::size_t count = std::min(from.size(), N - 1);
+    if (count < from.size())
+        while (count > 0 && (static_cast<unsigned char>(from[count]) & 0xc0u) == 0x80u) --count;
+    std::memcpy(to, from.data(), count);
+    to[count] = '\0';
+}
+
+std::int64_t integer(std::uint64_t value) noexcept { return static_cast<std::int64_t>(value); }
+
+SqliteStatement& operator<<(SqliteStatement& row, std::int32_t value) { return row << std::int64_t{value}; }
+
+SqliteStatement& operator<<(SqliteStatement& row, const Pose& pose) {
+    return row << pose.position.x << pose.position.y << pose.position.z << pose.rotation.w << pose.rotation.x
+               << pose.rotation.y << pose.rotation.z;
+}
+
+SqliteStatement& operator<<(SqliteStatement& row, const Vec6& wrench) {
+    for (const double component : wrench) row << component;
+    return row;
+}
+
+std::string text_of(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+const Table& find_table(const std::vector<Table>& tables, std::string_view name) {
+    return *std::find_if(tables.begin(), tables.end(), [&](const Table& table) { return table.name == name; });
+}
+
+}  // namespace
+
+struct Recorder::Impl {
+    Impl() : ticks(ring_rows), cuts(ring_rows), events(event_rows) {}
+
+    // From the loop to the writer.
+    SpscRing<TickRow> ticks;
+    SpscRing<CutRow> cuts;
+    SpscRing<EventSlot> events;
+    std::atomic<std::uint64_t> lost_ticks{0}, lost_cuts{0}, lost_events{0};
+
+    // The file. The writer's while it runs, the caller's before and after.
+    std::string path;
+    std::vector<Table> tables;
+    std::size_t signal_count = 0;
+    SqliteDatabase database;
+    SqliteStatement begin, commit, insert_tick, insert_cut, insert_event;
+
+    std::thread writer, checkpointer;
+    std::mutex mutex;  ///< of `wake` alone; the loop never takes it
+    std::condition_variable wake;
+    std::atomic<bool> is_stopping{false};
+    std::atomic<bool> is_failed{false};
+    bool is_closed = false;
+
+    void create(const SessionHeader& header);
+    void start();
+    void stop();
+    void write_until_stopped();
+    void checkpoint_until_stopped();
+    bool write_batch();
+    void write_tick(const TickRow& row);
+    void close(const char* state);
+    void set(const char* table, std::string_view key, std::string_view value);
+    void write_results(const RunSummary& summary);
+};
+
+// ---- before the first tick ---------------------------------------------------------------------------------------
+
+void Recorder::Impl::set(const char* table, std::string_view key, std::string_view value) {
+    SqliteStatement insert(database, std::string("INSERT INTO ") + table + " VALUES(?,?)");
+    insert << key << value;
+    insert.run();
+}
+
+void Recorder::Impl::create(const SessionHeader& header) {
+    signal_count = std::min<std::size_t>(header.signals.size(), KERF_MAX_SIGNALS);
+    tables = session_tables(header.signals);
+
+    database.run("PRAGMA application_id=" + std::to_string(session_application_id));
+    database.run("PRAGMA user_version=" + std::to_string(session_schema_version));
+    database.run("BEGIN");
+    create_tables(database, tables);
+    SqliteStatement(database, "INSERT INTO notice VALUES('" + std::string(notice_line) + "')").run();
+
+    set("session", "state", "running");
+    set("session", "procedure_text", header.procedure_text);
+    set("session", "anatomy_hash", hex16(hash_of_text(header.anatomy_text)));
+    for (const auto& [part, version] : header.versions) set("session", "version." + part, version);
+    set("session", "condition.device", header.conditions.device);
+    set("session", "condition.force_scale", text_of(header.conditions.force_scale));
+    set("session", "condition.assist", header.conditions.assist);
+    set("session", "condition.coupling_stiffness", text_of(header.conditions.coupling_stiffness));
+
+    set("envelope", "uuid", header.envelope.uuid);
+    set("envelope", "learner", header.envelope.learner);
+    set("envelope", "cohort", header.envelope.cohort);
+    set("envelope", "mode", header.envelope.mode);
+    set("envelope", "station", header.envelope.station);
+    set("envelope", "start", header.envelope.start);
+    set("envelope", "consent", header.envelope.consent);
+
+    SqliteStatement tissue(database, "INSERT INTO tissues VALUES(?,?)");
+    for (std::size_t i = 0; i < header.tissues.size(); ++i) {
+        tissue << integer(i) << header.tissues[i];
+        tissue.run();
+    }
+    SqliteStatement signal(database, "INSERT INTO signals VALUES(?,?,?,?,?,?)");
+    const std::vector<std::string> signal_columns = signal_column_names(header.signals);
+    for (std::size_t i = 0; i < signal_count; ++i) {
+        const SignalColumn& column = header.signals[i];
+        signal << integer(i) << column.id << signal_columns[i] << column.unit << column.per_unit << column.help;
+        signal.run();
+    }
+    database.run("COMMIT");
+    // Only now, so that even a session killed at once is known as one by its first page.
+    database.run("PRAGMA journal_mode=WAL");
+    database.run("PRAGMA synchronous=NORMAL");
+    database.run("PRAGMA wal_autocheckpoint=0");
+
+    begin.prepare(database, "BEGIN");
+    commit.prepare(database, "COMMIT");
+    insert_tick.prepare(database, insert_sql(find_table(tables, "ticks")));
+    insert_cut.prepare(database, insert_sql(find_table(tables, "cuts")));
+    insert_event.prepare(database, insert_sql(find_table(tables, "events")));
+}
+
+// ---- while it runs -----------------------------------------------------------------------------------------------
+
+void Recorder::Impl::write_tick(const TickRow& row) {
+    insert_tick << integer(row.tick) << row.time << row.step << row.device_from_handle << row.world_from_tool
+                << row.modelled << row.coupled << row.limited << row.commanded << row.thrust << row.torque << row.depth
+                << row.feed_rate << row.tissue << row.iterations << row.power_hand << row.power_drive << row.removed;
+    for (std::size_t i = 0; i < signal_count; ++i) insert_tick << row.signals[i];
+    insert_tick.run();
+}
+
+/// One transaction with up to 250 rows of each kind. After a disk error it only empties the queues: the loop runs on.
+bool Recorder::Impl::write_batch() {
+    begin.run();
+    for (std::size_t i = 0; i < batch_rows; ++i) {
+        const TickRow* row = ticks.front();
+        if (row == nullptr) break;
+        write_tick(*row);
+        ticks.pop();
+    }
+    for (std::size_t i = 0; i < batch_rows; ++i) {
+        const CutRow* cut = cuts.front();
+        if (cut == nullptr) break;
+        insert_cut << integer(cut->sequence) << integer(cut->tick) << std::int64_t{cut->body} << std::int64_t{cut->solid}
+                   << cut->from << cut->to;
+        insert_cut.run();
+        cuts.pop();
+    }
+    for (std::size_t i = 0; i < batch_rows; ++i) {
+        const EventSlot* event = events.front();
+        if (event == nullptr) break;
+        insert_event << integer(event->tick) << event->time << std::string_view(event->id) << std::string_view(event->detail);
+        insert_event.run();
+        events.pop();
+    }
+    commit.run();
+    return database.is_good();
+}
+
+void Recorder::Impl::write_until_stopped() {
+    auto last_commit = Clock::now();
+    while (true) {
+        const bool was_stopping = is_stopping.load(std::memory_order_acquire);  // before looking: then nothing is missed
+        const std::size_t most = std::max({ticks.size(), cuts.size(), events.size()});
+        if (most == 0 && was_stopping) return;
+
+        const bool is_due = most >= batch_rows || was_stopping || Clock::now() - last_commit >= batch_time;
+        if (most > 0 && is_due) {
+            if (!write_batch()) is_failed.store(true, std::memory_order_release);
+            last_commit = Clock::now();
+            continue;
+        }
+        std::unique_lock lock(mutex);
+        wake.wait_for(lock, poll_time, [&] { return is_stopping.load(std::memory_order_acquire); });
+    }
+}
+
+void Recorder::Impl::checkpoint_until_stopped() {
+    SqliteDatabase own;
+    own.open(path);
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, checkpoint_time, [&] { return is_stopping.load(std::memory_order_acquire); })) {
+        lock.unlock();
+        own.run("PRAGMA wal_checkpoint(PASSIVE)");  // its failure costs nothing: the -wal is complete
+        lock.lock();
+    }
+}
+
+void Recorder::Impl::start() {
+    writer = std::thread([this] { write_until_stopped(); });
+    checkpointer = std::thread([this] { checkpoint_until_stopped(); });
+}
+
+void Recorder::Impl::stop() {
+    {
+        const std::lock_guard lock(mutex);
+        is_stopping.store(true, std::memory_order_release);
+    }
+    wake.notify_all();
+    if (writer.joinable()) writer.join();
+    if (checkpointer.joinable()) checkpointer.join();
+}
+
+// ---- after the last tick -----------------------------------------------------------------------------------------
+
+void Recorder::Impl::write_results(const RunSummary& summary) {
+    SqliteStatement insert_step(database, insert_sql(find_table(tables, "steps")));
+    for (std::size_t i = 0; i < summary.steps.size(); ++i) {
+        const StepRow& step = summary.steps[i];
+        std::string limits;
+        for (const std::string& limit : step.broken_limits) limits += (limits.empty() ? "" : "\n") + limit;
+        insert_step << integer(i) << step.id << step.title << std::int64_t{step.done} << step.start << step.end << limits;
+        insert_step.run();
+    }
+    SqliteStatement insert_metric(database, insert_sql(find_table(tables, "metrics")));
+    for (const MetricRow& metric : summary.metrics) {
+        insert_metric << metric.id << metric.revision << metric.scope << metric.occurrence << metric.occurrences
+                      << metric.value << metric.unit << metric.per_unit;
+        metric.uncertainty < 0.0 ? insert_metric.null() : insert_metric << metric.uncertainty;
+        insert_metric << metric.status << metric.help;
+        insert_metric.run();
+    }
+    set("session", "summary", summary_json(summary));
+    set("session", "hash", hex16(summary.hash));
+}
+
+/// Says how the session ended, folds the -wal in and closes.
+void Recorder::Impl::close(const char* state) {
+    SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
+    set("session", "lost_ticks", std::to_string(lost_ticks.load()));
+    set("session", "lost_events", std::to_string(lost_events.load()));
+    set("session", "lost_cuts", std::to_string(lost_cuts.load()));
+
+    for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event}) statement->finalize();
+    database.run("PRAGMA wal_checkpoint(TRUNCATE)");
+    database.run("PRAGMA journal_mode=DELETE");
+    database.close();
+    is_closed = true;
+}
+
+// ---- the face ----------------------------------------------------------------------------------------------------
+
+Recorder::Recorder(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
+
+Recorder::~Recorder() {
+    if (impl_->is_closed) return;
+    impl_->stop();
+    impl_->close("incomplete");
+}
+
+Recorder::Created Recorder::create(const std::string& path, const SessionHeader& header) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+        std::error_code error;
+        std::filesystem::remove(path + suffix, error);
+        if (error) return {nullptr, path + suffix + " could not be replaced: " + error.message()};
+    }
+    auto impl = std::make_unique<Impl>();
+    impl->path = path;
+    if (impl->database.open(path)) impl->create(header);
+    if (!impl->database.is_good()) return {nullptr, path + " could not be made: " + impl->database.error()};
+    impl->start();
+    return {std::unique_ptr<Recorder>(new Recorder(std::move(impl))), {}};
+}
+
+void Recorder::push(const TickRow& row) noexcept {
+    if (!impl_->ticks.push(row)) impl_->lost_ticks.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Recorder::push_cut(const CutRow& cut) noexcept {
+    if (!impl_->cuts.push(cut)) impl_->lost_cuts.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Recorder::push_event(const EventRow& event) noexcept {
+    EventSlot slot;
+    slot.tick = event.tick;
+    slot.time = event.time;
+    copy_text(slot.id, event.id);
+    copy_text(slot.detail, event.detail);
+    if (!impl_->events.push(slot)) impl_->lost_events.fetch_add(1, std::memory_order_relaxed);
+}
+
+bool Recorder::wait_for_room() {
+    const auto is_filled = [](const auto& ring, std::size_t parts) { return ring.size() > ring.capacity() / parts; };
+    const auto any_filled = [&](std::size_t parts) {
+        return is_filled(impl_->ticks, parts) || is_filled(impl_->cuts, parts) || is_filled(impl_->events, parts);
+    };
+    if (any_filled(2))
+        while (any_filled(4)) std::this_thread::sleep_for(milliseconds(1));
+    return !impl_->is_failed.load(std::memory_order_acquire);
+}
+
+RecorderLosses Recorder::losses() const noexcept {
+    return {impl_->lost_ticks.load(), impl_->lost_events.load(), impl_->lost_cuts.load()};
+}
+
+std::string Recorder::finish(const RunSummary& summary) {
+    if (impl_->is_closed) return "this session is finished already";
+    impl_->stop();
+
+    impl_->database.run("BEGIN");
+    impl_->write_results(summary);
+    impl_->database.run("COMMIT");
+    impl_->close(losses().any() ? "incomplete" : "finished");
+    const std::string& error = impl_->database.error();
+    return error.empty() ? std::string() : impl_->path + " is incomplete: " + error;
+}
+
+}  // namespace kerf

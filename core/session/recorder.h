@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/session/recording.h"
+
+namespace kerf {
+
+/// `PRAGMA application_id` of a session: "KERF".
+inline constexpr std::int32_t session_application_id = 0x4b455246;
+inline constexpr std::int32_t session_schema_version = 1;
+/// Stands in every file a run writes.
+inline constexpr const char* notice_line = "For training and research; not for diagnosis, planning or deciding treatment";
+
+/// Who and where, outside the content hash. Codes, never names.
+struct SessionEnvelope {
+    std::string uuid;
+    std::string learner, cohort;   ///< codes the teacher gave
+    std::string mode = "practice"; ///< practice | exam | demo
+    std::string station;
+    std::string start;             ///< ISO 8601; may be empty
+    std::string consent;
+};
+
+/// What the hand felt through, inside the content hash.
+struct SessionConditions {
+    std::string device;
+    double force_scale = 1.0;         ///< [–] device newton per bone newton
+    std::string assist;               ///< ids of what helped, comma-separated; empty for none
+    double coupling_stiffness = 0.0;  ///< [N/m] device side
+};
+
+/// Everything known before the first tick.
+struct SessionHeader {
+    std::string procedure_text;
+    std::string anatomy_text;  ///< only its hash is stored
+    std::vector<std::pair<std::string, std::string>> versions;
+    SessionEnvelope envelope;
+    SessionConditions conditions;
+    std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most KERF_MAX_SIGNALS
+    std::vector<std::string> tissues;
+};
+
+/// Rows that did not fit into the queues. Not zero means: incomplete, cannot be replayed.
+struct RecorderLosses {
+    std::uint64_t ticks = 0, events = 0, cuts = 0;
+    [[nodiscard]] bool any() const noexcept { return ticks + events + cuts > 0; }
+};
+
+/// Writes a run into one SQLite file while it happens.
+///
+/// The loop pushes rows into queues of 8 s; a thread of the recorder takes them out and commits at least every
+/// 100 ms, so `kill -9` loses at most 0.25 s and the file still opens. While it is open the file has a -wal beside
+/// it; `finish` (or the destructor, as "incomplete") folds that in. Disk errors are kept and told by `finish`.
+class Recorder {
+public:
+    struct Created;
+    /// Makes a new file at `path`, replacing what was there.   [main]
+    static Created create(const std::string& path, const SessionHeader& header);
+
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Wait-free. A row that finds the queue full is counted and lost.   [haptic, nonblocking] one thread only
+    void push(const TickRow& row) noexcept;
+    void push_cut(const CutRow& cut) noexcept;
+    /// Ids over 63 bytes and details over 255 are cut short.   [haptic, nonblocking] the same thread
+    void push_event(const EventRow& event) noexcept;
+
+    /// Lock-step: waits until the queues can take the next few thousand rows. Returns at once while they are less
+    /// than half full. False when the file cannot be written any more.   [the pushing thread, may block]
+    bool wait_for_room();
+
+    [[nodiscard]] RecorderLosses losses() const noexcept;
+
+    /// Writes what is left, steps, metrics, summary and hash, and closes to a single file. The session's state
+    /// becomes "finished", or "incomplete" when rows were lost. Returns what went wrong, empty if nothing did;
+    /// once only.   [main, after the last push]
+    [[nodiscard]] std::string finish(const RunSummary& summary);
+
+private:
+    struct Impl;
+    explicit Recorder(std::unique_ptr<Impl> impl) noexcept;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// A recorder, or why there is none.
+struct Recorder::Created {
+    std::unique_ptr<Recorder> recorder;
+    std::string error;  ///< for people; empty when there is a recorder
+};
+
+}  // namespace kerf

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/report_data.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bytes = std::vector<unsigned char>;
+
+constexpr std::size_t most_rows_drawn = 20'000;
+constexpr std::size_t most_events_drawn = 2'000;
+
+/// The low `size` bytes, least significant first.
+void put(Bytes& bytes, std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) bytes.push_back(static_cast<unsigned char>(value >> (8 * i)));
+}
+
+template <class GetValue>
+std::string packed_floats(const std::vector<std::size_t>& drawn, GetValue get_value) {
+    Bytes bytes;
+    bytes.reserve(4 * drawn.size());
+    for (const std::size_t row : drawn) put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(get_value(row))), 4);
+    return base64(bytes);
+}
+
+Json rows_json(const std::vector<TickRow>& rows, const std::vector<std::size_t>& drawn) {
+    Bytes tissues;
+    for (const std::size_t i : drawn) put(tissues, static_cast<std::uint32_t>(std::clamp(rows[i].tissue, -1, 127)), 1);
+    return {{"count", drawn.size()},
+            {"time", packed_floats(drawn, [&](std::size_t i) { return rows[i].time; })},
+            {"thrust", packed_floats(drawn, [&](std::size_t i) { return rows[i].thrust; })},
+            {"torque", packed_floats(drawn, [&](std::size_t i) { return rows[i].torque * 1e3; })},
+            {"lateral", packed_floats(drawn, [&](std::size_t i) { return lateral_force(rows[i]); })},
+            {"depth", packed_floats(drawn, [&](std::size_t i) { return rows[i].depth * 1e3; })},
+            {"tissue", base64(tissues)}};
+}
+
+Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& rows,
+                  const std::vector<std::size_t>& drawn) {
+    Json list = Json::array();
+    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), KERF_MAX_SIGNALS); ++s) {
+        const double per_unit = signals[s].per_unit;
+        list.push_back({{"name", signals[s].id},
+                        {"unit", unit_for_people(signals[s].unit)},
+                        {"values", packed_floats(drawn, [&](std::size_t i) { return rows[i].signals[s] / per_unit; })}});
+    }
+    return list;
+}
+
+bool is_bad_news(const std::string& event_id) {
+    return std::ranges::any_of(std::array{"limit", "fault", "breach", "quarantine"},
+                               [&](const char* word) { return event_id.find(word) != std::string::npos; });
+}
+
+Json events_json(const std::vector<EventRow>& events) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < std::min(events.size(), most_events_drawn); ++i)
+        list.push_back({{"time", events[i].time},
+                        {"id", events[i].id},
+                        {"detail", events[i].detail},
+                        {"isBad", is_bad_news(events[i].id)}});
+    return list;
+}
+
+/// From the bone towards the eye, so that the eye looks into the hole: back along the tool where it was deepest.
+Vec3 direction_of_view(const std::vector<TickRow>& rows) {
+    const auto deepest = std::max_element(rows.begin(), rows.end(),
+                                          [](const TickRow& a, const TickRow& b) { return a.depth < b.depth; });
+    const Vec3 from_the_front{0, -1, 0};
+    if (deepest == rows.end() || !is_finite(deepest->world_from_tool)) return from_the_front;
+    const Vec3 back = -normalized(rotate(deepest->world_from_tool.rotation, {0, 0, 1}));
+    return length(back) > 0.5 ? back : from_the_front;
+}
+
+std::vector<Vec3> normals_of(const Mesh& mesh) {
+    if (mesh.normals.size() == mesh.vertices.size()) return mesh.normals;
+    std::vector<Vec3> normals(mesh.vertices.size(), Vec3{0, 0, 0});
+    for (const auto& [a, b, c] : mesh.triangles) {
+        if (std::max({a, b, c}) >= mesh.vertices.size()) continue;
+        const Vec3 twice_area = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+        for (const std::uint32_t corner : {a, b, c}) normals[corner] = normals[corner] + twice_area;
+    }
+    for (Vec3& normal : normals) normal = normalized(normal);
+    return normals;
+}
+
+/// Positions as 16-bit steps from the middle of the box around them: 3 µm in a bone of 20 cm.
+Json mesh_json(const Mesh& mesh, Vec3 look) {
+    if (mesh.vertices.empty() || mesh.triangles.empty()) return nullptr;
+
+    Vec3 low = mesh.vertices.front(), high = low;
+    for (const Vec3 v : mesh.vertices) {
+        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    }
+    const Vec3 centre = 0.5 * (low + high), half = 0.5 * (high - low);
+    const double step = std::max({half.x, half.y, half.z, 1e-9}) / 32767.0;  // [m]
+
+    Bytes positions, normals, tissues, triangles;
+    const auto whole = [](double value) { return static_cast<std::uint32_t>(std::lround(value)); };
+    for (const Vec3 v : mesh.vertices)
+        for (const double offset : {v.x - centre.x, v.y - centre.y, v.z - centre.z, 0.0}) put(positions, whole(offset / step), 2);
+    for (const Vec3 n : normals_of(mesh))
+        for (const double part : {n.x, n.y, n.z, 0.0}) put(normals, whole(127.0 * std::clamp(part, -1.0, 1.0)), 1);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) tissues.push_back(i < mesh.tissue.size() ? mesh.tissue[i] : 0);
+    const bool is_short = mesh.vertices.size() <= 65'535;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        if (std::max({a, b, c}) >= mesh.vertices.size()) continue;
+        for (const std::uint32_t corner : {a, b, c}) put(triangles, corner, is_short ? 2 : 4);
+    }
+    return {{"unit", step * 1e3},
+            {"halfSize", {half.x * 1e3, half.y * 1e3, half.z * 1e3}},
+            {"look", {look.x, look.y, look.z}},
+            {"positions", base64(positions)},
+            {"normals", base64(normals)},
+            {"tissue", base64(tissues)},
+            {"isShort", is_short},
+            {"triangles", base64(triangles)}};
+}
+
+/// A round number: about a fifth of `range`.
+double round_step(double range) {
+    const double power = std::pow(10.0, std::floor(std::log10(range / 5.0)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= range / 5.0 * 0.999) return factor * power;
+    return 10.0 * power;
+}
+
+}  // namespace
+
+std::string base64(std::span<const unsigned char> bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k) three = (three << 8) | (k < count ? bytes[i + k] : 0u);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[(three >> (18 - 6 * k)) & 63u] : '=';
+    }
+    return text;
+}
+
+std::string html_escaped(std::string_view text) {
+    std::string safe;
+    for (const char c : text) switch (c) {
+            case '&': safe += "&amp;"; break;
+            case '<': safe += "&lt;"; break;
+            case '>': safe += "&gt;"; break;
+            case '"': safe += "&quot;"; break;
+            case '\'': safe += "&#39;"; break;
+            default: safe += c;
+        }
+    return safe;
+}
+
+std::string sensible_number(double value, double uncertainty) {
+    if (!std::isfinite(value)) return "–";
+    const auto decimals_for = [](double size, int digits) {
+        return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
+    };
+    int decimals = 0;
+    const bool is_known = uncertainty > 0.0 && std::isfinite(uncertainty);
+    if (is_known) {
+        decimals = decimals_for(uncertainty, 1);
+        if (uncertainty * std::pow(10.0, decimals) < 1.95) decimals = decimals_for(uncertainty, 2);  // 0.12, not 0.1
+    } else if (value != 0.0) {
+        decimals = decimals_for(std::abs(value), 3);
+    }
+    char digits[64];
+    std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
+    std::string text(digits);
+
+    if (!is_known && text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
+    }
+    if (text.front() == '-') {
+        const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+        text.replace(0, 1, is_zero ? "" : "−");
+    }
+    return text;
+}
+
+std::string unit_for_people(const std::string& unit) {
+    constexpr std::array<std::pair<const char*, const char*>, 7> pretty{
+        {{"mm2", "mm²"}, {"mm3", "mm³"}, {"um", "µm"}, {"deg", "°"}, {"N*m", "N·m"}, {"N*mm", "N·mm"}, {"Nmm", "N·mm"}}};
+    for (const auto& [plain, nice] : pretty)
+        if (unit == plain) return nice;
+    return unit;
+}
+
+double lateral_force(const TickRow& row) noexcept {
+    const Vec3 force = linear(row.modelled);
+    const Vec3 shaft = normalized(rotate(row.world_from_tool.rotation, {0, 0, 1}));
+    return length(force - dot(force, shaft) * shaft);
+}
+
+std::vector<std::size_t> rows_to_draw(const std::vector<TickRow>& rows, std::size_t most) {
+    std::vector<std::size_t> drawn;
+    if (rows.size() <= most) {
+        drawn.resize(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) drawn[i] = i;
+        return drawn;
+    }
+    constexpr std::size_t quantities = 4;
+    const auto quantity = [&](std::size_t row, std::size_t which) {
+        const TickRow& r = rows[row];
+        return std::array{r.thrust, r.torque, r.depth, lateral_force(r)}[which];
+    };
+    const std::size_t stretches = std::max<std::size_t>(1, (most - std::min<std::size_t>(most, 2)) / (2 * quantities));
+    for (std::size_t s = 0; s < stretches; ++s) {
+        const std::size_t from = rows.size() * s / stretches, to = rows.size() * (s + 1) / stretches;
+        std::array<std::size_t, quantities> least{}, greatest{};
+        least.fill(from);
+        greatest.fill(from);
+        for (std::size_t row = from; row < to; ++row)
+            for (std::size_t q = 0; q < quantities; ++q) {
+                if (quantity(row, q) < quantity(least[q], q)) least[q] = row;
+                if (quantity(row, q) > quantity(greatest[q], q)) greatest[q] = row;
+            }
+        drawn.insert(drawn.end(), least.begin(), least.end());
+        drawn.insert(drawn.end(), greatest.begin(), greatest.end());
+    }
+    drawn.push_back(0);
+    drawn.push_back(rows.size() - 1);
+    std::sort(drawn.begin(), drawn.end());
+    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+    return drawn;
+}
+
+std::string_view tissue_colour(std::size_t tissue) noexcept {
+    constexpr std::array<std::string_view, 8> colours{"#e0bd82", "#c9785a", "#6f9fc8", "#82ad7c",
+                                                      "#a884b8", "#d3a0a8", "#93999e", "#5aa9a3"};
+    return colours[tissue % colours.size()];
+}
+
+std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
+                             const std::vector<EventRow>& events, const Mesh& bone_after) {
+    Json tissues = Json::array();
+    for (std::size_t i = 0; i < summary.tissues.size(); ++i)
+        tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});
+    const std::vector<std::size_t> drawn = rows_to_draw(rows, most_rows_drawn);
+
+    const Json data{{"tissues", std::move(tissues)},
+                    {"rows", rows_json(rows, drawn)},
+                    {"signals", signals_json(summary.signals, rows, drawn)},
+                    {"events", events_json(events)},
+                    {"mesh", mesh_json(bone_after, direction_of_view(rows))}};
+    const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+
+    // "</script>" or "<!--" in a name must not end the element: in JSON "<" can only stand within a string.
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text)
+        if (c == '<') safe += "\\u003c";
+        else safe += c;
+    return safe;
+}
+
+std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
+    const std::vector<std::size_t> drawn = rows_to_draw(rows, 1500);
+    constexpr double width = 720, height = 280, left = 56, right = 16, top = 28, bottom = 36;
+
+    // Ranges in mm and N. Most of the way through air is left out, as on the screen.
+    double shallow = 0.0, deep = 0.001, low = 0.0, high = 1.0;
+    for (const std::size_t i : drawn) {
+        const double depth = rows[i].depth * 1e3, thrust = rows[i].thrust;
+        if (!std::isfinite(depth) || !std::isfinite(thrust)) continue;
+        shallow = std::min(shallow, depth);
+        deep = std::max(deep, depth);
+        low = std::min(low, thrust);
+        high = std::max(high, thrust);
+    }
+    shallow = std::max(shallow, -0.15 * std::max(deep, 1.0));
+    high += 0.06 * (high - low);
+    const auto x = [&](double depth) { return left + (depth - shallow) / (deep - shallow) * (width - left - right); };
+    const auto y = [&](double thrust) { return height - bottom - (thrust - low) / (high - low) * (height - top - bottom); };
+
+    std::string svg;
+    const auto add = [&svg](const char* format, auto... values) {
+        char text[256];
+        std::snprintf(text, sizeof text, format, values...);
+        svg += text;
+    };
+    add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
+        "font-family=\"sans-serif\" font-size=\"12\" fill=\"#444\"><title>Thrust over depth</title>", width, height, width, height);
+    add("<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/><text x=\"%g\" y=\"16\">thrust in N</text>", width, height, left);
+    add("<text x=\"%g\" y=\"%g\" text-anchor=\"end\">depth in mm</text>", width - right, height - 4);
+    const double x_step = round_step(deep - shallow), y_step = round_step(high - low);
+    for (double tick = std::ceil(shallow / x_step) * x_step; tick <= deep; tick += x_step) {
+        add("<path d=\"M%.1f %g V%g\" stroke=\"#ddd\"/>", x(tick), top, height - bottom);
+        add("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%s</text>", x(tick), height - bottom + 15,
+            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
+    }
+    for (double tick = std::ceil(low / y_step) * y_step; tick <= high; tick += y_step) {
+        add("<path d=\"M%g %.1f H%g\" stroke=\"#ddd\"/>", left, y(tick), width - right);
+        add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%s</text>", left - 6, y(tick) + 4,
+            sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
+    }
+    svg += "<polyline fill=\"none\" stroke=\"#1f6f9f\" stroke-width=\"1.5\" stroke-linejoin=\"round\" points=\"";
+    for (const std::size_t i : drawn) {
+        const double depth = rows[i].depth * 1e3, thrust = rows[i].thrust;
+        if (std::isfinite(depth) && std::isfinite(thrust) && depth >= shallow) add("%.1f,%.1f ", x(depth), y(thrust));
+    }
+    return svg + "\"/></svg>";
+}
+
+}  // namespace kerf

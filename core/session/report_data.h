@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/session/recording.h"
+
+/// How numbers get into report.html.
+namespace kerf {
+
+/// RFC 4648, with padding.   [any]
+[[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
+
+/// Text for an element or a quoted attribute of HTML.   [any]
+[[nodiscard]] std::string html_escaped(std::string_view text);
+
+/// As many digits as mean something: one or two of the uncertainty where it is known (> 0), else three of the value.
+/// "−" for minus, "–" for what is not finite.   [any]
+[[nodiscard]] std::string sensible_number(double value, double uncertainty = -1.0);
+
+/// A unit as people write it: mm³ for mm3, N·m for N*m. Others as they are.   [any]
+[[nodiscard]] std::string unit_for_people(const std::string& unit);
+
+/// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
+[[nodiscard]] double lateral_force(const TickRow& row) noexcept;
+
+/// Which rows to draw: all of them, or at most `most` that keep, in every stretch of time, the least and the greatest
+/// thrust, torque, lateral force and depth. Ascending; the first and the last row are among them.   [any]
+[[nodiscard]] std::vector<std::size_t> rows_to_draw(const std::vector<TickRow>& rows, std::size_t most);
+
+/// #rrggbb for a tissue by its index; −1 and beyond wrap around.   [any]
+[[nodiscard]] std::string_view tissue_colour(std::size_t tissue) noexcept;
+
+/// What the page's script reads, as JSON that is safe inside <script>.   [any]
+[[nodiscard]] std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
+                                           const std::vector<EventRow>& events, const Mesh& bone_after);
+
+/// Thrust over depth as a picture that needs no script.   [any]
+[[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& rows);
+
+}  // namespace kerf

@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+/// The looks and the behaviour of report.html. Nothing here is fetched, and nothing is sent.
+namespace kerf {
+
+inline constexpr std::string_view report_style = R"css(
+:root { color-scheme: light dark;
+  --page: #f6f7f8; --card: #ffffff; --ink: #1b2126; --soft: #5b666f; --line: #dde2e6; --grid: #e9edf0;
+  --accent: #1f6f9f; --accent-2: #b4552d; --good: #1c7a46; --bad: #b3261e; --wait: #8a6100; --void: #6a4a8a; --wash: rgba(31,111,159,.14); }
+@media (prefers-color-scheme: dark) { :root:not(.light) {
+  --page: #14181b; --card: #1c2125; --ink: #e6eaed; --soft: #9aa6ae; --line: #323a40; --grid: #2a3136;
+  --accent: #6db7e3; --accent-2: #e79a72; --good: #63c58d; --bad: #f2877f; --wait: #e0b650; --void: #bda0dc; --wash: rgba(109,183,227,.2); } }
+:root.light { color-scheme: light; }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--page); color: var(--ink); font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif; }
+main, footer { max-width: 1080px; margin: 0 auto; padding: 0 24px; }
+header.top { display: flex; gap: 28px; align-items: flex-start; justify-content: space-between; margin: 32px 0 20px; flex-wrap: wrap; }
+h1 { font-size: 26px; line-height: 1.25; margin: 0 0 4px; overflow-wrap: anywhere; }
+h2 { font-size: 17px; margin: 0 0 12px; }
+p { margin: 0 0 8px; }
+.soft { color: var(--soft); }
+.small { font-size: 13px; }
+.verdict { text-align: right; }
+.word { display: inline-block; font-size: 24px; font-weight: 650; padding: 4px 18px 6px; border-radius: 8px; color: #fff; }
+.verdict .score { margin: 6px 0 0; font-size: 16px; }
+.pass .word { background: #1c7a46; } .fail .word { background: #b3261e; }
+.incomplete .word { background: #8a6100; } .invalid .word { background: #6a4a8a; }
+.reasons { list-style: none; margin: 0 0 20px; padding: 12px 18px; background: var(--card); border: 1px solid var(--line); border-left: 5px solid var(--soft); border-radius: 8px; }
+.reasons.pass { border-left-color: var(--good); } .reasons.fail { border-left-color: var(--bad); }
+.reasons.incomplete { border-left-color: var(--wait); } .reasons.invalid { border-left-color: var(--void); }
+.reasons li { padding: 2px 0; }
+section { background: var(--card); border: 1px solid var(--line); border-radius: 10px; padding: 18px 20px; margin: 0 0 20px; }
+.facts { display: grid; grid-template-columns: repeat(auto-fill, minmax(200px, 1fr)); gap: 10px 24px; margin: 0; }
+.facts dt { color: var(--soft); font-size: 13px; } .facts dd { margin: 0; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; }
+th { text-align: left; font-weight: 600; font-size: 13px; color: var(--soft); border-bottom: 1px solid var(--line); padding: 4px 12px 6px 0; white-space: nowrap; }
+td { vertical-align: top; padding: 7px 12px 7px 0; border-bottom: 1px solid var(--grid); }
+tr:last-child td { border-bottom: 0; }
+th.number, td.number { padding-right: 28px; } .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.ok { color: var(--good); } .broken { color: var(--bad); font-weight: 600; } .info { color: var(--soft); }
+code { font: 13px ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
+.readout { white-space: pre-wrap; min-height: 24px; margin: 2px 0 6px; font-variant-numeric: tabular-nums; }
+.readout b { font-weight: 600; }
+canvas.plot { display: block; width: 100%; height: 150px; touch-action: pan-y; cursor: crosshair; }
+canvas.plot.tall { height: 290px; } canvas.plot.named { height: 172px; } canvas.plot.strip { height: 20px; cursor: default; }
+.legend { display: flex; flex-wrap: wrap; gap: 4px 18px; margin: 8px 0 0; font-size: 13px; color: var(--soft); }
+.legend i { display: inline-block; width: 12px; height: 12px; border-radius: 3px; margin-right: 6px; vertical-align: -1px; }
+.plots h3 { font-size: 15px; margin: 18px 0 2px; }
+.bone { position: relative; }
+.bone canvas { display: block; width: 100%; height: 460px; border-radius: 8px; background: var(--page); touch-action: none; cursor: grab; }
+.bone svg { position: absolute; left: 10px; bottom: 10px; width: 74px; height: 74px; pointer-events: none; }
+.bone svg text { font-size: 11px; fill: var(--soft); text-anchor: middle; dominant-baseline: central; }
+.controls { display: flex; flex-wrap: wrap; gap: 8px 20px; align-items: center; margin: 10px 0 0; font-size: 14px; }
+.controls input[type=range] { width: 220px; vertical-align: middle; }
+select, button { font: inherit; color: inherit; background: var(--page); border: 1px solid var(--line); border-radius: 6px; padding: 2px 8px; }
+figure { margin: 0; } figure svg { max-width: 100%; height: auto; }
+details summary { cursor: pointer; font-weight: 600; }
+footer { color: var(--soft); font-size: 13px; padding-bottom: 32px; }
+footer strong { color: var(--ink); }
+.script { display: none; } .js .script { display: block; }
+@media print {
+  body { background: #fff; font-size: 11pt; } main, footer { max-width: none; padding: 0; }
+  section, .reasons { break-inside: avoid; border-color: #bbb; } section.plots { break-inside: auto; }
+  .controls, .hint { display: none !important; } .word { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  canvas { break-inside: avoid; } .bone canvas { height: 320px; }
+}
+)css";
+
+inline constexpr std::string_view report_script = R"js(
+"use strict";
+document.documentElement.classList.add("js");
+const data = JSON.parse(document.getElementById("run-data").textContent);
+const decode = (text, Type) => new Type(Uint8Array.from(atob(text), c => c.charCodeAt(0)).buffer);
+const byId = id => document.getElementById(id);
+const inkOf = name => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
+
+// ---- numbers --------------------------------------------------------------------------------------------------
+
+/// Three digits that mean something, with a real minus sign.
+function sensible(v) {
+  if (!Number.isFinite(v)) return "–";
+  const decimals = v === 0 ? 0 : clamp(2 - Math.floor(Math.log10(Math.abs(v))), 0, 4);
+  return withMinus(v.toFixed(decimals));
+}
+const withMinus = text => /^-[0.]*$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
+
+/// About `count` round numbers from `low` to `high`, and how many decimals they need.
+function roundTicks(low, high, count) {
+  const raw = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw * 0.999);
+  const ticks = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) ticks.push(i * step);
+  return { ticks, decimals: clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 6) };
+}
+
+// ---- plots ----------------------------------------------------------------------------------------------------
+
+const rows = data.rows, count = rows.count;
+for (const name of ["time", "thrust", "torque", "lateral", "depth"]) rows[name] = decode(rows[name], Float32Array);
+rows.tissue = decode(rows.tissue, Int8Array);
+for (const signal of data.signals) signal.values = decode(signal.values, Float32Array);
+
+const colourOf = tissue => tissue >= 0 && tissue < data.tissues.length ? data.tissues[tissue].colour : null;
+const margin = { left: 58, right: 14, bottom: 22 };
+const plots = [];
+let cursor = -1;  // index of a row, shared by all plots
+
+function rangeOf(values, from, to, accept) {
+  let low = Infinity, high = -Infinity;
+  for (let i = from; i < to; ++i) if (accept(i)) { low = Math.min(low, values[i]); high = Math.max(high, values[i]); }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+class Axis {  // what several plots share along x
+  constructor(low, high) { this.whole = [low, high > low ? high : low + 1]; this.reset(); }
+  reset() { this.view = [...this.whole]; }
+}
+
+class Plot {
+  constructor(id, axis, options) {
+    Object.assign(this, { canvas: byId(id), axis, ...options });
+    this.selection = null;
+    this.top = this.namesEvents ? 42 : 24;  // the names of events stand between title and plot
+    plots.push(this);
+    if (!this.isStrip) this.listen();
+  }
+
+  listen() {
+    const at = e => clamp(e.clientX - this.canvas.getBoundingClientRect().left, margin.left, this.width - margin.right);
+    this.canvas.addEventListener("pointerdown", e => { this.canvas.setPointerCapture(e.pointerId); this.selection = [at(e), at(e)]; });
+    this.canvas.addEventListener("pointermove", e => {
+      if (this.selection) this.selection[1] = at(e);
+      cursor = this.nearest(at(e), e.clientY - this.canvas.getBoundingClientRect().top);
+      later(drawAll);
+    });
+    const release = zooms => () => {
+      const s = this.selection;
+      this.selection = null;
+      if (zooms && s && Math.abs(s[1] - s[0]) > 6) this.axis.view = s.map(px => this.xAt(px)).sort((a, b) => a - b);
+      later(drawAll);
+    };
+    this.canvas.addEventListener("pointerup", release(true));
+    this.canvas.addEventListener("pointercancel", release(false));
+    this.canvas.addEventListener("pointerleave", () => { if (!this.selection) { cursor = -1; later(drawAll); } });
+    this.canvas.addEventListener("dblclick", () => { this.axis.reset(); later(drawAll); });
+  }
+
+  px(x) { const [a, b] = this.axis.view; return margin.left + (x - a) / (b - a) * (this.width - margin.left - margin.right); }
+  xAt(px) { const [a, b] = this.axis.view; return a + (px - margin.left) / (this.width - margin.left - margin.right) * (b - a); }
+  py(y) { const [a, b] = this.yView; return this.height - margin.bottom - (y - a) / (b - a) * (this.height - this.top - margin.bottom); }
+
+  nearest(px, py) {
+    if (this.isTime) return indexAt(this.xAt(px));
+    let best = -1, least = Infinity;
+    for (let i = 0; i < count; ++i) {
+      const d = (this.px(this.x[i]) - px) ** 2 + 0.05 * (this.py(this.y[i]) - py) ** 2;
+      if (d < least) { least = d; best = i; }
+    }
+    return best;
+  }
+
+  draw() {
+    const ratio = window.devicePixelRatio || 1;
+    this.width = this.canvas.clientWidth; this.height = this.canvas.clientHeight;
+    this.canvas.width = Math.round(this.width * ratio); this.canvas.height = Math.round(this.height * ratio);
+    const g = this.g = this.canvas.getContext("2d");
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g.font = "12px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif";
+    if (this.isStrip) { this.drawTissues(3, 12); return; }
+
+    const [from, to] = this.isTime ? this.visible() : [0, count];
+    const [low, high] = rangeOf(this.y, from, to, i => this.x[i] >= this.axis.view[0] && this.x[i] <= this.axis.view[1]);
+    const bottom = Math.min(0, low), top = Math.max(0, high), room = (top - bottom || 1) * 0.06;
+    this.yView = [bottom - (bottom < 0 ? room : 0), top + (top > 0 ? room : 1)];
+
+    this.drawFrame();
+    if (this.isTime) this.drawEvents();
+    g.save();
+    g.beginPath(); g.rect(margin.left, this.top, this.width - margin.left - margin.right, this.height - this.top - margin.bottom); g.clip();
+    if (!this.isTime) this.drawBands();
+    this.drawLine(from, to);
+    this.drawCursor();
+    if (this.selection) {
+      g.fillStyle = inkOf("wash");
+      g.fillRect(Math.min(...this.selection), 0, Math.abs(this.selection[1] - this.selection[0]), this.height);
+    }
+    g.restore();
+  }
+
+  visible() { return [Math.max(0, indexAt(this.axis.view[0]) - 1), Math.min(count, indexAt(this.axis.view[1]) + 2)]; }
+
+  drawFrame() {
+    const g = this.g, right = this.width - margin.right, base = this.height - margin.bottom;
+    g.lineWidth = 1; g.strokeStyle = inkOf("grid"); g.fillStyle = inkOf("soft");
+    const y = roundTicks(...this.yView, (base - this.top) / 34);
+    g.textAlign = "right"; g.textBaseline = "middle";
+    for (const v of y.ticks) {
+      const py = Math.round(this.py(v)) + 0.5;
+      g.beginPath(); g.moveTo(margin.left, py); g.lineTo(right, py); g.stroke();
+      g.fillText(withMinus(v.toFixed(y.decimals)), margin.left - 8, py);
+    }
+    const x = roundTicks(...this.axis.view, (right - margin.left) / 90);
+    g.textAlign = "center"; g.textBaseline = "top";
+    for (const v of x.ticks) {
+      const px = Math.round(this.px(v)) + 0.5;
+      g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, base); g.stroke();
+      if (px < right - g.measureText(this.xUnit).width - 20) g.fillText(withMinus(v.toFixed(x.decimals)), px, base + 6);
+    }
+    g.textAlign = "right"; g.fillText(this.xUnit, right, base + 6);
+    g.strokeStyle = inkOf("line");
+    const zero = Math.round(this.py(0)) + 0.5;
+    g.beginPath(); g.moveTo(margin.left, zero); g.lineTo(right, zero); g.stroke();
+    g.fillStyle = inkOf("ink"); g.textAlign = "left"; g.textBaseline = "top";
+    g.fillText(this.label, margin.left, 4);
+  }
+
+  drawLine(from, to) {
+    const g = this.g;
+    g.strokeStyle = inkOf("accent"); g.lineWidth = 1.5; g.lineJoin = "round";
+    g.beginPath();
+    for (let i = from; i < to; ++i) g.lineTo(this.px(this.x[i]), this.py(this.y[i]));
+    g.stroke();
+  }
+
+  drawEvents() {
+    const g = this.g;
+    let freeFrom = -Infinity;
+    for (const event of data.events) {
+      const px = Math.round(this.px(event.time)) + 0.5;
+      if (px < margin.left || px > this.width - margin.right) continue;
+      g.strokeStyle = g.fillStyle = inkOf(event.isBad ? "bad" : "soft"); g.lineWidth = 1;
+      g.setLineDash(event.isBad ? [] : [3, 3]);
+      g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, this.height - margin.bottom); g.stroke();
+      g.setLineDash([]);
+      const width = g.measureText(event.id).width;
+      if (!this.namesEvents || px < freeFrom) continue;
+      const isTight = px + width + 4 > this.width - margin.right;
+      if (isTight && px - width - 4 < freeFrom) continue;
+      g.textAlign = isTight ? "right" : "left"; g.textBaseline = "bottom";
+      g.fillText(event.id, px, this.top - 3);
+      freeFrom = px + width + 12;
+    }
+  }
+
+  /// Behind thrust over depth: the tissue first met at each depth.
+  drawBands() {
+    const g = this.g;
+    let deepest = -Infinity, begin = 0, tissue = -1;
+    const fill = () => {
+      const start = this.px(Math.max(begin, this.axis.view[0])), end = this.px(deepest), colour = colourOf(tissue);
+      if (colour && end > start) { g.fillStyle = colour; g.fillRect(start, this.top, end - start, this.height); }
+    };
+    g.globalAlpha = 0.24;
+    for (let i = 0; i < count; ++i) {
+      if (rows.depth[i] <= deepest) continue;
+      if (rows.tissue[i] !== tissue) { fill(); begin = Math.max(deepest, rows.depth[0]); tissue = rows.tissue[i]; }
+      deepest = rows.depth[i];
+    }
+    fill();
+    g.globalAlpha = 1;
+  }
+
+  drawTissues(top, height) {
+    const g = this.g, right = this.width - margin.right;
+    g.fillStyle = inkOf("grid"); g.fillRect(margin.left, top, right - margin.left, height);
+    for (let px = margin.left; px < right; ++px) {
+      const colour = colourOf(rows.tissue[indexAt(this.xAt(px + 0.5))]);
+      if (colour) { g.fillStyle = colour; g.fillRect(px, top, 1, height); }
+    }
+    if (cursor >= 0) { g.fillStyle = inkOf("ink"); g.fillRect(this.px(rows.time[cursor]), top - 2, 1, height + 4); }
+  }
+
+  drawCursor() {
+    if (cursor < 0) return;
+    const g = this.g, px = this.px(this.x[cursor]), py = this.py(this.y[cursor]);
+    g.strokeStyle = inkOf("ink"); g.lineWidth = 1; g.globalAlpha = 0.5;
+    g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, this.height - margin.bottom); g.stroke();
+    g.globalAlpha = 1; g.fillStyle = inkOf("accent-2");
+    g.beginPath(); g.arc(px, py, 4, 0, 7); g.fill();
+  }
+}
+
+/// The last row at or before a time.
+function indexAt(time) {
+  let low = 0, high = count - 1;
+  while (low < high) { const middle = (low + high + 1) >> 1; if (rows.time[middle] <= time) low = middle; else high = middle - 1; }
+  return low;
+}
+
+function drawReadout() {
+  const parts = [];
+  if (cursor >= 0) {
+    const i = cursor, add = (name, text) => parts.push([name, text]);
+    add("time", rows.time[i].toFixed(2) + " s");
+    add("depth", sensible(rows.depth[i]) + " mm");
+    add("thrust", sensible(rows.thrust[i]) + " N");
+    add("torque", sensible(rows.torque[i]) + " N·mm");
+    add("lateral", sensible(rows.lateral[i]) + " N");
+    add("tissue", rows.tissue[i] < 0 ? "none" : (data.tissues[rows.tissue[i]] || { name: "?" }).name);
+    const [a, b] = timeAxis.view, near = data.events.find(e => Math.abs(e.time - rows.time[i]) < (b - a) * 0.006);
+    if (near) add("event", near.id + (near.detail ? ": " + near.detail : ""));
+  }
+  byId("readout").replaceChildren(...parts.flatMap(([name, text]) => {
+    const value = document.createElement("b");
+    value.textContent = text;
+    return [name + "\u00a0", value, "   "];
+  }));
+}
+
+let isWaiting = false;
+function later(draw) { if (!isWaiting) { isWaiting = true; requestAnimationFrame(() => { isWaiting = false; draw(); }); } }
+function drawAll() { for (const plot of plots) plot.draw(); drawReadout(); }
+
+const timeAxis = new Axis(count ? rows.time[0] : 0, count ? rows.time[count - 1] : 1);
+if (count) {
+  const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
+  const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
+  const time = { x: rows.time, xUnit: "s", isTime: true };
+  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xUnit: "depth in mm", label: "thrust in N" });
+  new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, label: "thrust in N", namesEvents: true });
+  new Plot("plot-2", timeAxis, { ...time, y: rows.torque, label: "torque about the shaft in N·mm" });
+  new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, label: "force across the shaft in N" });
+  new Plot("plot-4", timeAxis, { ...time, y: rows.depth, label: "depth in mm" });
+  new Plot("plot-strip", timeAxis, { isStrip: true });
+  if (data.signals.length) {
+    const choice = byId("signal"), plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, label: "" });
+    const choose = () => { const s = data.signals[choice.value]; plot.y = s.values; plot.label = s.name + (s.unit ? " in " + s.unit : ""); later(drawAll); };
+    choice.addEventListener("change", choose);
+    choose();
+  }
+  drawAll();
+  window.addEventListener("resize", () => later(drawAll));
+}
+
+// ---- the bone -------------------------------------------------------------------------------------------------
+
+const vertexShader = `#version 300 es
+in vec3 position, normal; in float tissue;
+uniform mat4 clipFromBone; uniform vec3 colours[16]; uniform float unit;
+out vec3 at, facing, colour;
+void main() { at = position * unit; facing = normal; colour = colours[int(clamp(tissue, 0.0, 15.0))];
+  gl_Position = clipFromBone * vec4(at, 1.0); }`;
+const fragmentShader = `#version 300 es
+precision highp float;
+in vec3 at, facing, colour; out vec4 result;
+uniform vec4 cut; uniform vec3 eye;
+void main() {
+  if (dot(cut.xyz, at) > cut.w) discard;
+  vec3 n = normalize(facing), toEye = normalize(eye - at);
+  bool isInside = !gl_FrontFacing;               // looking at the inner side of the surface, through the cut
+  if (isInside) n = -n;
+  float light = 0.46 + 0.46 * max(dot(n, toEye), 0.0) + 0.08 * n.z;
+  vec3 c = isInside ? mix(colour, vec3(0.45, 0.2, 0.16), 0.55) : colour;
+  result = vec4(c * light, 1.0); }`;
+
+function multiply(a, b) {  // column-major 4 × 4
+  const c = new Float32Array(16);
+  for (let i = 0; i < 4; ++i) for (let j = 0; j < 4; ++j) for (let k = 0; k < 4; ++k) c[4 * j + i] += a[4 * k + i] * b[4 * j + k];
+  return c;
+}
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const towards = view => [Math.cos(view.pitch) * Math.cos(view.yaw), Math.cos(view.pitch) * Math.sin(view.yaw), Math.sin(view.pitch)];
+const unitOf = a => { const l = Math.hypot(...a) || 1; return a.map(v => v / l); };
+
+function showBone() {
+  const mesh = data.mesh, canvas = byId("bone"), fallback = byId("bone-text");
+  if (!mesh) { fallback.textContent = "This run left no surface to show."; return; }
+  const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, preserveDrawingBuffer: true });
+  if (!gl) { fallback.textContent = "The bone in 3D needs WebGL 2, which is off in this browser. The same surface is in bone.stl."; return; }
+  fallback.hidden = true; byId("bone-view").hidden = false;
+
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program); gl.useProgram(program);
+  const feed = (name, values, size, type, isNormalised) => {
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    const slot = gl.getAttribLocation(program, name);
+    gl.enableVertexAttribArray(slot); gl.vertexAttribPointer(slot, size, type, isNormalised, 0, 0);
+  };
+  feed("position", decode(mesh.positions, Int16Array), 4, gl.SHORT, false);   // padded to four
+  feed("normal", decode(mesh.normals, Int8Array), 4, gl.BYTE, true);
+  feed("tissue", decode(mesh.tissue, Uint8Array), 1, gl.UNSIGNED_BYTE, false);
+  const triangles = decode(mesh.triangles, mesh.isShort ? Uint16Array : Uint32Array);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+  gl.enable(gl.DEPTH_TEST);
+
+  const uniform = name => gl.getUniformLocation(program, name);
+  const colours = new Float32Array(48).fill(0.8);
+  data.tissues.slice(0, 16).forEach((t, i) => colours.set([1, 3, 5].map(k => parseInt(t.colour.slice(k, k + 2), 16) / 255), 3 * i));
+  gl.uniform3fv(uniform("colours"), colours);
+  gl.uniform1f(uniform("unit"), mesh.unit);
+
+  const half = mesh.halfSize, radius = Math.hypot(...half);
+  const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius / Math.sin(0.24) };
+  let view = { ...start, shift: [0, 0] };
+  const toFirstEye = towards(start);  // the half nearer to the first view goes, so that one sees into the rest
+  const axisChoice = byId("cut-axis"), slider = byId("cut-at"), flip = byId("cut-flip");
+
+  function draw() {
+    const ratio = window.devicePixelRatio || 1;
+    canvas.width = Math.round(canvas.clientWidth * ratio); canvas.height = Math.round(canvas.clientHeight * ratio);
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+
+    const back = towards(view);
+    const right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
+    const centre = [0, 1, 2].map(i => right[i] * view.shift[0] + up[i] * view.shift[1]);
+    const eye = [0, 1, 2].map(i => centre[i] + back[i] * view.distance);
+    const eyeFromBone = new Float32Array([right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1]);
+    const near = Math.max(view.distance - 2 * radius - Math.hypot(...view.shift), view.distance * 0.02), far = view.distance + 2 * radius + Math.hypot(...view.shift);
+    const f = 1 / Math.tan(0.26), aspect = canvas.width / Math.max(1, canvas.height);
+    const clipFromEye = new Float32Array([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0]);
+    gl.uniformMatrix4fv(uniform("clipFromBone"), false, multiply(clipFromEye, eyeFromBone));
+    gl.uniform3fv(uniform("eye"), eye);
+
+    const axis = Number(axisChoice.value), sign = (toFirstEye[axis] < 0) === flip.checked ? 1 : -1, normal = [0, 0, 0];
+    normal[axis] = sign;
+    gl.uniform4f(uniform("cut"), ...normal, half[axis] * (1.001 - 2.002 * Number(slider.value) / 100));
+    gl.drawElements(gl.TRIANGLES, triangles.length, mesh.isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, 0);
+
+    // Which way the patient lies: left, posterior, superior
+    [["L", [1, 0, 0]], ["P", [0, 1, 0]], ["S", [0, 0, 1]]].forEach(([name, v]) => {
+      const x = 37 + 24 * dot(right, v), y = 37 - 24 * dot(up, v), line = byId("axis-" + name), text = byId("axis-name-" + name);
+      line.setAttribute("x2", x); line.setAttribute("y2", y);
+      text.setAttribute("x", 37 + 31 * dot(right, v)); text.setAttribute("y", 37 - 31 * dot(up, v));
+    });
+  }
+
+  let held = null;
+  canvas.addEventListener("pointerdown", e => { held = [e.clientX, e.clientY, e.shiftKey || e.button === 2]; canvas.setPointerCapture(e.pointerId); });
+  canvas.addEventListener("pointermove", e => {
+    if (!held) return;
+    const dx = e.clientX - held[0], dy = e.clientY - held[1], scale = view.distance * 0.53 / canvas.clientHeight;
+    if (held[2]) { view.shift[0] -= dx * scale; view.shift[1] += dy * scale; }
+    else { view.yaw -= dx * 0.008; view.pitch = clamp(view.pitch + dy * 0.008, -1.55, 1.55); }
+    held[0] = e.clientX; held[1] = e.clientY;
+    requestAnimationFrame(draw);
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { held = null; });
+  canvas.addEventListener("contextmenu", e => e.preventDefault());
+  canvas.addEventListener("wheel", e => { e.preventDefault(); view.distance = clamp(view.distance * Math.exp(e.deltaY * 0.001), radius * 0.15, radius * 20); requestAnimationFrame(draw); }, { passive: false });
+  canvas.addEventListener("dblclick", () => { view = { ...start, shift: [0, 0] }; requestAnimationFrame(draw); });
+  for (const input of [axisChoice, slider, flip]) input.addEventListener("input", () => requestAnimationFrame(draw));
+  window.addEventListener("resize", () => requestAnimationFrame(draw));
+  window.addEventListener("beforeprint", draw);
+  draw();
+}
+showBone();
+
+// Paper is white, whatever the screen is.
+window.addEventListener("beforeprint", () => { document.documentElement.classList.add("light"); if (count) drawAll(); });
+window.addEventListener("afterprint", () => { document.documentElement.classList.remove("light"); if (count) drawAll(); });
+)js";
+
+}  // namespace kerf

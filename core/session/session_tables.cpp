@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/session_tables.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+using Columns = std::vector<TableColumn>;
+
+void append(Columns& columns, const Columns& more) { columns.insert(columns.end(), more.begin(), more.end()); }
+
+Columns pose_columns(const std::string& name, const std::string& frame, const std::string& help) {
+    Columns columns;
+    for (const char* axis : {"x", "y", "z"})
+        columns.push_back({name + "_" + axis, "REAL", "m", "length", frame, help + ", position " + axis});
+    for (const char* part : {"qw", "qx", "qy", "qz"})
+        columns.push_back({name + "_" + part, "REAL", "", "rotation", frame, help + ", unit quaternion " + part});
+    return columns;
+}
+
+Columns wrench_columns(const std::string& name, const std::string& help) {
+    Columns columns;
+    for (const char* axis : {"x", "y", "z"})
+        columns.push_back({name + "_f" + axis, "REAL", "N", "force", "world", help + ", force " + axis});
+    for (const char* axis : {"x", "y", "z"})
+        columns.push_back({name + "_m" + axis, "REAL", "N*m", "torque", "world", help + ", moment " + axis + " about the tip"});
+    return columns;
+}
+
+Table tick_table(const std::vector<SignalColumn>& signals) {
+    Columns columns{
+        {"tick", "INTEGER", "", "", "", "number of the tick, counted from the start of the run"},
+        {"time", "REAL", "s", "time", "", "simulated time since the start of the run"},
+        {"step", "INTEGER", "", "", "", "position of the running step in table steps, -1 for none"}};
+    append(columns, pose_columns("device_from_handle", "world", "what the device reported"));
+    append(columns, pose_columns("world_from_tool", "world", "the tool as simulated; its origin is the tip"));
+    append(columns, wrench_columns("modelled", "bone on tool"));
+    append(columns, wrench_columns("coupled", "coupling on hand, bone newtons"));
+    append(columns, wrench_columns("limited", "coupling on hand after the limits of the device, bone newtons"));
+    append(columns, wrench_columns("commanded", "sent to the device, device newtons"));
+    append(columns,
+           {{"thrust", "REAL", "N", "force", "tool", "bone on tool against the feed, positive while the bone pushes back"},
+            {"torque", "REAL", "N*m", "torque", "tool", "bone on tool about the shaft"},
+            {"depth", "REAL", "m", "length", "step axis", "tip past the entry along the axis of the step, negative before it"},
+            {"feed_rate", "REAL", "m/s", "velocity", "tool", "speed of the tool along its shaft"},
+            {"tissue", "INTEGER", "", "", "", "position in table tissues of what is under the tip, -1 for none"},
+            {"iterations", "INTEGER", "", "", "", "iterations of the force balance"},
+            {"power_hand", "REAL", "W", "power", "", "from the hand into the tool, bone side"},
+            {"power_drive", "REAL", "W", "power", "", "from the motor into the tool"},
+            {"removed", "REAL", "m^3", "volume", "", "bone removed so far"}});
+    const std::vector<std::string> names = signal_column_names(signals);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        columns.push_back({names[i], "REAL", "SI", "see table signals", "", signals[i].help});
+    return {"ticks", columns};
+}
+
+Table cut_table() {
+    Columns columns{{"sequence", "INTEGER", "", "", "", "number of the cut"},
+                    {"tick", "INTEGER", "", "", "", "tick in which it was made"},
+                    {"body", "INTEGER", "", "", "", "body that was cut"},
+                    {"solid", "INTEGER", "", "", "", "solid of the tool that cut"}};
+    append(columns, pose_columns("from", "body", "tool at the beginning of the sweep"));
+    append(columns, pose_columns("to", "body", "tool at the end of the sweep"));
+    return {"cuts", columns};
+}
+
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+}  // namespace
+
+std::vector<std::string> signal_column_names(const std::vector<SignalColumn>& signals) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < signals.size() && i < KERF_MAX_SIGNALS; ++i) {
+        std::string name = "signal_";
+        for (const char c : signals[i].id) {
+            const bool is_bare = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+            name += is_bare ? c : '_';
+        }
+        if (std::find(names.begin(), names.end(), name) != names.end()) name.append("_").append(std::to_string(i));
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
+    const Columns key_value{{"key", "TEXT", "", "", "", "what is stated"}, {"value", "TEXT", "", "", "", "its value; numbers are SI"}};
+    return {
+        {"notice", {{"text", "TEXT", "", "", "", "what this file must not be used for"}}},
+        {"columns",
+         {{"table_name", "TEXT", "", "", "", "table described"},
+          {"name", "TEXT", "", "", "", "column described"},
+          {"unit", "TEXT", "", "", "", "SI unit of the numbers; empty for none"},
+          {"dimension", "TEXT", "", "", "", "physical quantity; empty for none"},
+          {"frame", "TEXT", "", "", "", "frame it is expressed in; world is patient LPS"},
+          {"help", "TEXT", "", "", "", "meaning"}}},
+        {"session", key_value},
+        {"envelope", key_value},
+        {"tissues", {{"position", "INTEGER", "", "", "", "as in ticks.tissue"}, {"id", "TEXT", "", "", "", "name of the tissue"}}},
+        {"signals",
+         {{"position", "INTEGER", "", "", "", "order in which the force model declares it"},
+          {"id", "TEXT", "", "", "", "name of the signal"},
+          {"column_name", "TEXT", "", "", "", "column of ticks that holds it, in SI"},
+          {"display_unit", "TEXT", "", "", "", "unit to show it in"},
+          {"per_unit", "REAL", "SI", "", "", "one display unit in SI: divide by it to show"},
+          {"help", "TEXT", "", "", "", "meaning"}}},
+        tick_table(signals),
+        {"events",
+         {{"tick", "INTEGER", "", "", "", "tick in which it happened"},
+          {"time", "REAL", "s", "time", "", "simulated time since the start of the run"},
+          {"id", "TEXT", "", "", "", "what happened"},
+          {"detail", "TEXT", "", "", "", "more about it, for people"}}},
+        cut_table(),
+        {"steps",
+         {{"position", "INTEGER", "", "", "", "order in the procedure, as in ticks.step"},
+          {"id", "TEXT", "", "", "", "name of the step"},
+          {"title", "TEXT", "", "", "", "title for people"},
+          {"done", "INTEGER", "", "", "", "1 when its goals were reached"},
+          {"start", "REAL", "s", "time", "", "when it began"},
+          {"end", "REAL", "s", "time", "", "when it ended"},
+          {"broken_limits", "TEXT", "", "", "", "limits broken in it, one a line"}}},
+        {"metrics",
+         {{"id", "TEXT", "", "", "", "name of the metric"},
+          {"revision", "INTEGER", "", "", "", "revision of its definition"},
+          {"scope", "TEXT", "", "", "", "step it is about, or run"},
+          {"occurrence", "INTEGER", "", "", "", "which of several, from 1"},
+          {"occurrences", "INTEGER", "", "", "", "how many there are"},
+          {"value", "REAL", "SI", "see display_unit", "", "the number, in SI"},
+          {"display_unit", "TEXT", "", "", "", "unit to show it in"},
+          {"per_unit", "REAL", "SI", "", "", "one display unit in SI: divide by it to show"},
+          {"uncertainty", "REAL", "SI", "see display_unit", "", "half width; empty when not stated"},
+          {"status", "TEXT", "", "", "", "ok, broken or info"},
+          {"help", "TEXT", "", "", "", "meaning"}}},
+    };
+}
+
+void create_tables(SqliteDatabase& database, const std::vector<Table>& tables) {
+    for (const Table& table : tables) {
+        std::string columns;
+        for (const TableColumn& column : table.columns)
+            columns += (columns.empty() ? "" : ", ") + quoted(column.name) + " " + column.type;
+        database.run("CREATE TABLE " + quoted(table.name) + " (" + columns + ")");
+    }
+    SqliteStatement describe(database, "INSERT INTO columns VALUES(?,?,?,?,?,?)");
+    for (const Table& table : tables)
+        for (const TableColumn& column : table.columns) {
+            describe << table.name << column.name << column.unit << column.dimension << column.frame << column.help;
+            describe.run();
+        }
+}
+
+std::string insert_sql(const Table& table) {
+    std::string places;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) places += i == 0 ? "?" : ",?";
+    return "INSERT INTO " + quoted(table.name) + " VALUES(" + places + ")";
+}
+
+}  // namespace kerf

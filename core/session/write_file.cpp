@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/write_file.h"
+
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "core/session/recorder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// SQLite keeps the application id in bytes 68 … 71 of the file, most significant first.
+bool is_session(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::array<char, 72> head{};
+    if (!in.read(head.data(), head.size())) return false;
+    if (std::memcmp(head.data(), "SQLite format 3", 16) != 0) return false;
+    std::uint32_t id = 0;
+    for (std::size_t i = 68; i < 72; ++i) id = (id << 8) | static_cast<unsigned char>(head[i]);
+    return id == static_cast<std::uint32_t>(session_application_id);
+}
+
+}  // namespace
+
+std::string write_file(const std::string& path, std::string_view contents) {
+    const fs::path target(path);
+    fs::path temporary = target;
+    temporary += ".part";
+    const auto failed = [&](const std::string& why) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        return path + " could not be written: " + why;
+    };
+
+    errno = 0;
+    std::FILE* file = std::fopen(temporary.c_str(), "wb");
+    if (file == nullptr) return failed(std::strerror(errno));
+    const bool is_whole = std::fwrite(contents.data(), 1, contents.size(), file) == contents.size();
+    const int write_error = errno;
+    if (std::fclose(file) != 0 || !is_whole) return failed(std::strerror(is_whole ? errno : write_error));
+
+    std::error_code error;
+    fs::rename(temporary, target, error);
+    return error ? failed(error.message()) : std::string();
+}
+
+std::string write_file(const std::string& path, std::span<const unsigned char> contents) {
+    return write_file(path, std::string_view(reinterpret_cast<const char*>(contents.data()), contents.size()));
+}
+
+std::string prepare_output(const std::string& folder) {
+    std::error_code error;
+    const fs::path path(folder);
+    const fs::file_status status = fs::status(path, error);
+
+    if (!fs::exists(status)) {
+        error.clear();
+        fs::create_directories(path, error);
+        return error ? folder + " could not be made: " + error.message() : std::string();
+    }
+    if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
+
+    const bool is_empty = fs::is_empty(path, error);
+    if (error) return folder + " could not be read: " + error.message();
+    if (is_empty) return {};
+    if (!is_session(path / "session.db"))
+        return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
+
+    for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        fs::remove_all(entry->path(), error);
+        if (error) break;
+    }
+    return error ? folder + " could not be emptied: " + error.message() : std::string();
+}
+
+}  // namespace kerf

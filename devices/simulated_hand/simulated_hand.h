@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kerf/math.hpp"
+
+/// A hand without hardware: an arm that holds a haptic device and carries out intent.
+namespace kerf::simulated_hand {
+
+/// The arm that holds the handle, and the handle itself. Device side.
+struct Plant {
+    double arm_mass = 0.554;       ///< [kg]     one fitted trial [van-beek-2015]
+    double arm_damping = 6.45;     ///< [N·s/m]  same
+    double arm_stiffness = 135.0;  ///< [N/m]    same
+    double device_mass = 0.075;    ///< [kg]
+    double device_viscosity = 0.1; ///< [N·s/m]
+    double device_friction = 0.04; ///< [N] Coulomb
+    double resolution = 30e-6;     ///< [m] of one encoder count
+};
+
+/// One leg of the way: to `target`, in a straight line.
+struct Leg {
+    Pose target = identity_pose();
+    double speed = 10e-3;  ///< [m/s] aimed at
+    double push = 0.0;     ///< [N] the most the hand pushes, device side
+};
+
+struct Intent {
+    std::vector<Leg> legs;
+    double reaction = 0.15;  ///< [s] until the hand answers what it feels
+};
+
+/// The plant of validation D.3 with an intent.
+///
+/// The mind moves the point the arm is held to. It aims at a speed, judged from where the handle was one reaction time
+/// ago; it leans on the handle when that lags, never by more than `push`; it lets go when, a reaction time ago, the
+/// handle ran ahead. It knows nothing of the tool's pose and never writes it. Rotation is taken as told: the wrist
+/// holds its aim.
+class SimulatedHand {
+public:
+    SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
+
+    /// What the encoders say now. `force_on_hand`: what the device is being sent [device N], world frame, held for dt.
+    Pose step(Vec3 force_on_hand);
+    /// The last answer of `step`, or the start.
+    [[nodiscard]] Pose reported() const noexcept;
+    [[nodiscard]] bool is_done() const noexcept { return leg_ >= intent_.legs.size(); }
+    [[nodiscard]] std::size_t leg() const noexcept { return leg_; }
+
+private:
+    void think();
+
+    Plant plant_;
+    Intent intent_;
+    double dt_;
+    Vec3 position_, velocity_{};
+    Quat rotation_;
+    Vec3 aim_;               ///< where the mind would be at the speed it aims at
+    Vec3 lean_{};            ///< stretch of the arm's spring [m]
+    Vec3 leg_start_;
+    std::size_t leg_ = 0;
+    std::vector<Vec3> felt_;  ///< ring of past positions, one reaction time long
+    std::size_t felt_at_ = 0;
+};
+
+}  // namespace kerf::simulated_hand

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// How bone resists a cutting edge. Physics as plain functions of plain values; all SI.
+namespace kerf::drilling {
+
+/// How one tissue resists one unit of cutting edge, in one direction.
+struct EdgeCoefficients {
+    double edge;        ///< [N/m]  ploughing under the rounded edge, per width of cut
+    double edge_depth;  ///< [m]    chip thickness at which ploughing has built up, > 0
+    double chip;        ///< [N/m²] force per chip area
+};
+
+/// Force per width of cut [N/m] on an edge that takes a chip of thickness `t` [m].
+///
+///     f(t) = K_e (1 − e^(−t/t_e)) + K_c t
+///
+/// with K_e = edge, t_e = edge_depth, K_c = chip. Rises monotonically; zero for t ≤ 0 (withdrawing).
+/// Leaves out the heel behind the edge: that is a channel of its own.   [any] pure.
+///
+/// Source: edge + chip form after [altintas-2012], fitted in docs/models/drilling.md; the build-up term is ours: the
+/// papers' laws jump at zero feed, which no hand can balance.
+[[nodiscard]] double force_per_width(double t, const EdgeCoefficients& bone) noexcept;
+
+/// How much less than the reference tissue a tissue of density `rho` [kg/m³] resists [–].
+///
+///     m(ρ) = (ρ / ρ_ref)²
+///
+/// Compressive strength of bone grows with the square of its apparent density.   [any] pure.
+///
+/// Source: exponent [carter-hayes-1977]; that cutting forces follow strength is assumed.
+[[nodiscard]] double resistance_of_density(double rho, double reference) noexcept;
+
+}  // namespace kerf::drilling

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drilling plugin: its tables, and nothing else.
+#include <algorithm>
+
+#include "drill_force.h"
+#include "kerf/units.hpp"
+
+namespace kerf::drilling {
+namespace {
+
+using namespace literals;
+
+constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, 1000 and 1500 rpm [macavelia-2012]; docs/models/drilling.md";
+
+constexpr kerf_param tool_parameters[] = {
+    {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"},
+    {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"},
+    {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"},
+    {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"},
+    {"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"},
+};
+static_assert(std::size(tool_parameters) == tool_parameter_count);
+
+constexpr kerf_drive drives[] = {
+    {"spindle_speed", "Commanded speed of the spindle.", dimension::frequency, "rpm", 0.0_rpm, 3000.0_rpm, 1000.0_rpm},
+};
+static_assert(std::size(drives) == drive_count);
+
+constexpr kerf_param force_parameters[] = {
+    {"thrust_edge", "Lip: edge force normal to the cut, per width of cut.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 500.0_N_per_mm, 27.1630_N_per_mm, femur_fit},
+    {"thrust_chip", "Lip: force normal to the cut, per chip area.", dimension::pressure, "N/mm2", 0.0_N_per_mm2, 10000.0_N_per_mm2, 284.767_N_per_mm2, femur_fit},
+    {"cutting_edge", "Lip: edge force along the cut, per width of cut.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 500.0_N_per_mm, 16.2032_N_per_mm, femur_fit},
+    {"cutting_chip", "Lip: force along the cut, per chip area.", dimension::pressure, "N/mm2", 0.0_N_per_mm2, 10000.0_N_per_mm2, 933.650_N_per_mm2, femur_fit},
+    {"chisel_edge", "Chisel edge: thrust per length.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 1000.0_N_per_mm, 99.1430_N_per_mm, "45 % of the thrust [saha-1982, assumed to hold for edge and chip alike]"},
+    {"chisel_chip", "Chisel edge: thrust per length and feed per lip.", dimension::pressure, "N/mm2", 0.0_N_per_mm2, 10000.0_N_per_mm2, 871.475_N_per_mm2, "45 % of the thrust [saha-1982, assumed to hold for edge and chip alike]"},
+    {"edge_depth", "Chip thickness at which the edge force has built up.", dimension::length, "um", 0.01_um, 20.0_um, 4.0_um, "assumed: the largest that leaves the published checks unchanged"},
+    {"reference_density", "Density of the bone the coefficients were fitted to.", dimension::density, "g/cm3", 0.5_g_per_cm3, 2.5_g_per_cm3, 1.85_g_per_cm3, "assumed: middle of the cortical range"},
+    {"element_pitch", "Length of one piece of lip.", dimension::length, "mm", 0.02_mm, 1.0_mm, 0.1_mm, "measured: finer changes thrust by under 0.3 % at 0.2 mm"},
+    {"relief_angle", "Relief behind the lip: faster feeds ride on the heel.", dimension::angle, "deg", 1.0_deg, 30.0_deg, 10.0_deg, "standard grind"},
+    {"heel_stiffness", "Stiffness of the heel on bone.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 10000.0_N_per_mm, 1000.0_N_per_mm, "assumed"},
+    {"contact_stiffness", "Stiffness of shank and still tip on bone.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 500.0_N_per_mm, "assumed"},
+    {"clearance", "How far the shank is thinner than the hole, on the radius.", dimension::length, "mm", 0.0_mm, 1.0_mm, 0.05_mm, "assumed"},
+    {"friction", "Friction of steel on wet bone.", dimension::none, "", 0.0, 1.5, 0.3, "assumed"},
+};
+static_assert(std::size(force_parameters) == force_parameter_count);
+
+constexpr kerf_signal signals[] = {
+    {"chip_thickness", "Uncut chip thickness at the lips.", dimension::length, "um"},
+    {"feed_per_revolution", "Feed per revolution through bone.", dimension::length, "mm"},
+    {"engagement", "Share of the cutting edges in bone.", dimension::none, ""},
+    {"drive_power", "Power the motor puts into cutting.", kerf_dimension{{2, 1, -3, 0, 0, 0, 0, 0}}, "W"},
+};
+static_assert(std::size(signals) == signal_count);
+
+/// Tip cone and corner cut; the shank behind them does not.
+kerf_status shape(const double* params, kerf_tool_shape* out) {
+    const TwistDrill drill = drill_of({params, tool_parameter_count});
+    const double tip = drill.point_depth();
+    const double corner = tip + drill.corner * drill.diameter;
+    if (out->profile_capacity < 4) return KERF_CAPACITY;
+    if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
+    const double r = drill.radius();
+    const kerf_profile_point points[] = {{0.0, 0.0}, {-tip, r}, {-corner, r}, {-drill.length, r}};
+    std::copy(std::begin(points), std::end(points), out->profile);
+    out->profile_count = 4;
+    out->cutting_count = 3;
+    out->grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
+    return KERF_OK;
+}
+
+constexpr kerf_tool twist_drill{sizeof(kerf_tool), drives, drive_count, &shape};
+
+constexpr kerf_force cutting{sizeof(kerf_force),
+                             sizeof(DrillCutting::State),
+                             alignof(DrillCutting::State),
+                             signals,
+                             signal_count,
+                             20000,
+                             &ForceTable<DrillCutting>::reset,
+                             &ForceTable<DrillCutting>::resist,
+                             &ForceTable<DrillCutting>::commit};
+
+constexpr kerf_component components[] = {
+    {sizeof(kerf_component), KERF_KIND_TOOL, "twist_drill", "Twist drill with two lips and a chisel edge.", tool_parameters,
+     tool_parameter_count, 0, &twist_drill, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "drill_cutting",
+     "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.", force_parameters,
+     force_parameter_count, 0, nullptr, &cutting},
+};
+
+}  // namespace
+}  // namespace kerf::drilling
+
+extern "C" __attribute__((visibility("default"))) const kerf_entry kerf_plugin_entry;
+extern "C" const kerf_entry kerf_plugin_entry{KERF_MAGIC,
+                                              KERF_ABI_VERSION,
+                                              sizeof(kerf_entry),
+                                              static_cast<uint32_t>(std::size(kerf::drilling::components)),
+                                              KERF_LAYOUT_INIT,
+                                              "kerf.drilling",
+                                              "0.1.0",
+                                              "Apache-2.0",
+                                              __VERSION__,
+                                              kerf::drilling::components};

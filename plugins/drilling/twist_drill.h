@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "kerf/math.hpp"
+
+/// The geometry of a twist drill: its outline, its two lips and its chisel edge.
+namespace kerf::drilling {
+
+inline constexpr int lip_count = 2;
+
+/// What a twist drill is made of. Tool frame: origin at the tip, +z out of the tip.
+struct TwistDrill {
+    double diameter;     ///< [m]
+    double point_angle;  ///< [rad] full
+    double web;          ///< [–] web thickness over diameter
+    double length;       ///< [m] tip to chuck
+    double corner;       ///< [–] length behind the corner that still cuts sideways, over diameter
+
+    [[nodiscard]] double radius() const noexcept { return 0.5 * diameter; }
+    [[nodiscard]] double half_web() const noexcept { return 0.5 * web * diameter; }
+    /// Where the chisel edge ends and the lips begin [m]: half web over sin 55° (chisel angle 125°, standard grind).
+    [[nodiscard]] double chisel_radius() const noexcept { return half_web() / 0.81915204428899180; }
+    /// Depth of the point: R cot p [m].
+    [[nodiscard]] double point_depth() const noexcept;
+};
+
+/// A short piece of one lip. Cylindrical frame at its place: r̂ outwards, ẑ out of the tip, t̂ = ẑ × r̂ the way it runs.
+struct LipElement {
+    double radius;         ///< [m]
+    double along;          ///< [m] from the point next to the axis, along the lip's projection
+    double z;              ///< [m]
+    double width;          ///< [m] of cut, across the cutting velocity
+    double normal_axial;   ///< [–] n̂·ẑ, n̂ the unit normal of the cut surface, into the bone
+    double normal_radial;  ///< [–] n̂·r̂
+};
+
+/// sin and cos of the point's half angle: see `point`.
+struct PointAngle {
+    double sin, cos;
+};
+[[nodiscard]] PointAngle half_point_angle(const TwistDrill& drill) noexcept;
+
+inline constexpr std::size_t largest_element_count = 160;
+
+/// One lip, from the chisel edge to the corner.
+struct Lip {
+    std::array<LipElement, largest_element_count> element;
+    std::size_t count = 0;
+};
+
+/// Cuts the lip into pieces of at most `pitch` [m] along its projection, at most `largest_element_count`.
+///
+/// The lip lies at the half web b from the axis. At radius r it leans by β with sin β = b/r, so the normal of the
+/// surface it cuts is
+///
+///     n̂ = (cos p r̂ + sin p cos β ẑ) / cos i,    cos² i = cos² p + sin² p cos² β
+///
+/// a unit vector: forces keep their length, unlike those of [tsai-2007] as printed (its rows have length cos i).
+/// The width of cut is dℓ cos i, dℓ = ds / sin p; hence width × chip thickness = (f/2) dr exactly.   [any] pure.
+///
+/// Source: geometry of [tsai-2007]; normalisation ours, docs/models/drilling.md.
+[[nodiscard]] Lip make_lip(const TwistDrill& drill, double pitch) noexcept;
+
+/// Where an element of lip `k` is at spindle angle (sin, cos) = `angle`, tool frame [m].   [any] pure.
+[[nodiscard]] Vec3 place_of(const LipElement& element, double half_web, double cos_angle, double sin_angle) noexcept;
+
+}  // namespace kerf::drilling

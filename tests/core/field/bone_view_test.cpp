@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/bone_view.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/block.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// A drill that is pushed straight down into a block whose face is z = 0.
+struct Hole {
+    double h = 0.25_mm;
+    Body body = test::block({-5.0_mm, -5.0_mm, -12.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
+    RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
+    CutField committed{body, 512};
+    CutField exact{body, 512};
+    CutTracker tracker{body, tool, committed};
+    BoneView view{body, committed, tracker};
+    std::uint64_t tick = 0;
+    double depth = -2.0_mm;
+
+    Hole() { tracker.restart(pose()); }
+    [[nodiscard]] Pose pose() const { return test::pointing({0.07_mm, 0.03_mm, -depth}, {0, 0, -1}); }
+
+    void move_to(double target, double step = 1.0_um) {
+        while (std::abs(target - depth) > 1e-12) {
+            depth += std::clamp(target - depth, -step, step);
+            const int closed = tracker.advance(pose(), tick++);
+            for (int i = 0; i < closed; ++i)
+                if (tracker.closed(i).removes) exact.stamp(tracker.closed(i), tool);
+            tracker.commit_passed(pose(), gap_of_edge() == 0.0);
+            view.place(pose());
+        }
+    }
+    /// A point in the middle of a lip.
+    [[nodiscard]] kerf_bone_sample edge() const {
+        const Vec3 lip{0.8_mm, 0, -0.8_mm / std::tan(59.0_deg)};
+        kerf_bone_sample s;
+        view.sample(&lip, 1, {0, 0, 1}, &s);
+        return s;
+    }
+    [[nodiscard]] double gap_of_edge() const { return edge().gap; }
+};
+
+TEST(LaggedCut, AnAdvancingEdgeStaysFullyEngaged) {
+    Hole hole;
+    hole.move_to(3.0_mm);
+    for (int i = 0; i < 500; ++i) {
+        hole.move_to(hole.depth + 1.0_um);
+        ASSERT_EQ(hole.edge().engagement, 1.0) << hole.depth;
+        ASSERT_EQ(hole.edge().gap, 0.0) << hole.depth;
+    }
+}
+
+TEST(LaggedCut, AfterWithdrawalTheGapIsTheWayBackToTheFront) {
+    for (const double back : {1.0_um, 10.0_um, 0.1_mm, 0.2_mm}) {
+        Hole hole;
+        hole.move_to(3.0_mm);
+        hole.move_to(3.0_mm - back);
+        const kerf_bone_sample edge = hole.edge();
+        ASSERT_EQ(edge.engagement, 1.0) << "the lag keeps the bone, the gap keeps it silent";
+        EXPECT_NEAR(edge.gap, back, 0.2_um /* the record's step */) << back;
+    }
+}
+
+TEST(LaggedCut, FarBehindTheFrontThereIsNoBoneForAnEdge) {
+    Hole hole;
+    hole.move_to(4.0_mm);
+    hole.move_to(3.0_mm);
+    EXPECT_EQ(hole.edge().engagement, 0.0);
+}
+
+TEST(LaggedCut, PeckingKeepsThePendingListShort) {
+    Hole hole;
+    for (int peck = 1; peck <= 5; ++peck) {
+        hole.move_to(0.8_mm * peck, 5.0_um);
+        EXPECT_LE(hole.tracker.pending_count(), 40u);
+        hole.move_to(-1.0_mm, 20.0_um);
+        EXPECT_LE(hole.tracker.pending_count(), 40u);
+    }
+    EXPECT_EQ(hole.tracker.early_commits(), 0u);
+}
+
+TEST(LaggedCut, AfterAFlushBothFieldsAreTheSameBits) {
+    Hole hole;
+    hole.move_to(2.0_mm, 3.0_um);
+    hole.move_to(1.2_mm, 7.0_um);
+    hole.move_to(3.0_mm, 11.0_um);
+    EXPECT_FALSE(hole.committed.same_bits(hole.exact)) << "the committed cut lags";
+    hole.tracker.flush();
+    EXPECT_TRUE(hole.committed.same_bits(hole.exact));
+}
+
+TEST(BoneView, NearestSeesTheHoleAsItIsNow) {
+    Hole hole;
+    hole.move_to(4.0_mm, 2.0_um);
+
+    // In the tool's frame the wall is 1.6 mm away, just behind the corner, however short ago it was cut.
+    const Vec3 inside{1.5_mm, 0, -1.2_mm};
+    kerf_surface_point wall;
+    hole.view.nearest(&inside, 1, &wall);
+    EXPECT_NEAR(wall.distance, 0.1_mm, 0.02 * hole.h);
+    EXPECT_LT(wall.normal.x, -0.98) << "outwards of the bone is towards the drill's axis";
+}
+
+TEST(BoneView, OutsideTheGridAndAtNotANumberThereIsAir) {
+    Hole hole;
+    const double nan = std::nan("");
+    const Vec3 far[] = {{1.0, 0, 0}, {0, -1e300, 0}, {nan, 0, 0}, {0, 0, nan}};
+    for (const Vec3 p : far) {
+        kerf_bone_sample s;
+        hole.view.sample(&p, 1, {0, 0, 1}, &s);
+        EXPECT_EQ(s.engagement, 0.0);
+        kerf_surface_point n;
+        hole.view.nearest(&p, 1, &n);
+        EXPECT_EQ(n.body, -1);
+    }
+}
+
+}  // namespace
+}  // namespace kerf

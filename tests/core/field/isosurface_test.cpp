@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/isosurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// ---- given -------------------------------------------------------------------------------------------------------
+
+/// A field stored sample by sample, at a spacing of 1 m so that metres are voxels.
+struct StoredField {
+    std::array<int, 3> size{};
+    std::vector<float> values;
+
+    static StoredField filled(std::array<int, 3> size, float value) {
+        return {size, std::vector<float>(static_cast<std::size_t>(size[0] * size[1] * size[2]), value)};
+    }
+    float& at(int i, int j, int k) { return values[static_cast<std::size_t>((k * size[1] + j) * size[0] + i)]; }
+    SampleGrid grid() {
+        return {.size = size,
+                .spacing = 1.0,
+                .origin = {},
+                .value = [this](int i, int j, int k) { return at(i, j, k); },
+                .may_cross = {}};
+    }
+};
+
+/// Reproducible numbers in 0 … 1; the standard's distributions differ between libraries.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U + 1) {}
+    double next() {
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 7;
+        state_ ^= state_ << 17;
+        return static_cast<double>(state_ >> 11) * 0x1p-53;
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// Noise with as many ambiguous faces as can be: `share_inside` of the samples negative, each alone decided.
+StoredField noise(std::uint64_t seed, std::array<int, 3> size, double share_inside) {
+    Random random(seed);
+    StoredField field = StoredField::filled(size, 0.0F);
+    for (float& value : field.values) value = static_cast<float>(random.next() - share_inside);
+    return field;
+}
+
+/// A ball of 20 voxels about a centre off the grid: the triangles cut its volume short by about 0.6 (spacing /
+/// radius)².
+struct Ball {
+    double spacing = 0.25_mm;
+    double radius = 5_mm;
+    Vec3 centre{7.11_mm, 7.23_mm, 7.31_mm};
+    Vec3 origin{0.2_mm, -0.1_mm, 0.05_mm};
+
+    SampleGrid grid() const {
+        return {.size = {60, 60, 60},
+                .spacing = spacing,
+                .origin = origin,
+                .value =
+                    [*this](int i, int j, int k) {
+                        const Vec3 at = origin + spacing * Vec3{double(i), double(j), double(k)};
+                        return static_cast<float>(length(at - centre) - radius);
+                    },
+                .may_cross = {}};
+    }
+};
+
+// ---- what is asked of a mesh -------------------------------------------------------------------------------------
+
+/// Edges that are not run along exactly once in each direction.
+int open_edges(const Mesh& mesh) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
+    for (const auto& triangle : mesh.triangles)
+        for (std::size_t m = 0; m < 3; ++m) ++runs[{triangle[m], triangle[(m + 1) % 3]}];
+    int open = 0;
+    for (const auto& [edge, count] : runs) {
+        const auto back = runs.find({edge.second, edge.first});
+        if (count != 1 || back == runs.end() || back->second != 1) ++open;
+    }
+    return open;
+}
+
+/// Volume enclosed, positive when the triangles run anticlockwise seen from outside.
+double volume(const Mesh& mesh) {
+    double six_volumes = 0.0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        six_volumes += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
+    return six_volumes / 6.0;
+}
+
+int pieces(const Mesh& mesh) {
+    std::vector<std::uint32_t> parent(mesh.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&](std::uint32_t v) {
+        while (parent[v] != v) v = parent[v] = parent[parent[v]];
+        return v;
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+        parent[root(a)] = root(b);
+        parent[root(b)] = root(c);
+    }
+    int count = 0;
+    for (std::uint32_t v = 0; v < parent.size(); ++v) count += parent[v] == v;
+    return count;
+}
+
+bool is_sound(const Mesh& mesh) {
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](Vec3 v) { return is_finite(v); }) &&
+           std::all_of(mesh.normals.begin(), mesh.normals.end(),
+                       [](Vec3 n) { return std::abs(length(n) - 1.0) < 1e-9; }) &&
+           mesh.normals.size() == mesh.vertices.size();
+}
+
+void expect_same(const Mesh& a, const Mesh& b) {
+    EXPECT_EQ(a.triangles, b.triangles);
+    ASSERT_EQ(a.vertices.size(), b.vertices.size());
+    for (std::size_t v = 0; v < a.vertices.size(); ++v) {
+        EXPECT_TRUE(a.vertices[v] == b.vertices[v]) << "vertex " << v;
+        EXPECT_TRUE(a.normals[v] == b.normals[v]) << "normal " << v;
+    }
+}
+
+// ---- closed, whatever the field ------------------------------------------------------------------------------------
+
+TEST(Isosurface, EveryEdgeIsUsedTwiceInOppositeDirectionsOnRandomFields) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const double share_inside = 0.1 + 0.8 * double(seed % 9) / 8.0;
+        StoredField field = noise(seed, {11, 9, 13}, share_inside);
+        const Mesh mesh = isosurface(field.grid());
+        ASSERT_FALSE(mesh.triangles.empty());
+        EXPECT_EQ(open_edges(mesh), 0) << "seed " << seed;
+        EXPECT_TRUE(is_sound(mesh)) << "seed " << seed;
+        EXPECT_GT(volume(mesh), 0.0) << "seed " << seed;
+    }
+}
+
+TEST(Isosurface, EveryCaseOfOneCellIsClosed) {
+    for (unsigned inside = 1; inside < 256; ++inside) {
+        StoredField field = StoredField::filled({2, 2, 2}, 1.0F);
+        for (int c = 0; c < 8; ++c)
+            if ((inside >> c & 1U) != 0) field.at(c & 1, c >> 1 & 1, c >> 2 & 1) = -1.0F;
+        const Mesh mesh = isosurface(field.grid());
+        EXPECT_EQ(open_edges(mesh), 0) << "case " << inside;
+        EXPECT_GT(volume(mesh), 0.0) << "case " << inside;
+    }
+}
+
+TEST(Isosurface, EveryPairOfNeighbouringCellsIsClosed) {
+    for (unsigned inside = 0; inside < 4096; ++inside) {
+        StoredField field = StoredField::filled({3, 2, 2}, 1.0F);
+        for (unsigned n = 0; n < 12; ++n)
+            if ((inside >> n & 1U) != 0) field.values[n] = -1.0F;
+        EXPECT_EQ(open_edges(isosurface(field.grid())), 0) << "case " << inside;
+    }
+}
+
+TEST(Isosurface, SamplesOfExactlyZeroAreOutsideAndLeaveNoHole) {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        StoredField field = StoredField::filled({8, 8, 8}, 0.0F);
+        for (float& value : field.values) value = static_cast<float>(std::floor(3.0 * random.next()) - 1.0);
+        const Mesh mesh = isosurface(field.grid());
+        EXPECT_EQ(open_edges(mesh), 0) << "seed " << seed;
+        EXPECT_TRUE(is_sound(mesh)) << "seed " << seed;
+    }
+    StoredField zero = StoredField::filled({4, 4, 4}, 0.0F);
+    EXPECT_TRUE(isosurface(zero.grid()).triangles.empty());
+    StoredField minus_zero = StoredField::filled({4, 4, 4}, -0.0F);
+    EXPECT_TRUE(isosurface(minus_zero.grid()).triangles.empty());
+}
+
+TEST(Isosurface, NotANumberAndInfinityLeaveNoHole) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    StoredField field = noise(5, {8, 8, 8}, 0.5);
+    for (std::size_t n = 0; n < field.values.size(); n += 7) field.values[n] = std::nanf("");
+    for (std::size_t n = 3; n < field.values.size(); n += 11) field.values[n] = -infinity;
+    for (std::size_t n = 5; n < field.values.size(); n += 13) field.values[n] = infinity;
+    const Mesh mesh = isosurface(field.grid());
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_TRUE(is_sound(mesh));
+}
+
+TEST(Isosurface, ASolidThatReachesTheBorderIsClosedThere) {
+    StoredField solid = StoredField::filled({5, 4, 3}, -1.0F);
+    const Mesh mesh = isosurface(solid.grid());
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(pieces(mesh), 1);
+    // Half a voxel beyond the outermost samples: 5 × 4 × 3, less the edges and corners cut off half a voxel deep.
+    EXPECT_LT(volume(mesh), 60.0);
+    EXPECT_GT(volume(mesh), 50.0);
+}
+
+TEST(Isosurface, AFaceThatClosesTheBorderLooksStraightOut) {
+    StoredField solid = StoredField::filled({6, 6, 6}, -1e-3F);  // as thin a field as a voxel is small
+    const Mesh mesh = isosurface(solid.grid());
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec3 n = mesh.normals[v], from_centre = mesh.vertices[v] - Vec3{2.5, 2.5, 2.5};
+        EXPECT_EQ(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1.0);
+        EXPECT_GT(dot(n, from_centre), 2.4);
+    }
+}
+
+TEST(Isosurface, AnEmptyGridHasNoSurface) {
+    EXPECT_TRUE(isosurface({.size = {0, 4, 4},
+                            .spacing = 1.0,
+                            .origin = {},
+                            .value = [](int, int, int) { return -1.0F; },
+                            .may_cross = {}})
+                    .vertices.empty());
+}
+
+// ---- pieces ------------------------------------------------------------------------------------------------------
+
+TEST(Isosurface, TwoCornersThatTouchAcrossAFaceStaySeparate) {
+    StoredField field = StoredField::filled({4, 4, 4}, 1.0F);
+    field.at(1, 1, 1) = field.at(2, 2, 1) = -1.0F;
+    const Mesh mesh = isosurface(field.grid());
+    EXPECT_EQ(pieces(mesh), 2);
+    EXPECT_EQ(open_edges(mesh), 0);
+}
+
+TEST(Isosurface, TwoCornersThatTouchAcrossACellStaySeparate) {
+    StoredField field = StoredField::filled({4, 4, 4}, 1.0F);
+    field.at(1, 1, 1) = field.at(2, 2, 2) = -1.0F;
+    EXPECT_EQ(pieces(isosurface(field.grid())), 2);
+}
+
+TEST(Isosurface, TwoNeighbouringSamplesAreOnePiece) {
+    StoredField field = StoredField::filled({4, 4, 4}, 1.0F);
+    field.at(1, 1, 1) = field.at(2, 1, 1) = -1.0F;
+    EXPECT_EQ(pieces(isosurface(field.grid())), 1);
+}
+
+// ---- where the surface is ------------------------------------------------------------------------------------------
+
+TEST(Isosurface, ABallHasItsVolumeAndItsRoundness) {
+    const Ball ball;
+    const Mesh mesh = isosurface(ball.grid());
+    const double exact = 4.0 / 3.0 * pi * ball.radius * ball.radius * ball.radius;
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(pieces(mesh), 1);
+    EXPECT_NEAR(volume(mesh), exact, 0.005 * exact);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec3 outwards = normalized(mesh.vertices[v] - ball.centre);
+        EXPECT_GT(dot(mesh.normals[v], outwards), std::cos(2.0_deg));
+    }
+}
+
+TEST(Isosurface, TrianglesOfABallRunAnticlockwiseSeenFromOutside) {
+    const Ball ball;
+    const Mesh mesh = isosurface(ball.grid());
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 at = mesh.vertices[a];
+        const Vec3 area = cross(mesh.vertices[b] - at, mesh.vertices[c] - at);
+        if (length(area) < 1e-12) continue;  // no direction: thinner than 0.001 mm × 0.001 mm
+        EXPECT_GT(dot(area, at - ball.centre), 0.0);
+    }
+}
+
+TEST(Isosurface, ATiltedPlaneStandsWithinA256thOfAVoxel) {
+    const Vec3 normal = normalized(Vec3{0.31, -0.52, 0.79});
+    const double offset = 7.37;
+    const Mesh mesh =
+        isosurface({.size = {16, 16, 16},
+                    .spacing = 1.0,
+                    .origin = {},
+                    .value =
+                        [&](int i, int j, int k) {
+                            return static_cast<float>(dot(normal, {double(i), double(j), double(k)}) - offset);
+                        },
+                    .may_cross = {}});
+    const auto is_on_border = [](double x) { return x < 0.0 || x > 15.0; };
+    int counted = 0;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        const Vec3 p = mesh.vertices[v];
+        if (is_on_border(p.x) || is_on_border(p.y) || is_on_border(p.z)) continue;
+        EXPECT_LE(std::abs(dot(normal, p) - offset), 1.0 / 256.0);
+        EXPECT_GT(dot(normal, mesh.normals[v]), std::cos(0.01_deg)) << "a plane has one normal, up to the border";
+        ++counted;
+    }
+    EXPECT_GT(counted, 200);
+}
+
+// ---- the same, always ----------------------------------------------------------------------------------------------
+
+TEST(Isosurface, TheSameFieldGivesTheSameMesh) {
+    StoredField field = noise(3, {20, 18, 22}, 0.4);
+    expect_same(isosurface(field.grid()), isosurface(field.grid()));
+}
+
+TEST(Isosurface, LeavingOutBlocksWithoutASurfaceChangesNothingButTheNumberOfQuestions) {
+    // Given a ball, and a grid that knows in which blocks its surface may be
+    const Ball ball;
+    SampleGrid all = ball.grid();
+    all.size = {61, 62, 63};
+    SampleGrid some = all;
+    int asked_all = 0, asked_some = 0;
+    all.value = [&asked_all, value = all.value](int i, int j, int k) { return ++asked_all, value(i, j, k); };
+    some.value = [&asked_some, value = some.value](int i, int j, int k) { return ++asked_some, value(i, j, k); };
+    some.may_cross = [&ball](int i, int j, int k) {
+        const Vec3 middle = ball.origin + ball.spacing * Vec3{8.0 * i + 4.0, 8.0 * j + 4.0, 8.0 * k + 4.0};
+        const double reach = 0.5 * std::sqrt(3.0) * 8.0 * ball.spacing;
+        return std::abs(length(middle - ball.centre) - ball.radius) <= reach;
+    };
+
+    // When both are meshed
+    const Mesh from_all = isosurface(all), from_some = isosurface(some);
+
+    // Then the meshes are the same, and the second asked for far fewer samples
+    expect_same(from_all, from_some);
+    EXPECT_EQ(asked_all, 61 * 62 * 63) << "each sample once";
+    EXPECT_LT(asked_some, asked_all / 2);
+}
+
+TEST(Isosurface, ABlockWithoutASurfaceIsStillClosedAtTheBorder) {
+    StoredField solid = StoredField::filled({16, 9, 8}, -1.0F);
+    SampleGrid grid = solid.grid();
+    const Mesh with_every_cell = isosurface(grid);
+    grid.may_cross = [](int, int, int) { return false; };
+    expect_same(isosurface(grid), with_every_cell);
+}
+
+}  // namespace
+}  // namespace kerf

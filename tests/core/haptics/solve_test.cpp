@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/solve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "kerf/exact_math.hpp"
+
+namespace kerf {
+namespace {
+
+Balance hand_that_pulls(Vec3 pull) {
+    Balance b;
+    b.force = {.pull = pull, .drag = 100.0, .limit = 1e6};
+    b.torque = {.pull = {}, .drag = 0.25, .limit = 1e6};
+    return b;
+}
+
+kerf_channel cut_along_z(double tau, double w, double eta, double gap = 0.0) {
+    kerf_channel c{};
+    c.kind = KERF_CUT;
+    c.d[2] = 1.0;
+    c.tau = tau;
+    c.w = w;
+    c.eta = eta;
+    c.gap = gap;
+    return c;
+}
+
+TEST(Solve, InAirTheToolFollowsTheHand) {
+    const Motion m = solve(hand_that_pulls({0, 0, 5.0}));
+    EXPECT_NEAR(m.rate[2], 5.0 / 100.0, 1e-12);
+    EXPECT_TRUE(m.has_converged);
+}
+
+TEST(Solve, ALinearCutGivesTheRateOfTwoDampersInParallel) {
+    // 5 N pull, 100 N·s/m to the hand, 900 N·s/m in the bone: 5 mm/s, 4.5 N on the bone
+    const kerf_channel cut = cut_along_z(0.0, 1e-6, 900.0);
+    Balance b = hand_that_pulls({0, 0, 5.0});
+    b.channels = {&cut, 1};
+    const Motion m = solve(b);
+    EXPECT_NEAR(m.rate[2], 5e-3, 1e-12);
+    EXPECT_NEAR(m.lambda[0], 4.5, 1e-9);
+}
+
+TEST(Solve, PushingLessThanTheEdgeForceStillCreepsAsTheLawSays) {
+    // τ(1 − e^(−s/w)) + η s = 10 with τ = 100 N
+    const kerf_channel cut = cut_along_z(100.0, 1e-3, 1e4);
+    Balance b = hand_that_pulls({0, 0, 10.0});
+    b.channels = {&cut, 1};
+    const Motion m = solve(b);
+    EXPECT_GT(m.rate[2], 0.0);
+    EXPECT_NEAR(100.0 * (1.0 - std::exp(-m.rate[2] / 1e-3)) + 1e4 * m.rate[2], 10.0 - 100.0 * m.rate[2], 1e-7);
+}
+
+TEST(Solve, AcrossAGapThereIsNoForce) {
+    const kerf_channel cut = cut_along_z(100.0, 1e-4, 1e4, 1e-4 /* 0.1 m/s for a tick */);
+    Balance b = hand_that_pulls({0, 0, 5.0});  // 0.05 m/s
+    b.channels = {&cut, 1};
+    EXPECT_EQ(solve(b).lambda[0], 0.0);
+    EXPECT_NEAR(solve(b).rate[2], 0.05, 1e-12);
+}
+
+TEST(Solve, TheCouplingNeverPullsHarderThanItsLimit) {
+    const kerf_channel cut = cut_along_z(100.0, 1e-3, 1e4);
+    Balance b = hand_that_pulls({0, 0, 500.0});
+    b.force.limit = 20.0;
+    b.channels = {&cut, 1};
+    const Motion m = solve(b);
+    EXPECT_TRUE(m.has_converged);
+    EXPECT_NEAR(length(m.force), 20.0, 1e-9);
+    EXPECT_NEAR(m.lambda[0], 20.0, 1e-6);
+}
+
+TEST(Solve, TheGripsLeverTurnsASidewaysPullIntoRotation) {
+    Balance b = hand_that_pulls({1.0, 0, 0});
+    b.grip = {0, 0, -0.1};
+    const Motion m = solve(b);
+    // Nothing holds the tool: the grip moves with the pull, and the torque block resists the rotation it would take.
+    EXPECT_NEAR(m.rate[0], 0.01, 1e-9);
+    EXPECT_NEAR(m.rate[4], 0.0, 1e-9);
+}
+
+// ---- a hundred thousand random laws -----------------------------------------------------------------------------
+
+struct RandomLaw {
+    std::mt19937_64 random;
+    std::vector<kerf_channel> channels;
+
+    double uniform(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
+    double logarithmic(double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); }
+
+    Balance make() {
+        channels.clear();
+        const int count = static_cast<int>(uniform(0.0, 16.999));
+        for (int i = 0; i < count; ++i) {
+            kerf_channel c{};
+            c.kind = static_cast<std::uint32_t>(uniform(0.0, 2.999));
+            Vec3 d = normalized(Vec3{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+            const Vec3 lever{uniform(-0.003, 0.003), uniform(-0.003, 0.003), uniform(-0.03, 0.0)};
+            const Vec3 turn = cross(lever, d);
+            const Vec6 six = make_vec6(d, turn);
+            std::copy(six.begin(), six.end(), c.d);
+            c.tau = uniform(0, 1) < 0.2 ? 0.0 : logarithmic(0.01, 300.0);
+            c.w = logarithmic(1e-6, 1e-1);
+            c.eta = uniform(0, 1) < 0.3 ? 0.0 : logarithmic(1.0, 1e5);
+            c.gap = uniform(0, 1) < 0.5 ? 0.0 : logarithmic(1e-9, 1e-3);
+            c.k = logarithmic(1e2, 1e6);
+            c.b = uniform(0, 1) < 0.5 ? 0.0 : logarithmic(0.1, 1e3);
+            c.delta = uniform(-1e-4, 1e-4);
+            channels.push_back(c);
+        }
+        const double scale = logarithmic(1.0 / 400.0, 1.0);
+        const double k = 480.0 / scale, damping = 1.5 / scale;
+        Balance b;
+        b.force.pull = uniform(0.0, 200.0) * normalized(Vec3{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+        b.force.drag = damping + 1e-3 * k;
+        b.force.limit = uniform(0, 1) < 0.3 ? uniform(1.0, 100.0) : 1e4;
+        b.torque.pull = uniform(0.0, 5.0) * normalized(Vec3{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+        b.torque.drag = b.force.drag * 0.0025;
+        b.torque.limit = uniform(0, 1) < 0.3 ? uniform(0.05, 2.0) : 1e3;
+        b.grip = {0, 0, -uniform(0.0, 0.15)};
+        b.channels = channels;
+        return b;
+    }
+};
+
+TEST(Solve, AHundredThousandRandomLawsAllBalance) {
+    RandomLaw law{.random = std::mt19937_64(20), .channels = {}};
+    std::vector<int> iterations;
+    for (int i = 0; i < 100000; ++i) {
+        const Motion m = solve(law.make());
+        ASSERT_TRUE(m.has_converged) << "case " << i << ", residual " << m.residual;
+        iterations.push_back(m.iterations);
+    }
+    std::sort(iterations.begin(), iterations.end());
+    EXPECT_LE(iterations[99900], 16);
+    RecordProperty("median_iterations", iterations[50000]);
+    RecordProperty("p99_9_iterations", iterations[99900]);
+    RecordProperty("max_iterations", iterations.back());
+}
+
+TEST(Solve, FindsTheSameAnswerFromAnyStart) {
+    RandomLaw law{.random = std::mt19937_64(21), .channels = {}};
+    for (int i = 0; i < 5000; ++i) {
+        const Balance b = law.make();
+        const Motion from_rest = solve(b);
+        Vec6 start;
+        for (auto& s : start) s = law.uniform(-0.2, 0.2);
+        const Motion other = solve_from(b, start);
+        ASSERT_TRUE(other.has_converged) << i;
+        for (std::size_t k = 0; k < 6; ++k)
+            ASSERT_NEAR(from_rest.rate[k], other.rate[k],
+                        1e-5 * (1.0 + std::abs(from_rest.rate[k])) /* where the coupling slides, hardly held */) << i;
+    }
+}
+
+// ---- channels ----------------------------------------------------------------------------------------------------
+
+TEST(Channel, EveryKindRisesWithTheRate) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> rate(-0.05, 0.05);
+    kerf_channel c = cut_along_z(50.0, 1e-3, 2e3, 1e-5);
+    c.k = 1e4;
+    c.b = 3.0;
+    for (std::uint32_t kind = KERF_CUT; kind <= KERF_HOLD; ++kind)
+        for (const double delta : {-1e-5, 0.0, 2e-5}) {
+            c.kind = kind;
+            c.delta = delta;
+            for (int i = 0; i < 1000; ++i) {
+                double a = rate(random), b = rate(random);
+                if (a > b) std::swap(a, b);
+                EXPECT_LE(channel_force(c, a, 1e-3).lambda, channel_force(c, b, 1e-3).lambda + 1e-12);
+            }
+        }
+}
+
+TEST(Channel, ABadCoefficientIsNotSound) {
+    const kerf_channel good = cut_along_z(1.0, 1e-3, 1.0);
+    EXPECT_TRUE(is_sound(good));
+    const double nan = std::nan("");
+    for (double kerf_channel::*field : {&kerf_channel::tau, &kerf_channel::w, &kerf_channel::eta, &kerf_channel::gap,
+                                        &kerf_channel::k, &kerf_channel::b})
+        for (const double bad : {-1.0, nan, HUGE_VAL}) {
+            kerf_channel c = good;
+            c.*field = bad;
+            EXPECT_FALSE(is_sound(c));
+        }
+    kerf_channel c = good;
+    c.d[2] = 0.0;
+    EXPECT_FALSE(is_sound(c)) << "no direction";
+}
+
+TEST(ExactMath, AgreesWithTheLibrary) {
+    for (double x = -700.0; x < 700.0; x += 0.37) EXPECT_NEAR(exp_exact(x) / std::exp(x), 1.0, 1e-14);
+    for (double x = -200.0; x < 200.0; x += 0.0137) {
+        EXPECT_NEAR(sin_cos_exact(x).sin, std::sin(x), 1e-14);
+        EXPECT_NEAR(sin_cos_exact(x).cos, std::cos(x), 1e-14);
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/plugin/component_info.h"
+#include "kerf/units.hpp"
+
+/// What the drilling plugin offers, as far as these tests need it.
+namespace kerf {
+
+inline ComponentCatalog drilling_catalog() {
+    using namespace literals;
+    ComponentInfo tool;
+    tool.plugin = "kerf.drilling";
+    tool.id = "twist_drill";
+    tool.kind = KERF_KIND_TOOL;
+    tool.parameters = {{"diameter", "", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, ""},
+                       {"point_angle", "", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, ""}};
+    tool.drives = {{"spindle_speed", "", dimension::frequency, "rpm", 0.0_rpm, 3000.0_rpm, 0.0_rpm, ""}};
+    ComponentInfo force;
+    force.plugin = "kerf.drilling";
+    force.id = "drill_cutting";
+    force.kind = KERF_KIND_FORCE;
+    force.parameters = {{"wear", "", dimension::none, "", 0.0, 1.0, 0.25, ""}};
+    return {tool, force};
+}
+
+}  // namespace kerf

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/document.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/core/procedure/marked_text.h"
+
+namespace kerf {
+namespace {
+
+void expect_refused(Code code, const std::string& marked_text) {
+    SCOPED_TRACE(marked_text);
+    const MarkedText marked(marked_text);
+    Diagnostics diagnostics;
+    parse_document("file.yaml", marked.text, diagnostics);
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(Document, KeepsTheOrderAndThePlaceOfEverything) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "b: 1\na:\n  - \"x y\"\n  - {k: v}\n", diagnostics);
+
+    ASSERT_TRUE(document) << to_text(diagnostics);
+    ASSERT_EQ(document->root.children.size(), 2u);
+    const Node& list = document->root.children[1];
+    EXPECT_EQ(document->root.children[0].key, "b");
+    EXPECT_EQ(document->place(list.key_span).line, 2);
+    EXPECT_EQ(list.children[0].text, "x y");
+    EXPECT_EQ(document->place(list.children[0].span).column, 5);
+    EXPECT_EQ(document->place(list.children[0].span).length, 5);
+    EXPECT_EQ(document->place(list.children[1].find("k")->span).line, 4);
+    EXPECT_EQ(document->place(list.children[1].find("k")->span).column, 9);
+}
+
+TEST(Document, CountsCharactersNotBytes) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "{é: ü, a: ß}\n", diagnostics);
+    ASSERT_TRUE(document) << to_text(diagnostics);
+    EXPECT_EQ(document->place(document->root.find("a")->span).column, 11);
+    EXPECT_EQ(document->place(document->root.find("a")->span).length, 1);
+}
+
+TEST(Document, WindowsLineEndsAndAByteOrderMarkShiftNothing) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "\xEF\xBB\xBF" "a: 1\r\nb: 2\r\n", diagnostics);
+    ASSERT_TRUE(document) << to_text(diagnostics);
+    EXPECT_EQ(document->place(document->root.find("a")->span).column, 4);
+    EXPECT_EQ(document->place(document->root.find("b")->span).line, 2);
+    EXPECT_EQ(document->source_line(document->root.find("b")->span), "b: 2");
+}
+
+TEST(Document, GuessesNoTypes) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "yes: no\n1.0: 1e3\n", diagnostics);
+    ASSERT_TRUE(document);
+    EXPECT_EQ(document->root.find("yes")->text, "no");
+    EXPECT_EQ(document->root.find("1.0")->text, "1e3");
+}
+
+TEST(Document, AnAbsentValueStandsAtItsKey) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "a:\n\n\nb: 1\n", diagnostics);
+    ASSERT_TRUE(document);
+    EXPECT_EQ(document->place(document->root.find("a")->span).line, 1);
+}
+
+TEST(Document, RefusesAKeyThatStandsTwice) { expect_refused(Code::duplicate_key, "a: 1\nb: 2\n«a»: 3\n"); }
+TEST(Document, RefusesAnAnchor) { expect_refused(Code::anchor_or_alias, "a: «&x» 1\n"); }
+TEST(Document, RefusesATagOnAValue) { expect_refused(Code::tag, "a: «!»!str 1\n"); }
+TEST(Document, RefusesATagOnAList) { expect_refused(Code::tag, "a: «!»set [1]\n"); }
+TEST(Document, RefusesASecondDocument) { expect_refused(Code::several_documents, "a: 1\n«-»--\nb: 1\n"); }
+TEST(Document, RefusesAListAsAKey) { expect_refused(Code::key_not_text, "«[»a]: 1\nb: 2\n"); }
+TEST(Document, RefusesWhatIsNotYaml) { expect_refused(Code::syntax, "a: 1\nb: 2«:» 3\n"); }
+TEST(Document, RefusesBytesThatAreNotUtf8) { expect_refused(Code::not_text, "a: b\nc: «\xFF»\n"); }
+TEST(Document, RefusesControlCharacters) { expect_refused(Code::not_text, "a: b\nc: x«\x04»\n"); }
+
+TEST(Document, RefusesAnAliasAndItsAnchor) {
+    Diagnostics diagnostics;
+    parse_document("file.yaml", "a: &x 1\nb: *x\n", diagnostics);
+    ASSERT_EQ(diagnostics.size(), 2u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[1].code, code_text(Code::anchor_or_alias));
+    EXPECT_EQ(diagnostics[1].place.line, 2);
+    EXPECT_EQ(diagnostics[1].place.column, 4);
+}
+
+TEST(Document, RefusesTheSixtyFifthLevel) {
+    expect_refused(Code::nested_too_deep, std::string(64, '[') + "«[»a]" + std::string(64, ']'));
+    Diagnostics diagnostics;
+    parse_document("file.yaml", std::string(64, '[') + "a" + std::string(64, ']'), diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+}
+
+TEST(Document, RefusesAFileThatSaysNothing) {
+    for (const char* text : {"", "\n\n", "# only a comment\n", "---\n", "~\n"}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(parse_document("file.yaml", text, diagnostics));
+        ASSERT_EQ(diagnostics.size(), 1u) << text;
+        EXPECT_EQ(diagnostics[0].code, code_text(Code::file_empty));
+    }
+}
+
+TEST(Document, RefusesMoreThanOneMegabyte) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_document("file.yaml", std::string((1u << 20) + 1, 'a'), diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, code_text(Code::file_too_large));
+}
+
+TEST(Document, ShowsAtMostAHundredErrorsThenSaysSo) {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += "a: 1\n";
+    Diagnostics diagnostics;
+    parse_document("file.yaml", text, diagnostics);
+    ASSERT_EQ(diagnostics.size(), 101u);
+    EXPECT_EQ(diagnostics.back().code, code_text(Code::too_many_errors));
+}
+
+TEST(TextFile, ThatIsMissingOrAFolderIsRefused) {
+    for (const std::string& file : {std::string("no/such/file.yaml"), std::filesystem::temp_directory_path().string()}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(read_text_file(file, diagnostics));
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, code_text(Code::file_unreadable));
+        EXPECT_EQ(diagnostics[0].place.line, 0);
+    }
+}
+
+TEST(DiagnosticText, UnderlinesTheSourceLine) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E0412";
+    diagnostic.place = {"knee.yaml", 14, 13, 5};
+    diagnostic.message = "drill.diameter is 65 mm, must be 0.5 mm … 20 mm.";
+    diagnostic.write = "6.5 mm";
+    diagnostic.source_line = "  diameter: 65 mm";
+    EXPECT_EQ(to_text({diagnostic}),
+              "E0412 knee.yaml:14:13: drill.diameter is 65 mm, must be 0.5 mm … 20 mm. Write `6.5 mm`.\n"
+              "      diameter: 65 mm\n"
+              "                ^^^^^\n");
+}
+
+}  // namespace
+}  // namespace kerf

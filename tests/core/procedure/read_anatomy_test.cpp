@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/read_anatomy.h"
+
+#include <gtest/gtest.h>
+
+#include "kerf/units.hpp"
+#include "tests/core/procedure/marked_text.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// An anatomy without fault. Each test changes one thing.
+const std::string faultless = R"(apiVersion: kerf/v1
+kind: Anatomy
+metadata: {id: bone, title: A bone}
+phantom:
+  parts:
+    - {id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}
+    - {id: arch, elliptic_tube: {from: 0 0 0 mm, to: 0 30 0 mm, width: 10 mm, height: 15 mm, up: 0 0 1}}
+    - {id: hole, tube: {from: 0 20 -9 mm, to: 0 20 9 mm, radius: 5 mm}, subtract: true}
+tissues:
+  - {id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}
+  - {id: cancellous, density: 0.25 g/cm3}
+landmarks:
+  points: {midline: {at: [0 mm, 2 cm, 1 mm], tolerance: 1.5 mm}}
+  axes: {pedicle: {from: -20 40 0 mm, to: -10 0 0 mm, tolerance: 1.5 mm}}
+zones:
+  canal: [ {tube: {from: 0 20 -9 mm, to: 0 20 9 mm, radius: 5 mm}} ]
+)";
+
+void expect_refused(Code code, std::string_view from, std::string_view to) {
+    SCOPED_TRACE(std::string(to));
+    const MarkedText marked(replaced(faultless, from, to));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(ReadAnatomy, GivesSiValues) {
+    Diagnostics diagnostics;
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless, diagnostics);
+
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+    ASSERT_EQ(anatomy->phantom.parts.size(), 3u);
+    EXPECT_TRUE(std::get<BoxSolid>(anatomy->phantom.parts[0].solid).size == (Vec3{40.0_mm, 30.0_mm, 20.0_mm}));
+    EXPECT_EQ(std::get<EllipticTubeSolid>(anatomy->phantom.parts[1].solid).height, 15.0_mm);
+    EXPECT_EQ(std::get<TubeSolid>(anatomy->phantom.parts[2].solid).radius, 5.0_mm);
+    EXPECT_TRUE(anatomy->phantom.parts[2].subtract);
+    EXPECT_EQ(anatomy->tissues.at(0).thickness, 1.5_mm);
+    EXPECT_EQ(anatomy->tissues.at(1).density, 0.25_g_per_cm3);
+    EXPECT_TRUE(anatomy->points.at(0).at == (Vec3{0.0, 20.0_mm, 1.0_mm}));
+    EXPECT_TRUE(anatomy->axes.at(0).to == (Vec3{-(10.0_mm), 0.0, 0.0}));
+    EXPECT_EQ(anatomy->zones.at(0).solids.size(), 1u);
+}
+
+TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
+TEST(ReadAnatomy, RefusesAPartOfTwoShapes) {
+    expect_refused(Code::one_of, "20 mm}, source: A book.", "20 mm}, «tube»: {from: 0 0 0 mm, to: 0 0 1 mm, radius: 1 mm}");
+}
+TEST(ReadAnatomy, RefusesAPartWithoutShape) {
+    expect_refused(Code::one_of, "{id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}", "«{»id: body}");
+}
+TEST(ReadAnatomy, RefusesTwoPartsOfOneName) { expect_refused(Code::duplicate_id, "id: arch", "id: «body»"); }
+TEST(ReadAnatomy, RefusesTwoLandmarksOfOneName) { expect_refused(Code::duplicate_id, "{pedicle:", "{«midline»:"); }
+TEST(ReadAnatomy, RefusesATubeWithoutLength) {
+    expect_refused(Code::degenerate, "tube: {from: 0 20 -9 mm, to: 0 20 9 mm", "«tube»: {from: 0 20 9 mm, to: 0 20 9 mm");
+}
+TEST(ReadAnatomy, RefusesAnUpThatPointsAlongTheTube) { expect_refused(Code::degenerate, "up: 0 0 1", "up: «0 1 0»"); }
+TEST(ReadAnatomy, RefusesToTakeAwayFromNothing) {
+    expect_refused(Code::degenerate, "source: A book.}\n    - {id: arch", "subtract: «true»}\n    - {id: arch");
+}
+TEST(ReadAnatomy, RefusesAThicknessOfTheBase) {
+    expect_refused(Code::degenerate, "{id: cancellous,", "{id: cancellous, «thickness»: 1 mm,");
+}
+TEST(ReadAnatomy, RefusesAShellWithoutThickness) {
+    expect_refused(Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
+}
+TEST(ReadAnatomy, RefusesABoxWithoutSize) { expect_refused(Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»"); }
+TEST(ReadAnatomy, RefusesBoneAsHeavyAsSteel) { expect_refused(Code::out_of_range, "0.25 g/cm3", "«7.8 g/cm3»"); }
+TEST(ReadAnatomy, RefusesTwoNumbersForAPoint) { expect_refused(Code::not_three_numbers, "[0 mm, 2 cm, 1 mm]", "«[»0 mm, 2 cm]"); }
+TEST(ReadAnatomy, RefusesAPointWithoutUnit) { expect_refused(Code::missing_unit, "from: -20 40 0 mm", "from: «-20 40 0»"); }
+TEST(ReadAnatomy, RefusesALandmarkWithoutTolerance) {
+    expect_refused(Code::missing_key, "midline: {at: [0 mm, 2 cm, 1 mm], tolerance: 1.5 mm}",
+                   "«midline»: {at: [0 mm, 2 cm, 1 mm]}");
+}
+TEST(ReadAnatomy, RefusesOtherWordsForTrue) { expect_refused(Code::unknown_word, "subtract: true", "subtract: «yes»"); }
+TEST(ReadAnatomy, RefusesAnUnknownKey) { expect_refused(Code::unknown_key, "radius: 5 mm}, sub", "radius: 5 mm, «colour»: red}, sub"); }
+TEST(ReadAnatomy, RefusesMoreTissuesThanASampleCanMix) {
+    const std::string shell = "  - {id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}\n";
+    std::string five;
+    for (const char* id : {"a", "b", "c", "d"}) five += replaced(shell, "cortical", id);
+    expect_refused(Code::out_of_range, shell + "  - {", five + "  - «{»");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/read_procedure.h"
+
+#include <gtest/gtest.h>
+
+#include "kerf/units.hpp"
+#include "tests/core/procedure/catalog.h"
+#include "tests/core/procedure/marked_text.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// A procedure without fault. Each test changes one thing.
+const std::string faultless = R"(apiVersion: kerf/v1
+kind: Procedure
+metadata: {id: hole, title: A hole, version: 0.1.0, status: draft, authors: [A. Author]}
+needs: {landmarks: [pedicle, midline], zones: [canal], tissues: [cortical]}
+anatomy: anatomy/bone.yaml
+accuracy: {spacing: 0.5 mm}
+haptics: {device: touch, force_scale: 1/50}
+time_limit: 60 s
+instruments:
+  pilot:
+    plugin: kerf.drilling
+    tool: twist_drill
+    force: drill_cutting
+    parameters: {diameter: 4 mm, wear: 0.5}
+    drives: {spindle_speed: 1000 rpm}
+steps:
+  - id: drill
+    title: Drill
+    instrument: pilot
+    axis: pedicle
+    goals: [ {entry: {}}, {depth: {at_least: 30 mm}} ]
+    limits:
+      - {clearance: {zone: canal, at_least: 0 mm}, reason: The canal.}
+      - {depth: {at_most: 38 mm}, reason: Too deep.}
+rehearsals:
+  - id: expert
+    expect: pass
+    hand: {feed: 2 mm/s, approach: 10 mm/s, push: 50 N, reaction: 100 ms}
+    path: [ {depth: -5 mm}, {depth: 32 mm} ]
+  - id: breach
+    expect: {fail: canal}
+    path: [ {depth: -5 mm, medial: 5 mm}, {depth: 32 mm, medial: 5 mm} ]
+)";
+
+std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
+    return read_procedure_text("folder/hole.yaml", text, drilling_catalog(), diagnostics);
+}
+
+void expect_refused(Code code, std::string_view from, std::string_view to) {
+    SCOPED_TRACE(std::string(to));
+    const MarkedText marked(replaced(faultless, from, to));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(ReadProcedure, GivesSiValuesInDeclaredOrder) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> procedure = read(faultless, diagnostics);
+
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+    EXPECT_EQ(procedure->spacing, 0.5_mm);
+    EXPECT_EQ(procedure->force_scale, 1.0 / 50.0);
+    EXPECT_EQ(procedure->time_limit, 60.0_s);
+    ASSERT_EQ(procedure->instruments.size(), 1u);
+    EXPECT_EQ(procedure->instruments[0].tool_parameters, (std::vector<double>{4.0_mm, 118.0_deg /* the default */}));
+    EXPECT_EQ(procedure->instruments[0].force_parameters, (std::vector<double>{0.5}));
+    EXPECT_EQ(procedure->instruments[0].drives, (std::vector<double>{1000.0_rpm}));
+}
+
+TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> procedure = read(faultless, diagnostics);
+
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    const Step& step = procedure->steps.at(0);
+    EXPECT_EQ(step.goals.at(0).quantity, "entry");
+    EXPECT_EQ(step.goals.at(1).bound.at_least, 30.0_mm);
+    EXPECT_EQ(step.limits.at(0).zone, "canal");
+    EXPECT_EQ(step.limits.at(0).place.line, 23);
+    EXPECT_EQ(step.limits.at(1).bound.at_most, 38.0_mm);
+    EXPECT_FALSE(step.limits.at(1).bound.at_least);
+    EXPECT_EQ(procedure->rehearsals.at(0).feed, 2.0_mm_per_s);
+    EXPECT_EQ(procedure->rehearsals.at(1).expect, "fail");
+    EXPECT_EQ(procedure->rehearsals.at(1).expect_limit, "canal");
+    EXPECT_EQ(procedure->rehearsals.at(1).path.at(1).medial, 5.0_mm);
+}
+
+TEST(ReadProcedure, ResolvesTheAnatomyAgainstItsOwnFolder) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> procedure = read(faultless, diagnostics);
+    ASSERT_TRUE(procedure);
+    EXPECT_EQ(procedure->anatomy_file, "folder/anatomy/bone.yaml");
+}
+
+TEST(ReadProcedure, KeepsItsTextWordForWord) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> procedure = read(faultless, diagnostics);
+    ASSERT_TRUE(procedure);
+    EXPECT_EQ(procedure->text, faultless);
+}
+
+TEST(ReadProcedure, RefusesAnotherVersion) { expect_refused(Code::wrong_api_version, "kerf/v1", "«kerf/v2»"); }
+TEST(ReadProcedure, RefusesAnotherKind) { expect_refused(Code::wrong_kind, "kind: Procedure", "kind: «Anatomy»"); }
+TEST(ReadProcedure, RefusesAnUnknownKeyAtTheTop) { expect_refused(Code::unknown_key, "time_limit:", "«time_limits»:"); }
+TEST(ReadProcedure, RefusesAnUnknownKeyDeepInside) { expect_refused(Code::unknown_key, "feed: 2", "«fed»: 2"); }
+TEST(ReadProcedure, RefusesAMissingKey) { expect_refused(Code::missing_key, "metadata: {id: hole, ", "«metadata»: {"); }
+TEST(ReadProcedure, RefusesAMissingReason) {
+    expect_refused(Code::missing_key, "{depth: {at_most: 38 mm}, reason: Too deep.}", "«{»depth: {at_most: 38 mm}}");
+}
+TEST(ReadProcedure, RefusesAMapWhereAListIsNeeded) { expect_refused(Code::wrong_shape, "[A. Author]", "«{»a: b}"); }
+TEST(ReadProcedure, RefusesAListWhereAMapIsNeeded) {
+    expect_refused(Code::wrong_shape, "accuracy: {spacing: 0.5 mm}", "accuracy: «[»0.5 mm]");
+}
+TEST(ReadProcedure, RefusesAnEmptyValue) { expect_refused(Code::empty_value, "time_limit: 60 s", "«time_limit»:"); }
+TEST(ReadProcedure, RefusesAnEmptyList) { expect_refused(Code::empty_value, "[A. Author]", "«[»]"); }
+TEST(ReadProcedure, RefusesAnUnknownStatus) { expect_refused(Code::unknown_word, "status: draft", "status: «darft»"); }
+TEST(ReadProcedure, RefusesAnUnknownExpectation) { expect_refused(Code::unknown_word, "expect: pass", "expect: «passes»"); }
+TEST(ReadProcedure, RefusesTwoRehearsalsOfOneName) { expect_refused(Code::duplicate_id, "id: breach", "id: «expert»"); }
+TEST(ReadProcedure, RefusesANeedNamedTwice) { expect_refused(Code::duplicate_id, "[cortical]", "[cortical, «cortical»]"); }
+TEST(ReadProcedure, RefusesAnIdOfTwoWords) { expect_refused(Code::malformed_word, "id: hole", "id: «a hole»"); }
+TEST(ReadProcedure, RefusesAVersionOfTwoNumbers) { expect_refused(Code::malformed_word, "version: 0.1.0", "version: «0.1»"); }
+
+TEST(ReadProcedure, RefusesAnAnatomyOutsideItsFolder) {
+    for (const char* path : {"«../bone.yaml»", "«/etc/bone.yaml»", "«a/../../bone.yaml»", "«a\\bone.yaml»", "«C:bone.yaml»"})
+        expect_refused(Code::path_outside, "anatomy/bone.yaml", path);
+}
+
+TEST(ReadProcedure, RefusesAGoalWithTwoQuantities) {
+    expect_refused(Code::one_of, "{entry: {}}", "{entry: {}, «depth»: {at_least: 1 mm}}");
+}
+TEST(ReadProcedure, RefusesALimitWithoutQuantity) {
+    expect_refused(Code::one_of, "{depth: {at_most: 38 mm}, reason", "«{»reason");
+}
+
+TEST(ReadProcedure, RefusesAnUnknownPlugin) { expect_refused(Code::unknown_plugin, "kerf.drilling", "«kerf.driling»"); }
+TEST(ReadProcedure, RefusesAnUnknownTool) { expect_refused(Code::unknown_tool, "twist_drill", "«twisted_drill»"); }
+TEST(ReadProcedure, RefusesAnUnknownForce) { expect_refused(Code::unknown_force, "force: drill_cutting", "force: «drill_cuting»"); }
+TEST(ReadProcedure, RefusesAToolAsAForce) { expect_refused(Code::unknown_force, "force: drill_cutting", "force: «twist_drill»"); }
+TEST(ReadProcedure, RefusesAnUnknownParameter) { expect_refused(Code::unknown_parameter, "diameter:", "«diametre»:"); }
+TEST(ReadProcedure, RefusesAnUnknownDrive) { expect_refused(Code::unknown_drive, "spindle_speed", "«spindle_sped»"); }
+TEST(ReadProcedure, RefusesAnAxisThatIsNotDeclared) {
+    expect_refused(Code::undeclared_landmark, "axis: pedicle", "axis: «pedicel»");
+}
+TEST(ReadProcedure, RefusesARehearsalOfALimitThatNoStepHas) {
+    expect_refused(Code::unknown_limit, "{fail: canal}", "{fail: «nerve»}");
+}
+
+TEST(ReadProcedure, RefusesAZoneThatIsNotDeclared) {
+    const MarkedText marked(replaced(replaced(faultless, "[canal]", "[canals]"), "zone: canal", "zone: «canal»"));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(Code::undeclared_zone, marked, diagnostics);
+    EXPECT_EQ(diagnostics[0].write, "canals");
+}
+
+TEST(ReadProcedure, RefusesAnUnknownInstrumentAndPointsOutTheUnusedOne) {
+    const MarkedText marked(replaced(faultless, "instrument: pilot", "instrument: «pilto»"));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 2u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[1].code, "W0310");
+    diagnostics.pop_back();
+    expect_only(Code::unknown_instrument, marked, diagnostics);
+    EXPECT_EQ(diagnostics[0].write, "pilot");
+}
+
+TEST(ReadProcedure, AnUnusedInstrumentIsOnlyAWarning) {
+    Diagnostics diagnostics;
+    const auto procedure = read(replaced(faultless, "steps:", R"(  spare:
+    plugin: kerf.drilling
+    tool: twist_drill
+    force: drill_cutting
+steps:)"), diagnostics);
+    EXPECT_TRUE(procedure) << to_text(diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "W0310");
+    EXPECT_EQ(diagnostics[0].place.line, 16);
+}
+
+TEST(ReadProcedure, RefusesWordsForNumbers) { expect_refused(Code::not_a_number, "push: 50 N", "push: «hard»"); }
+TEST(ReadProcedure, RefusesALengthWithoutUnit) { expect_refused(Code::missing_unit, "diameter: 4 mm", "diameter: «4»"); }
+TEST(ReadProcedure, RefusesAnUnknownUnit) { expect_refused(Code::unknown_unit, "diameter: 4 mm", "diameter: «4 inch»"); }
+TEST(ReadProcedure, RefusesAForceForASpeed) { expect_refused(Code::wrong_dimension, "feed: 2 mm/s", "feed: «2 N»"); }
+TEST(ReadProcedure, RefusesABoundWithoutEnd) {
+    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
+}
+TEST(ReadProcedure, RefusesABoundThatNothingFulfils) {
+    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {at_least: 30 mm, at_most: 20 mm}}");
+}
+
+TEST(ReadProcedure, RefusesAParameterOutOfRangeAndSaysWhatToWrite) {
+    expect_refused(Code::out_of_range, "diameter: 4 mm", "diameter: «65 mm»");
+    Diagnostics diagnostics;
+    read(replaced(faultless, "diameter: 4 mm", "diameter: 65 mm"), diagnostics);
+    EXPECT_EQ(to_text(diagnostics),
+              "E0412 folder/hole.yaml:14:28: pilot.diameter is 65 mm, must be 0.5 mm … 20 mm. Write `6.5 mm`.\n"
+              "        parameters: {diameter: 65 mm, wear: 0.5}\n"
+              "                               ^^^^^\n");
+}
+
+TEST(ReadProcedure, ReportsAllErrorsInOneGo) {
+    std::string text = faultless;
+    text = replaced(text, "status: draft", "status: finished");
+    text = replaced(text, "diameter: 4 mm", "diameter: 4");
+    text = replaced(text, "spindle_speed", "spindel_speed");
+    text = replaced(text, "reason: Too deep.", "reasons: Too deep.");
+    text = replaced(text, "feed: 2 mm/s", "feed: 2 m");
+    text = replaced(text, "time_limit: 60 s", "time_limit: 60 s\ntime_limit: 61 s");
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(text, diagnostics));
+
+    std::vector<std::string> codes;
+    for (const Diagnostic& d : diagnostics) codes.push_back(d.code);
+    EXPECT_EQ(codes, (std::vector<std::string>{"E0108", "E0207", "E0402", "E0305", "E0204", "E0203", "E0404"}))
+        << to_text(diagnostics);
+}
+
+TEST(ReadProcedure, WithoutAnyPluginSaysSo) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_procedure_text("hole.yaml", faultless, {}, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[0].code, code_text(Code::unknown_plugin));
+}
+
+TEST(ReadProcedure, AMissingFileIsOneError) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_procedure("no/such/file.yaml", drilling_catalog(), diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, code_text(Code::file_unreadable));
+}
+
+// ---- what the procedure needs of the anatomy
+
+struct Needs : ::testing::Test {
+    void SetUp() override {
+        anatomy.axes = {{"pedicle", {}, {0, 0, 1}, 0.0}};
+        anatomy.points = {{"midline", {}, 0.0}};
+        anatomy.zones = {{"canal", {}}};
+        anatomy.tissues = {{"cortical", 1850.0, 0.0, ""}};
+    }
+
+    /// Expects one complaint at the mark that `to` carries; `to` without its marks must be what `faultless` says.
+    void expect_missing(Code code, std::string_view from, std::string_view to) {
+        const MarkedText marked(replaced(faultless, from, to));
+        Diagnostics diagnostics;
+        const std::optional<Procedure> procedure = read(marked.text, diagnostics);
+        ASSERT_TRUE(procedure) << to_text(diagnostics);
+        check_needs(*procedure, anatomy, diagnostics);
+        expect_only(code, marked, diagnostics);
+    }
+
+    Anatomy anatomy;
+};
+
+TEST_F(Needs, AreMetByAnAnatomyThatHasThemAll) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> procedure = read(faultless, diagnostics);
+    ASSERT_TRUE(procedure);
+    check_needs(*procedure, anatomy, diagnostics);
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+}
+
+TEST_F(Needs, AMissingLandmarkIsReported) {
+    anatomy.axes[0].id = "pedicles";
+    expect_missing(Code::missing_landmark, "[pedicle,", "[«pedicle»,");
+}
+
+TEST_F(Needs, AMissingZoneIsReported) {
+    anatomy.zones.clear();
+    expect_missing(Code::missing_zone, "[canal]", "[«canal»]");
+}
+
+TEST_F(Needs, AMissingTissueIsReported) {
+    anatomy.tissues[0].id = "enamel";
+    expect_missing(Code::missing_tissue, "[cortical]", "[«cortical»]");
+}
+
+TEST_F(Needs, APointIsNoAxis) {
+    anatomy.axes.clear();
+    anatomy.points.push_back({"pedicle", {}, 0.0});
+    expect_missing(Code::axis_is_a_point, "axis: pedicle", "axis: «pedicle»");
+}
+
+TEST_F(Needs, AShiftTowardsTheMidlineNeedsTheMidlineAsAPoint) {
+    anatomy.points.clear();
+    anatomy.axes.push_back({"midline", {}, {0, 0, 1}, 0.0});
+    expect_missing(Code::missing_midline, "[ {depth: -5 mm, medial", "[ «{»depth: -5 mm, medial");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/recorder.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "core/session/content_hash.h"
+#include "count_allocations.h"
+#include "synthetic_run.h"
+#include "temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::contents_of;
+using test::TemporaryFolder;
+
+/// One answer of one query, as text.
+std::string ask(const std::string& path, const std::string& sql) {
+    sqlite3* database = nullptr;
+    sqlite3_stmt* statement = nullptr;
+    std::string answer = "no answer";
+    if (sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK &&
+        sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW) {
+        const unsigned char* text = sqlite3_column_text(statement, 0);
+        answer = text == nullptr ? "" : reinterpret_cast<const char*>(text);
+    } else {
+        answer = sqlite3_errmsg(database);
+    }
+    sqlite3_finalize(statement);
+    sqlite3_close(database);
+    return answer;
+}
+
+SessionHeader header() {
+    SessionHeader header;
+    header.procedure_text = "kind: Procedure\nid: pilot-hole\n";
+    header.anatomy_text = "kind: Anatomy\n";
+    header.versions = {{"kerf", "0.1.0"}};
+    header.envelope.uuid = "00000000-0000-4000-8000-000000000000";
+    header.envelope.learner = "L17";
+    header.conditions = {.device = "touch", .force_scale = 0.05, .assist = "", .coupling_stiffness = 700.0};
+    header.signals = {{"chip.thickness", "uncut chip", "um", 1e-6}};
+    header.tissues = {"cortical", "cancellous"};
+    return header;
+}
+
+std::unique_ptr<Recorder> new_recorder(const std::string& path) {
+    Recorder::Created created = Recorder::create(path, header());
+    EXPECT_EQ(created.error, "");
+    return std::move(created.recorder);
+}
+
+TickRow numbered_tick(std::uint64_t tick) {
+    TickRow row;
+    row.tick = tick;
+    row.time = 1e-3 * static_cast<double>(tick);
+    row.thrust = 0.5 * static_cast<double>(tick);
+    row.signals[0] = 2e-6;
+    return row;
+}
+
+TEST(Recorder, ASessionIsOneFileWithEveryRowPushed) {
+    // Given a session in lock-step, faster than the disk if nobody waits
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+
+    // When 30 000 ticks, some cuts and events are pushed
+    for (std::uint64_t tick = 0; tick < 30'000; ++tick) {
+        recorder->push(numbered_tick(tick));
+        if (tick % 10 == 0) recorder->push_cut({.sequence = tick / 10, .tick = tick});
+        if (tick % 1000 == 0) recorder->push_event({tick, 0.0, "entry", "first bone met"});
+        ASSERT_TRUE(recorder->wait_for_room());
+    }
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+
+    // Then all of them are there, in a file that stands alone
+    EXPECT_FALSE(recorder->losses().any());
+    EXPECT_EQ(ask(path, "SELECT count(*) || ' ' || max(tick) || ' ' || sum(thrust) FROM ticks"), "30000 29999 224992500.0");
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM cuts"), "3000");
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM events"), "30");
+    EXPECT_EQ(ask(path, "PRAGMA integrity_check"), "ok");
+    EXPECT_EQ(ask(path, "PRAGMA journal_mode"), "delete");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator()), 1);
+}
+
+TEST(Recorder, AFinishedSessionHoldsItsResult) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    ASSERT_EQ(new_recorder(path)->finish(test::synthetic_summary()), "");
+
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "finished");
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='hash'"), "0123456789abcdef");
+    EXPECT_EQ(ask(path, "SELECT json_extract(value, '$.verdict') FROM session WHERE key='summary'"), "fail");
+    EXPECT_EQ(ask(path, "SELECT broken_limits FROM steps WHERE id='pilot-hole'"), "clearance to spinal-canal\ndepth");
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM metrics"), "4");
+    EXPECT_EQ(ask(path, "SELECT uncertainty IS NULL FROM metrics WHERE id='pilot-hole.peak-thrust'"), "1");
+}
+
+TEST(Recorder, ASessionDescribesItself) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    new_recorder(path).reset();
+
+    EXPECT_EQ(ask(path, "PRAGMA application_id"), std::to_string(0x4b455246));
+    EXPECT_EQ(ask(path, "PRAGMA user_version"), "1");
+    EXPECT_EQ(ask(path, "SELECT text FROM notice"), "For training and research; not for diagnosis, planning or deciding treatment");
+    EXPECT_EQ(ask(path, "SELECT unit || ', ' || dimension || ', ' || frame FROM columns WHERE table_name='ticks' AND name='modelled_fz'"),
+              "N, force, world");
+    EXPECT_EQ(ask(path, "SELECT column_name FROM signals WHERE id='chip.thickness'"), "signal_chip_thickness");
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='anatomy_hash'"), hex16(hash_of_text("kind: Anatomy\n")));
+}
+
+TEST(Recorder, EveryColumnOfEveryTableIsDescribed) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    new_recorder(path).reset();
+
+    EXPECT_EQ(ask(path, "SELECT coalesce(group_concat(t.name || '.' || c.name), 'none missing') FROM sqlite_schema t, pragma_table_info(t.name) c "
+                        "WHERE t.type='table' AND NOT EXISTS (SELECT 1 FROM columns d WHERE d.table_name=t.name AND d.name=c.name AND d.help<>'')"),
+              "none missing");
+}
+
+TEST(Recorder, PushingNeverAllocates) {
+    const TemporaryFolder folder;
+    auto recorder = new_recorder(folder / "session.db");
+    const TickRow row = numbered_tick(1);
+    const EventRow event{1, 0.0, "entry", std::string(1000, 'x')};
+
+    const std::size_t before = test::allocations_here();
+    for (int i = 0; i < 10'000; ++i) {
+        recorder->push(row);
+        recorder->push_cut({});
+        recorder->push_event(event);
+    }
+    EXPECT_EQ(test::allocations_here(), before);
+}
+
+TEST(Recorder, ATickThatFoundNoRoomIsCountedAndTheSessionIsIncomplete) {
+    // Given a loop that runs away from the disk
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+
+    // When it never waits
+    constexpr std::uint64_t pushed = 200'000;
+    for (std::uint64_t tick = 0; tick < pushed; ++tick) recorder->push(numbered_tick(tick));
+    const std::uint64_t lost = recorder->losses().ticks;
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+
+    // Then what is missing is known, to the row
+    ASSERT_GT(lost, 0u);
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM ticks"), std::to_string(pushed - lost));
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='lost_ticks'"), std::to_string(lost));
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "incomplete");
+}
+
+TEST(Recorder, ASessionGivenUpIsIncompleteButWhole) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    {
+        auto recorder = new_recorder(path);
+        for (std::uint64_t tick = 0; tick < 100; ++tick) recorder->push(numbered_tick(tick));
+    }
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "incomplete");
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM ticks"), "100");
+}
+
+TEST(Recorder, AnEventTooLongIsCutBetweenLetters) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+    std::string id(62, 'a');
+    id += "é";  // two bytes, of which one would fit
+    recorder->push_event({1, 0.0, id, ""});
+    recorder.reset();
+    EXPECT_EQ(ask(path, "SELECT id FROM events"), std::string(62, 'a'));
+}
+
+TEST(Recorder, SaysWhyAFileCannotBeMade) {
+    const TemporaryFolder folder;
+    const Recorder::Created created = Recorder::create(folder / "missing/session.db", {});
+    EXPECT_EQ(created.recorder, nullptr);
+    EXPECT_NE(created.error.find("session.db could not be made"), std::string::npos) << created.error;
+}
+
+TEST(Recorder, WritesNeitherThePathNorTheUserNorTheHost) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+    recorder->push(numbered_tick(1));
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+
+    const std::string bytes = contents_of(path);
+    char host[256]{};
+    gethostname(host, sizeof host - 1);
+    EXPECT_EQ(bytes.find(folder.path()), std::string::npos);
+    const char* user = std::getenv("USER");
+    for (const std::string& name : {std::string(host), std::string(user != nullptr ? user : "")}) {
+        const bool is_telling = name.size() > 3;  // shorter ones stand in any file by chance
+        EXPECT_FALSE(is_telling && bytes.find(name) != std::string::npos) << name;
+    }
+}
+
+/// In a child process: pushes at 1 kHz, tells the parent after each push, until it is killed.
+[[noreturn]] void push_until_killed(const std::string& path, int pipe_to_parent) {
+    auto recorder = new_recorder(path);
+    auto next = std::chrono::steady_clock::now();
+    for (std::uint64_t tick = 0; tick < 60'000; ++tick) {
+        recorder->push(numbered_tick(tick));
+        if (write(pipe_to_parent, &tick, sizeof tick) < 0) break;
+        next += std::chrono::milliseconds(1);
+        std::this_thread::sleep_until(next);
+    }
+    _exit(1);
+}
+
+class KilledRecorder : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(KilledRecorder, LosesAtMostAQuarterOfASecond) {
+    // Given a child that records in real time
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) push_until_killed(path, ends[1]);
+    close(ends[1]);
+
+    // When it is killed, and cannot know
+    std::uint64_t last = 0;
+    while (read(ends[0], &last, sizeof last) == sizeof last)
+        if (last == GetParam()) kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(ends[0]);
+    ASSERT_TRUE(WIFSIGNALED(status));
+
+    // Then the file opens, is sound, and has all but the last quarter second
+    EXPECT_EQ(ask(path, "PRAGMA integrity_check"), "ok");
+    const long long kept = std::atoll(ask(path, "SELECT max(tick) FROM ticks").c_str());
+    EXPECT_GE(kept + 250, static_cast<long long>(last));
+    EXPECT_EQ(ask(path, "SELECT count(*) FROM ticks"), std::to_string(kept + 1));
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "running");
+}
+
+// The third falls into the first checkpoint, 5 s after the start.
+INSTANTIATE_TEST_SUITE_P(AtTick, KilledRecorder, testing::Values(333u, 1250u, 5000u));
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "core/session/recorder.h"
+#include "core/session/report_data.h"
+#include "synthetic_run.h"
+
+namespace kerf {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string synthetic_report() {
+    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), test::synthetic_bone(16));
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(Base64, GivesThePublishedValues) {
+    const auto encoded = [](std::string_view text) {
+        return base64({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    };
+    EXPECT_EQ(encoded(""), "");
+    EXPECT_EQ(encoded("f"), "Zg==");
+    EXPECT_EQ(encoded("fo"), "Zm8=");
+    EXPECT_EQ(encoded("foo"), "Zm9v");
+    EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
+}
+
+TEST(SensibleNumber, StopsWhereTheUncertaintyBegins) {
+    EXPECT_EQ(sensible_number(31.23456, 0.5), "31.2");
+    EXPECT_EQ(sensible_number(31.23456, 0.13), "31.23");
+    EXPECT_EQ(sensible_number(31.23456, 4.0), "31");
+}
+
+TEST(SensibleNumber, HasThreeDigitsWhenNothingIsKnownOfIt) {
+    EXPECT_EQ(sensible_number(38.4721), "38.5");
+    EXPECT_EQ(sensible_number(0.05), "0.05");
+    EXPECT_EQ(sensible_number(1234.56), "1235");
+    EXPECT_EQ(sensible_number(-2.5), "−2.5");
+    EXPECT_EQ(sensible_number(0.0), "0");
+    EXPECT_EQ(sensible_number(std::numeric_limits<double>::infinity()), "–");
+}
+
+TEST(LateralForce, IsWhatActsAcrossTheShaft) {
+    TickRow row;
+    row.world_from_tool.rotation = {1, 0, 0, 0};  // shaft along z
+    row.modelled = {3.0, 4.0, 100.0, 0, 0, 0};
+    EXPECT_DOUBLE_EQ(lateral_force(row), 5.0);
+}
+
+TEST(RowsToDraw, AreAllOfThemWhenTheyAreFew) { EXPECT_EQ(rows_to_draw(test::synthetic_ticks(100), 100).size(), 100u); }
+
+TEST(RowsToDraw, KeepASpikeOfOneTick) {
+    // Given three minutes with one tick that stands out
+    auto rows = test::synthetic_ticks(180'000);
+    rows[123'457].thrust = 500.0;
+
+    // When they are thinned
+    const auto drawn = rows_to_draw(rows, 20'000);
+
+    // Then it is still there, in order
+    EXPECT_LE(drawn.size(), 20'000u);
+    EXPECT_TRUE(std::ranges::binary_search(drawn, std::size_t{123'457}));
+    EXPECT_TRUE(std::ranges::is_sorted(drawn));
+    EXPECT_EQ(drawn.front(), 0u);
+    EXPECT_EQ(drawn.back(), 179'999u);
+}
+
+TEST(Report, IsOnePageThatFetchesNothing) {
+    const std::string html = synthetic_report();
+    const std::string without_names = std::regex_replace(html, std::regex("http://www\\.w3\\.org/2000/svg"), "");
+    EXPECT_FALSE(holds(without_names, "http:"));
+    EXPECT_FALSE(holds(without_names, "https:"));
+    EXPECT_FALSE(holds(html, "<link"));
+    EXPECT_FALSE(holds(html, " src="));
+    EXPECT_TRUE(holds(html, "default-src 'none'"));
+}
+
+TEST(Report, SaysTheVerdictInAWordAndTheReasons) {
+    const std::string html = synthetic_report();
+    EXPECT_TRUE(holds(html, "✗ Fail"));
+    EXPECT_TRUE(holds(html, "The bit came within 0.4 mm of the spinal canal"));
+    EXPECT_TRUE(holds(html, "31.23 ± 0.13 mm"));
+    EXPECT_TRUE(holds(html, notice_line));
+}
+
+TEST(Report, AHostileNameStaysText) {
+    // Given names that try to leave their place, in every kind of place
+    const std::string hostile = "</script><script>alert(1)</script>\"'<img onerror=x>&";
+    RunSummary summary = test::synthetic_summary();
+    summary.procedure = summary.anatomy = summary.device = hostile;
+    summary.reasons = {hostile};
+    summary.tissues = {hostile};
+    summary.steps[0].title = summary.steps[0].broken_limits[0] = hostile;
+    summary.metrics[0].id = summary.metrics[0].help = summary.metrics[0].unit = summary.metrics[0].status = hostile;
+    summary.signals[0].id = summary.signals[0].help = hostile;
+    summary.versions = {{hostile, hostile}};
+
+    // When the page is made
+    const std::string html = report_html(summary, test::synthetic_ticks(50), {{1, 0.0, hostile, hostile}}, {});
+
+    // Then the page has the two scripts it should have, and no element of theirs
+    EXPECT_EQ(count_of(html, "<script"), 2u);
+    EXPECT_EQ(count_of(html, "</script"), 2u);
+    EXPECT_FALSE(holds(html, "<img"));
+}
+
+TEST(Report, TheDataInItIsJsonWithAllRows) {
+    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), test::synthetic_bone(16));
+    const auto data = nlohmann::json::parse(json);
+    EXPECT_EQ(data["rows"]["count"], 14'000);
+    EXPECT_EQ(data["rows"]["time"].get<std::string>().size(), (14'000u * 4 + 2) / 3 * 4);
+    EXPECT_EQ(data["events"][2]["detail"], "clearance to <spinal-canal>");
+    EXPECT_EQ(data["events"][2]["isBad"], true);
+    EXPECT_FALSE(holds(json, "<"));
+}
+
+TEST(Report, ARunOfNothingStillHasAPage) {
+    const std::string html = report_html({}, {}, {}, {});
+    EXPECT_TRUE(holds(html, "No ticks were recorded."));
+    EXPECT_TRUE(holds(html, "… Incomplete"));
+}
+
+TEST(Report, AMeshWithNumbersOutOfRangeDoesNotHarm) {
+    Mesh mesh = test::synthetic_bone(4);
+    mesh.triangles.push_back({0, 1, 99'999});
+    const auto data = nlohmann::json::parse(report_data_json({}, {}, {}, mesh));
+    const auto whole = nlohmann::json::parse(report_data_json({}, {}, {}, test::synthetic_bone(4)));
+    EXPECT_EQ(data["mesh"], whole["mesh"]);
+}
+
+TEST(Report, ThrustOverDepthIsDrawnForThoseWithoutScripts) {
+    const std::string html = synthetic_report();
+    const std::size_t from = html.find("<noscript>"), to = html.find("</noscript>");
+    ASSERT_LT(from, to);
+    EXPECT_TRUE(holds(html.substr(from, to - from), "<polyline"));
+}
+
+}  // namespace
+}  // namespace kerf
