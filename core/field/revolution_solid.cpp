@@ -12,15 +12,6 @@ namespace {
 
 double squared(double v) noexcept { return v * v; }
 
-/// Squared distance from (r, z) to the segment a–b of the half plane.
-double squared_distance_to_segment(double r, double z, kerf_profile_point a, kerf_profile_point b) noexcept {
-    const double dr = b.radius - a.radius, dz = b.z - a.z;
-    const double length2 = dr * dr + dz * dz;
-    double t = length2 > 0.0 ? ((r - a.radius) * dr + (z - a.z) * dz) / length2 : 0.0;
-    t = std::clamp(t, 0.0, 1.0);
-    return squared(r - a.radius - t * dr) + squared(z - a.z - t * dz);
-}
-
 double radius_at(const std::vector<kerf_profile_point>& outline, double z) noexcept {
     for (std::size_t i = 1; i < outline.size(); ++i) {
         if (z < outline[i].z) continue;
@@ -38,6 +29,9 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         KERF_ASSERT(outline_[i].radius >= 0.0, "radii are not negative");
         KERF_ASSERT(i == 0 || outline_[i].z < outline_[i - 1].z, "list the outline from the tip backwards");
         largest_radius_ = std::max(largest_radius_, outline_[i].radius);
+        if (i == 0) continue;
+        const double r = outline_[i].radius - outline_[i - 1].radius, z = outline_[i].z - outline_[i - 1].z;
+        segments_.push_back({r, z, 1.0 / (r * r + z * z)});
     }
 }
 
@@ -45,13 +39,18 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
 
     double nearest2 = 1e300;
-    for (std::size_t i = 1; i < outline_.size(); ++i)
-        nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, outline_[i - 1], outline_[i]));
+    for (std::size_t i = 0; i < outline_.size() - 1; ++i) {
+        // Project onto the segment; its direction and length were worked out once.
+        const auto& a = outline_[i];
+        const Segment& s = segments_[i];
+        const double dr = r - a.radius, dz = p.z - a.z;
+        const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
+        nearest2 = std::min(nearest2, squared(dr - t * s.along_r) + squared(dz - t * s.along_z));
+    }
     const auto& front = outline_.front();
     const auto& back = outline_.back();
-    if (front.radius > 0.0)
-        nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, {front.z, 0.0}, front));
-    nearest2 = std::min(nearest2, squared_distance_to_segment(r, p.z, back, {back.z, 0.0}));
+    if (front.radius > 0.0) nearest2 = std::min(nearest2, squared(std::max(0.0, r - front.radius)) + squared(p.z - front.z));
+    nearest2 = std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(p.z - back.z));
 
     const bool is_inside = p.z < front.z && p.z > back.z && r < radius_at(outline_, p.z);
     return is_inside ? -std::sqrt(nearest2) : std::sqrt(nearest2);

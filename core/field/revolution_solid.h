@@ -29,7 +29,12 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
+    /// From one outline point to the next, in the half plane (r, z).
+    struct Segment {
+        double along_r, along_z, inverse_length2;
+    };
     std::vector<kerf_profile_point> outline_;
+    std::vector<Segment> segments_;
     double largest_radius_ = 0.0;
 };
 

@@ -195,8 +195,9 @@ double exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doub
 Motion solve(const Balance& balance) noexcept { return solve_from(balance, Vec6{}); }
 
 Motion solve_from(const Balance& b, const Vec6& start) noexcept {
-    // A channel at the floor w = 1 µm/s has slopes of 3e8 N·s/m: rounding of the rate alone leaves some 1e-8.
-    constexpr double tolerance = 1e-7;
+    constexpr double tolerance = 1e-8;
+    // A channel at the floor w = 1 µm/s has slopes of 3e8 N·s/m: rounding of the rate alone can leave this much.
+    constexpr double rounding = 1e-6;
     Motion motion;
 
     // The norm xᵀA⁻¹x of the unsaturated problem makes newtons and newton metres comparable.
@@ -213,13 +214,22 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         const Vec6 y = forward(norm, x);
         return std::sqrt(dot(y, y));
     };
-    const double scale = size(evaluate(b, Vec6{}).out_of_balance) + 1e-9;
+    // Relative to the forces at rest, each for itself: at rest in contact they cancel to nearly nothing.
+    double scale = 1e-9 + size(at_tip(b, b.force.pull, b.torque.pull)) + size(b.following);
+    for (const auto& channel : b.channels) {
+        const double lambda = channel_force(channel, 0.0, b.dt).lambda;
+        Vec6 force = direction(channel);
+        for (double& component : force) component *= lambda;
+        if (lambda != 0.0) scale += size(force);
+    }
 
     Vec6 u = start;
     At at = evaluate(b, u);
     for (; motion.iterations < iteration_cap; ++motion.iterations) {
+        const double before = motion.residual;
         motion.residual = size(at.out_of_balance) / scale;
-        if (motion.residual <= tolerance) {
+        const bool is_rounding = motion.iterations > 0 && motion.residual <= rounding && motion.residual > 0.5 * before;
+        if (motion.residual <= tolerance || is_rounding) {
             motion.has_converged = true;
             break;
         }

@@ -78,6 +78,9 @@ void StepMonitor::observe(double time, const Pose& tool, const RevolutionSolid& 
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
                                            [&](const Zone& z) { return z.id == limit.limit->zone; });
             if (zone == anatomy_->zones.end()) continue;
+            // Distances are 1-Lipschitz: far from the zone the tip alone shows that nothing new can be learnt.
+            const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
+            if (limit.is_seen && distance_to_any(zone->solids, tool.position) - reach > limit.worst) continue;
             value = clearance(cutting, tool, *zone);
         }
         const Bound& bound = limit.limit->bound;

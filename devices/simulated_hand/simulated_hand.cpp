@@ -9,8 +9,12 @@ namespace kerf::simulated_hand {
 namespace {
 
 constexpr int substeps = 20;           // of the plant per tick
-constexpr double leaning_rate = 4.0;   // [1/s] how quickly the hand leans in on a lag [assumed]
-constexpr double arrived = 0.1e-3;     // [m] of the aim at the end of a leg
+constexpr double leaning_rate = 1.0;  // [1/s] lean per lag and second: slow enough for a reaction of 0.3 s [assumed]
+constexpr double letting_go = 10.0;   // [1/s] how quickly the lean goes when the handle runs ahead [assumed]
+constexpr double let_go = 0.2e-3;     // [m] of lean left: from then on it plans on from where the handle is [assumed]
+constexpr double patience = 3e-3;     // [m] of lag the plan lets build up before it waits [assumed]
+constexpr double surprise = 0.5e-3;   // [m] ahead of the plan that makes it let go [assumed]
+constexpr double arrived = 0.2e-3;    // [m] short of a leg's end that counts as there [assumed]
 
 double quantised(double x, double step) { return step > 0.0 ? std::floor(x / step + 0.5) * step : x; }
 
@@ -22,7 +26,6 @@ SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pos
       dt_(dt),
       position_(start.position),
       rotation_(start.rotation),
-      aim_(start.position),
       leg_start_(start.position),
       felt_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position) {}
 
@@ -42,38 +45,32 @@ void SimulatedHand::think() {
     const Vec3 way = leg.target.position - leg_start_;
     const double total = length(way);
     const Vec3 along = normalized(way);
+    const double seen_at = dot(seen - leg_start_, along);
+    const double lag = plan_ - seen_at - leg.speed * intent_.reaction;
 
-    // The aim runs ahead of what was seen by no more than a reaction time's way and a hand's breadth of lag.
-    const double at = dot(aim_ - leg_start_, along), seen_at = dot(seen - leg_start_, along);
-    const double ahead = leg.speed * intent_.reaction + 0.5e-3;
-    const double next = std::min({at + leg.speed * dt_, std::max(seen_at + ahead, std::min(at, seen_at + ahead)), total});
-    const double aim_at = std::max(next, std::min(seen_at, total));
-    aim_ = leg_start_ + aim_at * along;
+    if (lag < patience) plan_ = std::min(total, plan_ + leg.speed * dt_);
+    if (lag < -surprise) {
+        lean_ -= letting_go * lean_ * dt_;
+        if (lean_ < let_go) plan_ += letting_go * (std::min(total, seen_at) - plan_) * dt_;
+    } else {
+        lean_ = std::clamp(lean_ + leaning_rate * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
+    }
 
-    // Lag makes it lean in, running ahead makes it let go at once.
-    const double lag = aim_at - seen_at - leg.speed * intent_.reaction;
-    const double most = leg.push / plant_.arm_stiffness;
-    double lean = dot(lean_, along);
-    if (lag > 0.0)
-        lean = std::min(most, lean + leaning_rate * std::min(lag * 20.0, most) * dt_);
-    else
-        lean = std::max(0.0, lean + leaning_rate * 5.0 * lag * dt_ * 20.0);
-    lean_ = lean * along;
-
-    const bool is_there = dot(reported().position - leg_start_, along) >= total - arrived;
-    if (is_there || total == 0.0) {
+    if (dot(reported().position - leg_start_, along) >= total - arrived) {
         ++leg_;
-        leg_start_ = aim_ = position_;
-        lean_ = {};
+        leg_start_ = reported().position;
+        plan_ = lean_ = 0.0;
     }
 }
 
 Pose SimulatedHand::step(Vec3 force_on_hand) {
     think();
+    Vec3 aim = leg_start_;
+    if (!is_done()) aim = leg_start_ + (plan_ + lean_) * normalized(intent_.legs[leg_].target.position - leg_start_);
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;
     for (int i = 0; i < substeps; ++i) {
-        const Vec3 pull = plant_.arm_stiffness * (aim_ + lean_ - position_);
+        const Vec3 pull = plant_.arm_stiffness * (aim - position_);
         const Vec3 drag = (plant_.arm_damping + plant_.device_viscosity) * velocity_;
         Vec3 force = pull - drag + force_on_hand;
         // Coulomb friction: it stops the handle, and never turns it back.

@@ -32,12 +32,13 @@ struct Intent {
     double reaction = 0.15;  ///< [s] until the hand answers what it feels
 };
 
-/// The plant of validation D.3 with an intent.
+/// An arm with an intent.
 ///
-/// The mind moves the point the arm is held to. It aims at a speed, judged from where the handle was one reaction time
-/// ago; it leans on the handle when that lags, never by more than `push`; it lets go when, a reaction time ago, the
-/// handle ran ahead. It knows nothing of the tool's pose and never writes it. Rotation is taken as told: the wrist
-/// holds its aim.
+/// The mind moves a plan along the leg at the speed it aims at. The arm's spring pulls the handle to the plan; where
+/// that is not enough the mind leans in, in proportion to the lag it sees and for as long as it sees it, up to `push`.
+/// Seeing takes one reaction time. When it sees the handle ahead of the plan it lets go: the lean is gone and the plan
+/// goes on from where the handle is. It knows nothing of the tool's pose and never writes it. Rotation is taken as
+/// told: the wrist holds its aim.
 class SimulatedHand {
 public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
@@ -57,8 +58,8 @@ private:
     double dt_;
     Vec3 position_, velocity_{};
     Quat rotation_;
-    Vec3 aim_;               ///< where the mind would be at the speed it aims at
-    Vec3 lean_{};            ///< stretch of the arm's spring [m]
+    double plan_ = 0.0;      ///< [m] along the leg: where the mind would be
+    double lean_ = 0.0;      ///< [m] along the leg: stretch of the arm's spring on top
     Vec3 leg_start_;
     std::size_t leg_ = 0;
     std::vector<Vec3> felt_;  ///< ring of past positions, one reaction time long

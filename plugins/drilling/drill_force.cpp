@@ -145,11 +145,10 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
 
     // Axially every element takes feed × n_z; sideways a lip meets bone for half a turn, with cos² and cos averaged.
     CutSum axial, lateral;
-    double lateral_z = 0.0, engaged_width = 0.0, full_tau = 0.0;
+    double lateral_z = 0.0, engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
-        full_tau += i >= e.lip_points ? e.chisel_width() * k.chisel.edge
-                                      : e.element(i).width * k.thrust.edge * e.element(i).normal_axial;
+        if (i < e.lip_points) full_width += e.element(i).width;
         if (m <= 0.0 || e.sample[i].gap > least + left_behind) continue;
         if (i >= e.lip_points) {
             const double width = m * e.chisel_width();
@@ -181,7 +180,7 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     if (kerf_channel* heel = channels.add(KERF_CUT)) {
         const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
         heel->d[2] = 1.0;
-        heel->eta = tick.force[force_heel_stiffness] * tick.dt * axial.tau / full_tau;
+        heel->eta = tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
         heel->gap = least + tick.dt * n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
     // Without a chip there is no side of the cone to push against.
@@ -192,30 +191,48 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     }
 }
 
-/// The nearest surface point of each quadrant about the shaft and half along it becomes a contact channel.
-void add_contact(const Vec3* points, int count, const Tick& tick, const BoneQuery& bone, bool is_running,
-                 double radius, Channels& channels) noexcept {
-    std::array<kerf_surface_point, static_cast<std::size_t>(ring_count* ring_points)> surface;
-    bone.nearest({points, static_cast<std::size_t>(count)}, {surface.data(), static_cast<std::size_t>(count)});
-    int deepest[8];
-    std::fill(std::begin(deepest), std::end(deepest), -1);
-    for (int i = 0; i < count; ++i) {
-        const kerf_surface_point& s = surface[static_cast<std::size_t>(i)];
-        if (s.body < 0 || s.distance > near_contact || dot(s.normal, s.normal) < 0.5) continue;
-        const int quadrant = (s.normal.x >= 0.0 ? 1 : 0) + (s.normal.y >= 0.0 ? 2 : 0);
-        int& slot = deepest[quadrant + (i >= count / 2 ? 4 : 0)];
-        if (slot < 0 || s.distance < surface[static_cast<std::size_t>(slot)].distance) slot = i;
+/// Points of the tool's own surface, with its outward normals: what may touch.
+struct ContactPoints {
+    std::array<Vec3, static_cast<std::size_t>(ring_count* ring_points)> point, normal;
+    std::size_t count = 0;
+
+    void add(Vec3 p, Vec3 n) noexcept {
+        point[count] = p;
+        normal[count++] = n;
     }
-    for (const int i : deepest) {
-        if (i < 0) continue;
-        const kerf_surface_point& s = surface[static_cast<std::size_t>(i)];
-        kerf_channel* c = channels.add(KERF_CONTACT);
-        if (c == nullptr) return;
-        const Vec6 d = rate_at(points[i], -s.normal);
-        std::copy(d.begin(), d.end(), c->d);
-        c->k = tick.force[force_contact_stiffness];
-        c->delta = -s.distance;
-        if (is_running) c->follow[5] = -tick.force[force_friction] * radius;  // rubbing against the turn
+};
+
+/// The nearest point of each quadrant about the shaft and half along it becomes a contact channel.
+///
+/// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
+void add_contact(const ContactPoints& c, const Tick& tick, const BoneQuery& bone, bool is_running, double radius,
+                 Channels& channels) noexcept {
+    std::array<kerf_surface_point, static_cast<std::size_t>(ring_count* ring_points)> surface;
+    bone.nearest({c.point.data(), c.count}, {surface.data(), c.count});
+    constexpr double facing = 0.5;  // bone that does not face the tool is not touched from here
+    struct Nearest {
+        std::size_t point = 0;
+        double distance = 1e300;  // along the tool's normal [m]
+    };
+    std::array<Nearest, 8> nearest;
+    for (std::size_t i = 0; i < c.count; ++i) {
+        const double against = -dot(surface[i].normal, c.normal[i]);
+        if (surface[i].body < 0 || against < facing) continue;
+        const double distance = surface[i].distance / against;
+        if (distance > near_contact) continue;
+        const std::size_t quadrant = (c.normal[i].x >= 0.0 ? 1u : 0u) + (c.normal[i].y >= 0.0 ? 2u : 0u);
+        Nearest& slot = nearest[quadrant + (i >= c.count / 2 ? 4 : 0)];
+        if (distance < slot.distance) slot = {i, distance};
+    }
+    for (const Nearest& touch : nearest) {
+        if (touch.distance > near_contact) continue;
+        kerf_channel* channel = channels.add(KERF_CONTACT);
+        if (channel == nullptr) return;
+        const Vec6 d = rate_at(c.point[touch.point], c.normal[touch.point]);
+        std::copy(d.begin(), d.end(), channel->d);
+        channel->k = tick.force[force_contact_stiffness];
+        channel->delta = -touch.distance;
+        if (is_running) channel->follow[5] = -tick.force[force_friction] * radius;  // rubbing against the turn
     }
 }
 
@@ -224,15 +241,14 @@ void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, 
     const double clearance = tick.force[force_clearance];
     const double corner = -e.drill.point_depth() - e.drill.corner * e.drill.diameter;
     const double r = e.drill.radius() - clearance;
-    std::array<Vec3, static_cast<std::size_t>(ring_count* ring_points)> points;
     constexpr double c = 0.70710678118654752440;
     constexpr double ring[ring_points][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
-    std::size_t count = 0;
+    ContactPoints points;
     for (int level = 0; level < ring_count; ++level) {
         const double z = corner - e.drill.diameter * (0.25 + 2.0 * level);
-        for (const auto& at : ring) points[count++] = {r * at[0], r * at[1], z};
+        for (const auto& at : ring) points.add({r * at[0], r * at[1], z}, {at[0], at[1], 0.0});
     }
-    add_contact(points.data(), static_cast<int>(count), tick, bone, is_running, e.drill.radius(), channels);
+    add_contact(points, tick, bone, is_running, e.drill.radius(), channels);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
     if (contact_force > 0.0) {
@@ -245,16 +261,16 @@ void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, 
 }
 
 void add_tip_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, Channels& channels) noexcept {
-    std::array<Vec3, static_cast<std::size_t>(ring_count* ring_points)> points;
     const PointAngle p = half_point_angle(e.drill);
     constexpr double c = 0.70710678118654752440;
     constexpr double ring[4][2] = {{c, c}, {-c, c}, {-c, -c}, {c, -c}};
-    std::size_t count = 0;
+    ContactPoints points;
     for (int level = 0; level < 4; ++level) {
         const double r = e.drill.radius() * (0.1 + 0.3 * level);
-        for (const auto& at : ring) points[count++] = {r * at[0], r * at[1], -r * p.cos / p.sin};
+        for (const auto& at : ring)
+            points.add({r * at[0], r * at[1], -r * p.cos / p.sin}, {p.cos * at[0], p.cos * at[1], p.sin});
     }
-    add_contact(points.data(), static_cast<int>(count), tick, bone, false, e.drill.radius(), channels);
+    add_contact(points, tick, bone, false, e.drill.radius(), channels);
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shipped procedure, run whole.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "app/run_procedure.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+const Scene& pedicle() {
+    static const Scene scene = [] {
+        Diagnostics diagnostics;
+        auto made = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", test::plugins(), diagnostics);
+        if (!made) throw std::runtime_error(to_text(diagnostics));
+        return std::move(*made);
+    }();
+    return scene;
+}
+
+const RunOutcome& outcome_of(const std::string& rehearsal) {
+    static std::map<std::string, RunOutcome> outcomes;
+    if (!outcomes.contains(rehearsal)) {
+        RunRequest request;
+        request.rehearsal = rehearsal;
+        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), request));
+    }
+    return outcomes.at(rehearsal);
+}
+
+double metric(const RunSummary& summary, const std::string& id) {
+    for (const auto& row : summary.metrics)
+        if (row.id == id) return row.value;
+    throw std::runtime_error("no metric " + id);
+}
+
+TEST(PedicleScrew, TheExpertPasses) {
+    const RunOutcome& run = outcome_of("expert");
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_TRUE(run.is_as_expected);
+    EXPECT_TRUE(run.summary.reasons.empty());
+    EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 2e-3);
+}
+
+TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
+    const RunOutcome& run = outcome_of("medial-breach");
+    EXPECT_EQ(run.summary.verdict, Verdict::fail);
+    EXPECT_TRUE(run.is_as_expected);
+    ASSERT_EQ(run.summary.reasons.size(), 1u);
+    EXPECT_NE(run.summary.reasons[0].find("canal"), std::string::npos);
+    EXPECT_LT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
+}
+
+TEST(PedicleScrew, TwoRunsAreTheSameBits) {
+    RunRequest request;
+    request.rehearsal = "expert";
+    const RunOutcome again = run_procedure(pedicle(), test::plugins(), request);
+    EXPECT_EQ(again.summary.hash, outcome_of("expert").summary.hash);
+    EXPECT_NE(again.summary.hash, outcome_of("medial-breach").summary.hash);
+}
+
+TEST(PedicleScrew, NobodyIsPushedHarderThanTheDeviceAllows) {
+    for (const char* rehearsal : {"expert", "medial-breach"})
+        for (const TickRow& row : outcome_of(rehearsal).ticks)
+            ASSERT_LE(length(linear(row.commanded)), pedicle().device->peak_force * (1.0 + 1e-9)) << row.tick;
+}
+
+TEST(PedicleScrew, TheSolveSettlesInEveryTick) {
+    for (const char* rehearsal : {"expert", "medial-breach"})
+        for (const TickRow& row : outcome_of(rehearsal).ticks) ASSERT_LT(row.iterations, iteration_cap) << row.tick;
+}
+
+TEST(PedicleScrew, WhatIsRemovedIsCountedByTissue) {
+    const RunSummary& s = outcome_of("expert").summary;
+    double sum = 0.0;
+    for (const auto& [tissue, volume] : s.removed_by_tissue) {
+        EXPECT_GT(volume, 0.0) << tissue;
+        sum += volume;
+    }
+    EXPECT_NEAR(sum, s.removed, 1e-15);
+}
+
+TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
+    const std::string folder = testing::TempDir() + "kerf-run";
+    const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + folder +
+                                " > " + testing::TempDir() + "kerf-run.txt 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
+        std::ifstream file(folder + "/" + name, std::ios::binary);
+        ASSERT_TRUE(file) << name;
+        std::stringstream bytes;
+        bytes << file.rdbuf();
+        EXPECT_GT(bytes.str().size(), 500u) << name;
+        EXPECT_EQ(bytes.str().find(KERF_SOURCE_DIR), std::string::npos) << name;
+        EXPECT_EQ(bytes.str().find(folder), std::string::npos) << name;
+        EXPECT_NE(bytes.str().find("not for diagnosis"), std::string::npos) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder + "/session.db-wal"));
+}
+
+TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
+    const std::string folder = testing::TempDir() + "kerf-bad";
+    for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
+                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody", "fly", "run"}) {
+        const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + folder + " > /dev/null 2>&1";
+        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << what;
+        EXPECT_FALSE(std::filesystem::exists(folder)) << what;
+    }
+}
+
+}  // namespace
+}  // namespace kerf

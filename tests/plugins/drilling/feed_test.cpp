@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drill fed through bone at a prescribed rate (`coupling: direct`), against exact forces and published ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "plugins/drilling/drill_force.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+struct Felt {
+    double depth, thrust, torque, lateral;
+};
+
+/// Feeds straight in from 1 mm above the face.
+std::vector<Felt> feed(const Body& body, const ToolSetup& setup, double rate, double depth, Vec3 entry = {}) {
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm, 0.0, entry));
+    std::vector<Felt> felt;
+    double at = -1.0_mm;
+    while (at < depth) {
+        const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt, 0.0, entry)});
+        EXPECT_FALSE(r.is_quarantined);
+        simulation.after_tick();
+        felt.push_back({at, r.thrust, r.torque, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1])});
+        at += rate * Simulation::dt;
+    }
+    return felt;
+}
+
+Felt mean_between(const std::vector<Felt>& felt, double from, double to) {
+    Felt sum{};
+    double count = 0.0;
+    for (const Felt& f : felt)
+        if (f.depth >= from && f.depth < to) {
+            sum.thrust += f.thrust;
+            sum.torque += f.torque;
+            sum.lateral += f.lateral;
+            count += 1.0;
+        }
+    return {0.5 * (from + to), sum.thrust / count, sum.torque / count, sum.lateral / count};
+}
+
+Felt steady(const ToolSetup& setup, double rate, double spacing = 0.25_mm) {
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, spacing, {0.21, 0.34, 0.55});
+    return mean_between(feed(body, setup, rate, 4.0_mm), 2.5_mm, 4.0_mm);
+}
+
+// B1-a: fitted at 1000 and 1500 rpm, the law must meet the third speed of the same study within its spread.
+TEST(DrillThrust, MeetsTheHumanFemurOfMacAvelia) {
+    const struct { double rpm, thrust, thrust_sd, torque, torque_sd; } measured[] = {
+        {1000, 198.4, 14.2, 186.3, 16.9}, {1250, 180.6, 14.0, 157.8, 16.1}, {1500, 176.3, 11.2, 140.2, 16.4}};
+    for (const auto& m : measured) {
+        const Felt f = steady(test::twist_drill({{"spindle_speed", m.rpm / 60.0}}), 2.0_mm_per_s);
+        EXPECT_NEAR(f.thrust, m.thrust, m.thrust_sd) << m.rpm << " rpm";
+        EXPECT_NEAR(f.torque, m.torque * 1.0_Nmm, m.torque_sd * 1.0_Nmm) << m.rpm << " rpm";
+    }
+}
+
+// C.2, with the edge terms: T = k_t f R²/2 and F = k_a f R hold for constant coefficients and no web.
+TEST(DrillThrust, IsTheClosedFormOfTheLipIntegral) {
+    const double f = 0.12_mm, r = 1.6_mm, k_cut = 1000.0_N_per_mm2, k_thrust = 400.0_N_per_mm2;
+    const ToolSetup setup = test::twist_drill({{"web", 0.05}, {"thrust_edge", 0.0}, {"cutting_edge", 0.0}, {"chisel_edge", 0.0},
+                                               {"chisel_chip", 0.0}, {"thrust_chip", k_thrust}, {"cutting_chip", k_cut}});
+    const Felt felt = steady(setup, 2.0_mm_per_s);
+    const double r_c = 0.5 * 0.05 * 3.2_mm / std::sin(55.0_deg);
+    EXPECT_NEAR(felt.torque / (k_cut * f * (r * r - r_c * r_c) / 2.0), 1.0, 0.005);
+
+    // Thrust: each piece gives k (f/2) n_z dr per lip, n_z within 1 % of sin p for so thin a web.
+    EXPECT_NEAR(felt.thrust / (k_thrust * f * (r - r_c) * std::sin(59.0_deg)), 1.0, 0.01);
+}
+
+// P6: finer elements converge, they do not add force.
+TEST(DrillThrust, DoesNotScaleWithTheNumberOfElements) {
+    const double coarse = steady(test::twist_drill({{"element_pitch", 0.2_mm}}), 2.0_mm_per_s).thrust;
+    const double fine = steady(test::twist_drill({{"element_pitch", 0.1_mm}}), 2.0_mm_per_s).thrust;
+    const double finest = steady(test::twist_drill({{"element_pitch", 0.05_mm}}), 2.0_mm_per_s).thrust;
+    EXPECT_NEAR(coarse / finest, 1.0, 0.01);
+    EXPECT_NEAR(fine / finest, 1.0, 0.002);
+}
+
+// P3: antipodal lips in one tissue cancel sideways.
+TEST(DrillThrust, HasNoSidewaysPartInOneTissue) {
+    const Felt f = steady(test::twist_drill(), 2.0_mm_per_s);
+    EXPECT_LT(f.lateral, 1e-9 * f.thrust);
+}
+
+// P9
+TEST(DrillThrust, WithoutFeedThereIsNone) {
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
+    const ToolSetup setup = test::twist_drill();
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    for (double at = -1.0_mm; at < 3.0_mm; at += 2.0_um) {
+        (void)simulation.tick_direct({test::at_depth(at)});
+        simulation.after_tick();
+    }
+    const Pose here = simulation.world_from_tool();
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(simulation.tick_direct({here}).thrust, 0.0);
+}
+
+// S-12: in a finished hole nothing is felt until the bottom is met again, at any depth of the last two voxels.
+TEST(DrillThrust, IsGoneWhenReEnteringTheHole) {
+    const double h = 0.25_mm;
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.2, 0.4, 0.6});
+    const ToolSetup setup = test::twist_drill();
+    for (double back = 2.0_um; back <= 2.0 * h + 1.0_um; back += 31.0_um) {
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+        double at = -1.0_mm, worst = 0.0;
+        const auto move_to = [&](double target, double rate) {
+            while (std::abs(target - at) > 1e-12) {
+                at += std::clamp(target - at, -rate * Simulation::dt, rate * Simulation::dt);
+                const double thrust = simulation.tick_direct({test::at_depth(at)}).thrust;
+                simulation.after_tick();
+                worst = std::max(worst, thrust);
+            }
+        };
+        move_to(2.0_mm, 2.0_mm_per_s);
+        move_to(2.0_mm - back, 1.0_mm_per_s);
+        worst = 0.0;
+        move_to(2.0_mm - 0.05_um, 1.0_mm_per_s);
+        EXPECT_LT(worst, 0.05) << "after withdrawing " << back * 1e6 << " um";
+        move_to(2.1_mm, 2.0_mm_per_s);
+        EXPECT_GT(worst, 100.0) << "the bottom is still there";
+    }
+}
+
+// ---- layers (C.4, C.9) -------------------------------------------------------------------------------------------
+
+/// 4 mm cortical, 10 mm cancellous (a tenth of the force), 4 mm cortical, then air.
+struct Slab {
+    static constexpr double first = 4.0_mm, second = 14.0_mm, third = 18.0_mm;
+    static double resistance(double depth) {
+        if (depth <= 0.0 || depth >= third) return 0.0;
+        return depth > first && depth < second ? 0.1 : 1.0;
+    }
+    static Body make(double h, Vec3 offset) {
+        Body body = test::block({-6.0_mm, -6.0_mm, -third}, {6.0_mm, 6.0_mm, 0}, h, offset);
+        body.materials.clear();
+        const LevelSet middle = LevelSet::build(body.grid(), [](Vec3 p) { return std::abs(p.z + 0.5 * (first + second)) - 0.5 * (second - first); });
+        body.materials.push_back({"cancellous", 1850.0 * std::sqrt(0.1), middle});
+        body.materials.push_back({"cortical", 1850.0, {}});
+        return body;
+    }
+};
+
+/// The lip integral of the same law, layer by layer, chisel included, to quadrature.
+double exact_thrust(const ToolSetup& setup, double depth, double feed_per_lip) {
+    using namespace drilling;
+    const TwistDrill drill = drill_of(setup.tool_parameters);
+    const auto& f = setup.force_parameters;
+    const EdgeCoefficients lip{f[force_thrust_edge], f[force_edge_depth], f[force_thrust_chip]};
+    const EdgeCoefficients chisel{f[force_chisel_edge], f[force_edge_depth], f[force_chisel_chip]};
+    const double p = 0.5 * drill.point_angle, b = drill.half_web(), r_c = drill.chisel_radius(), r_o = drill.radius();
+    const double first = std::sqrt(r_c * r_c - b * b), last = std::sqrt(r_o * r_o - b * b);
+    constexpr int pieces = 4000;
+    double thrust = 0.0;
+    for (int i = 0; i < pieces; ++i) {
+        const double s = first + (i + 0.5) * (last - first) / pieces;
+        const double r = std::hypot(s, b), cos_beta = s / r;
+        const double cos_i = std::sqrt(std::cos(p) * std::cos(p) + std::sin(p) * std::sin(p) * cos_beta * cos_beta);
+        const double n_z = std::sin(p) * cos_beta / cos_i, width = (last - first) / pieces / std::sin(p) * cos_i;
+        thrust += 2.0 * Slab::resistance(depth - r / std::tan(p)) * width * n_z * force_per_width(feed_per_lip * n_z, lip);
+        const double r_chisel = (i + 0.5) * r_c / pieces;
+        thrust += 2.0 * Slab::resistance(depth - r_chisel / std::tan(p)) * r_c / pieces * force_per_width(feed_per_lip, chisel);
+    }
+    return thrust;
+}
+
+TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {
+    const double rate = 8.0_mm_per_s;
+    const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}, {"element_pitch", 0.05_mm}});
+    const double feed_per_lip = rate / (2.0 * 1000.0 / 60.0);
+    for (const double h : {0.5_mm, 0.25_mm}) {
+        double error2 = 0.0, mean = 0.0, count = 0.0;
+        for (const Felt& f : feed(Slab::make(h, {0.31, 0.77, 0.43}), setup, rate, 21.0_mm)) {
+            const double exact = exact_thrust(setup, f.depth, feed_per_lip);
+            if (exact <= 0.0) continue;
+            error2 += (f.thrust - exact) * (f.thrust - exact);
+            mean += exact;
+            count += 1.0;
+        }
+        const double relative = std::sqrt(error2 / count) / (mean / count);
+        RecordProperty("rms_percent_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um", std::to_string(100.0 * relative));
+        EXPECT_LT(relative, h > 0.4_mm ? 0.01 : 0.005) << "spacing " << h;
+    }
+}
+
+TEST(LayeredSlab, HasTheSevenStagesOfThePaper) {
+    const double rate = 4.0_mm_per_s, h = 0.25_mm;
+    const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
+    const auto felt = feed(Slab::make(h, {0.1, 0.9, 0.6}), setup, rate, 21.0_mm);
+    const double full = mean_between(felt, 2.5_mm, 3.5_mm).thrust;
+    const double low = mean_between(felt, 7.0_mm, 12.0_mm).thrust;
+    EXPECT_NEAR(low / full, 0.1, 0.002) << "the ratio of the tissues";
+
+    // Where thrust leaves one level and where it reaches the next: R cot p apart, within a voxel.
+    const double tip = 1.622_mm;
+    const auto crossing = [&](double from, double level, bool is_rising) {
+        for (const Felt& f : felt)
+            if (f.depth >= from && (is_rising ? f.thrust >= level : f.thrust <= level)) return f.depth;
+        return 1.0;
+    };
+    EXPECT_NEAR(crossing(-0.5_mm, 0.999 * full, true), tip, h) << "A ends";
+    EXPECT_NEAR(crossing(3.0_mm, 0.99 * full, false), 4.0_mm, h) << "C begins";
+    EXPECT_NEAR(crossing(4.0_mm, 1.01 * low, false), 4.0_mm + tip, h) << "C ends";
+    EXPECT_NEAR(crossing(13.0_mm, 1.1 * low, true), 14.0_mm, h) << "E begins";
+    EXPECT_NEAR(crossing(14.0_mm, 0.999 * full, true), 14.0_mm + tip, h) << "E ends";
+    EXPECT_NEAR(crossing(17.0_mm, 0.99 * full, false), 18.0_mm, h) << "G begins";
+    EXPECT_NEAR(crossing(18.0_mm, 0.001 * full, false), 18.0_mm + tip, h) << "G ends";
+}
+
+}  // namespace
+}  // namespace kerf

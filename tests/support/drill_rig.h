@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/haptics/simulation.h"
+#include "core/plugin/loader.h"
+#include "tests/support/block.h"
+
+/// The drilling plugin as the host loads it, in a bone made for the question. The bone's face is z = 0, the drill comes
+/// from above and feeds along −z.
+namespace kerf::test {
+
+inline const PluginRegistry& plugins() {
+    static const PluginRegistry registry = [] {
+        PluginRegistry r;
+        r.scan({KERF_BUILD_DIR "/lib/kerf"});
+        return r;
+    }();
+    return registry;
+}
+
+/// Parameters by name; the rest at their defaults.
+inline std::vector<double> values(const std::vector<ParameterInfo>& infos, const std::map<std::string, double>& set) {
+    std::vector<double> v;
+    for (const auto& info : infos) v.push_back(set.contains(info.id) ? set.at(info.id) : info.def);
+    return v;
+}
+
+inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) {
+    ToolSetup setup;
+    setup.tool = plugins().find("kerf.drilling", KERF_KIND_TOOL, "twist_drill");
+    setup.force = plugins().find("kerf.drilling", KERF_KIND_FORCE, "drill_cutting");
+    for (const auto& info : plugins().catalog()) {
+        if (info.plugin != "kerf.drilling") continue;
+        if (info.id == "twist_drill") {
+            setup.tool_parameters = values(info.parameters, set);
+            setup.drives = values(info.drives, set);
+        }
+        if (info.id == "drill_cutting") setup.force_parameters = values(info.parameters, set);
+    }
+    return setup;
+}
+
+inline ToolOutline outline(const ToolSetup& setup) {
+    ToolOutline out;
+    std::string error;
+    if (!outline_of(setup, out, error)) throw std::runtime_error(error);
+    return out;
+}
+
+/// A drill at `depth` of its tip below the face, straight down, tilted by `tilt` about y.
+inline Pose at_depth(double depth, double tilt = 0.0, Vec3 entry = {0, 0, 0}) {
+    const Vec3 along{std::sin(tilt), 0, -std::cos(tilt)};
+    return pointing(entry + depth * along, along);
+}
+
+/// Gains of the default device at a scale of 1/100.
+inline CouplingGains gains(double scale = 0.01) { return gains_for(*find_device("premium-1.5-6dof"), scale); }
+
+}  // namespace kerf::test
