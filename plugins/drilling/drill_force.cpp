@@ -143,9 +143,8 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * n);  // feed per lip and feed rate [s]
 
-    // Axially every element takes feed × n_z; sideways a lip meets bone for half a turn, with cos² and cos averaged.
-    CutSum axial, lateral;
-    double lateral_z = 0.0, engaged_width = 0.0, full_width = 0.0;
+    CutSum axial;
+    double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
         if (i < e.lip_points) full_width += e.element(i).width;
@@ -156,12 +155,9 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
             continue;
         }
         const LipElement& el = e.element(i);
-        const double width = m * el.width, nz = el.normal_axial, nr = el.normal_radial;
+        const double width = m * el.width, nz = el.normal_axial;
         axial.add(width * k.thrust.edge * nz, width * k.thrust.chip * nz * nz * per_rate,
                   k.thrust.edge_depth / (per_rate * nz));
-        lateral.add(width * k.thrust.edge * nr / pi, 0.25 * width * k.thrust.chip * nr * nr * per_rate,
-                    k.thrust.edge_depth / (per_rate * nr));
-        lateral_z += width * el.z;
         engaged_width += width;
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
@@ -183,11 +179,61 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
         heel->eta = tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
         heel->gap = least + tick.dt * n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
-    // Without a chip there is no side of the cone to push against.
-    if (lateral.tau > 0.0 && least == 0.0) {
-        const double z = lateral_z / engaged_width;
-        for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}})
-            write(lateral, rate_at({0, 0, z}, way), 0.0, channels.add(KERF_CUT));
+}
+
+/// Cutting sideways: the cone's flank and the corner behind it, averaged over the turn.
+///
+/// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and pushes
+/// back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the turn,
+/// sums to the mean. Bone is asked for where the ring is, not where the lips are now.
+void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, double n, Channels& channels) noexcept {
+    struct Level {
+        double radius, z, width, normal_radial;
+    };
+    const PointAngle p = half_point_angle(drill);
+    const double r = drill.radius() - tick.force[force_clearance], flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
+    const auto on_cone = [&](double share) {
+        const double at = share * drill.radius();
+        return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};
+    };
+    const Level levels[] = {on_cone(0.5 / 3.0), on_cone(1.5 / 3.0), on_cone(2.5 / 3.0),
+                            {r, -drill.point_depth() - 0.5 * land, land, 1.0}, {r, -drill.point_depth() - 1.5 * land, land, 1.0}};
+    constexpr double c = 0.70710678118654752440;
+    constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+    constexpr std::size_t count = std::size(levels) * std::size(azimuth);
+    constexpr double share_of_turn = 1.0 / 8.0;
+
+    const Coefficients k = coefficients(tick.force);
+    for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+        const Vec3 across = cross(Vec3{0, 0, 1}, way);
+        std::array<Vec3, count> point;
+        std::array<kerf_bone_sample, count> sample;
+        std::size_t i = 0;
+        for (const Level& level : levels)
+            for (const auto& at : azimuth) {
+                const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
+                point[i++] = {radial.x, radial.y, level.z};
+            }
+        bone.sample(point, way, sample);
+        double least = 1e300;
+        for (const auto& one : sample)
+            if (one.engagement > 0.0) least = std::min(least, one.gap);
+
+        CutSum sum;
+        double z = 0.0, total = 0.0;
+        i = 0;
+        for (const Level& level : levels)
+            for (const auto& at : azimuth) {
+                const kerf_bone_sample& here = sample[i++];
+                const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
+                if (m <= 0.0 || here.gap > least + left_behind) continue;
+                const double width = m * lip_count * level.width * share_of_turn;
+                const double facing = at[0] * level.normal_radial, per_rate = facing / (lip_count * n);
+                sum.add(width * k.thrust.edge * facing, width * k.thrust.chip * facing * per_rate, k.thrust.edge_depth / per_rate);
+                z += width * level.z;
+                total += width;
+            }
+        if (total > 0.0) write(sum, rate_at({0, 0, z / total}, way), least, channels.add(KERF_CUT));
     }
 }
 
@@ -236,8 +282,8 @@ void add_contact(const ContactPoints& c, const Tick& tick, const BoneQuery& bone
     }
 }
 
-void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, bool is_running, double contact_force,
-                       double n, Channels& channels) noexcept {
+void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, double contact_force, double n,
+                       Channels& channels) noexcept {
     const double clearance = tick.force[force_clearance];
     const double corner = -e.drill.point_depth() - e.drill.corner * e.drill.diameter;
     const double r = e.drill.radius() - clearance;
@@ -248,7 +294,7 @@ void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, 
         const double z = corner - e.drill.diameter * (0.25 + 2.0 * level);
         for (const auto& at : ring) points.add({r * at[0], r * at[1], z}, {at[0], at[1], 0.0});
     }
-    add_contact(points, tick, bone, is_running, e.drill.radius(), channels);
+    add_contact(points, tick, bone, true, e.drill.radius(), channels);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
     if (contact_force > 0.0) {
@@ -284,11 +330,13 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
     const bool is_running = n >= slowest_spindle;
     Edges edges;
     edges.ask(tick, bone, state.angle);
-    if (is_running)
-        add_cutting(edges, tick, bone.tissue_count(), n, state.feed_rate, channels);
-    else
+    if (!is_running) {
         add_tip_contact(edges, tick, bone, channels);
-    if (is_running) add_shank_contact(edges, tick, bone, is_running, state.contact_force, n, channels);
+        return;
+    }
+    add_cutting(edges, tick, bone.tissue_count(), n, state.feed_rate, channels);
+    add_side_cutting(edges.drill, tick, bone, n, channels);
+    add_shank_contact(edges, tick, bone, state.contact_force, n, channels);
 }
 
 void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
