@@ -144,8 +144,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     kerf_law law;
     const bool has_law = ask(law);
     balance.channels = {channels_, channel_count_};
-    for (std::uint32_t c = 0; c < channel_count_; ++c)
-        for (std::size_t i = 0; i < 6; ++i) balance.following[i] += channels_[c].follow[i] * following_lambda_[c];
+    balance.following = following(balance);
 
     Motion motion = solve(balance);
     result.is_quarantined = !has_law || !motion.has_converged;
@@ -176,24 +175,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     for (std::size_t i = 0; i < 6; ++i) result.commanded[i] = gains_.force_scale * result.limited_on_hand[i];
     result.power_hand = dot(carried, hand_velocity) + dot(motion.torque, hand_turn);
 
-    // Reaction torque and imbalance follow a filtered λ, so that no loop closes within a tick.
-    const double force_compliance = 1.0 / balance.force.drag;
-    const double turn_compliance = 1.0 / (balance.torque.drag + balance.force.drag * outline_.grip_z * outline_.grip_z);
-    double mu2 = 0.0;
-    for (std::uint32_t c = 0; c < channel_count_; ++c) {
-        double d2 = 0.0, f2 = 0.0;
-        for (std::size_t i = 0; i < 6; ++i) {
-            const double weight = i < 3 ? force_compliance : turn_compliance;
-            d2 += weight * channels_[c].d[i] * channels_[c].d[i];
-            f2 += weight * channels_[c].follow[i] * channels_[c].follow[i];
-        }
-        mu2 = std::max(mu2, f2 / d2);
-    }
-    const double alpha = 1.0 / (1.0 + mu2);
-    for (std::uint32_t c = 0; c < KERF_MAX_CHANNELS; ++c) {
-        const double lambda = c < channel_count_ ? motion.lambda[c] : 0.0;
-        following_lambda_[c] += alpha * (lambda - following_lambda_[c]);
-    }
+    filter_lambda(balance, motion);
 
     if (!result.is_quarantined) commit(motion.rate, motion.lambda.data(), result);
 
@@ -207,6 +189,51 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     result.world_from_tool = world_from_tool_;
     ++tick_;
     return result;
+}
+
+double Simulation::filtered_lambda(std::uint32_t id) const noexcept {
+    for (std::uint32_t f = 0; f < filtered_count_; ++f)
+        if (filtered_[f].id == id) return filtered_[f].lambda;
+    return 0.0;
+}
+
+Vec6 Simulation::following(const Balance& balance) const noexcept {
+    Vec6 sum{};
+    for (std::uint32_t c = 0; c < channel_count_; ++c) {
+        const double lambda = filtered_lambda(channels_[c].id);
+        for (std::size_t i = 0; i < 6; ++i) sum[i] += channels_[c].follow[i] * lambda;
+    }
+    // What follows is held by the coupling alone. More than it can carry has no balance: keep to half of it.
+    const Vec3 about_grip = angular(sum) - cross(balance.grip, linear(sum));
+    const double use = std::max(length(linear(sum)) / balance.force.limit, length(about_grip) / balance.torque.limit);
+    if (use > 0.5)
+        for (double& component : sum) component *= 0.5 / use;
+    return sum;
+}
+
+/// λ̄ ← λ̄ + α(λ − λ̄), α = 1/(1 + μ²), μ = max |follow|/|d| in the coupling's own norm: unfiltered it diverges from
+/// μ = 1.1 on. A channel that is gone forgets.
+void Simulation::filter_lambda(const Balance& balance, const Motion& motion) noexcept {
+    const double force_compliance = 1.0 / balance.force.drag;
+    const double turn_compliance = 1.0 / (balance.torque.drag + balance.force.drag * dot(balance.grip, balance.grip));
+    double mu2 = 0.0;
+    for (std::uint32_t c = 0; c < channel_count_; ++c) {
+        double d2 = 0.0, f2 = 0.0;
+        for (std::size_t i = 0; i < 6; ++i) {
+            const double weight = i < 3 ? force_compliance : turn_compliance;
+            d2 += weight * channels_[c].d[i] * channels_[c].d[i];
+            f2 += weight * channels_[c].follow[i] * channels_[c].follow[i];
+        }
+        mu2 = std::max(mu2, f2 / d2);
+    }
+    const double alpha = 1.0 / (1.0 + mu2);
+    Filtered next[KERF_MAX_CHANNELS];
+    for (std::uint32_t c = 0; c < channel_count_; ++c) {
+        const double old = filtered_lambda(channels_[c].id);
+        next[c] = {channels_[c].id, old + alpha * (motion.lambda[c] - old)};
+    }
+    std::copy(next, next + channel_count_, filtered_);
+    filtered_count_ = channel_count_;
 }
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {

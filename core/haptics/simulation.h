@@ -111,7 +111,16 @@ private:
     double signals_[KERF_MAX_SIGNALS]{};
     kerf_channel channels_[KERF_MAX_CHANNELS]{};
     std::uint32_t channel_count_ = 0;
-    double following_lambda_[KERF_MAX_CHANNELS]{};
+    /// λ̄, by channel id: what `follow` goes with.
+    struct Filtered {
+        std::uint32_t id = 0;
+        double lambda = 0.0;
+    };
+    Filtered filtered_[KERF_MAX_CHANNELS]{};
+    std::uint32_t filtered_count_ = 0;
+    [[nodiscard]] double filtered_lambda(std::uint32_t id) const noexcept;
+    [[nodiscard]] Vec6 following(const Balance& balance) const noexcept;
+    void filter_lambda(const Balance& balance, const Motion& motion) noexcept;
 
     Pose world_from_tool_;
     Pose last_handle_;

@@ -12,6 +12,8 @@ namespace {
 
 using namespace literals;
 
+enum ChannelId : std::uint32_t { id_feed = 1, id_heel, id_rub, id_side = 8, id_contact = 16 };
+
 constexpr double slowest_spindle = 10.0_rpm;  // below it nothing is cut: the tip only touches
 constexpr double left_behind = 0.1_mm;        // edges farther from the front than the nearest by this wait (R2)
 constexpr int chisel_points = 4;              // per half of the chisel edge
@@ -162,7 +164,7 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
 
-    kerf_channel* feed = channels.add(KERF_CUT);
+    kerf_channel* feed = channels.add(KERF_CUT, id_feed);
     write(axial, {0, 0, 1, 0, 0, 0}, least, feed);
     if (feed != nullptr) {
         const Side side = side_forces(e, tick, tissues, n, last_feed_rate, least);
@@ -173,7 +175,7 @@ void add_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, double
         }
     }
     // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5).
-    if (kerf_channel* heel = channels.add(KERF_CUT)) {
+    if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
         const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
         heel->d[2] = 1.0;
         heel->eta = tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
@@ -204,6 +206,7 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     constexpr double share_of_turn = 1.0 / 8.0;
 
     const Coefficients k = coefficients(tick.force);
+    std::uint32_t id = id_side;
     for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
         const Vec3 across = cross(Vec3{0, 0, 1}, way);
         std::array<Vec3, count> point;
@@ -233,7 +236,8 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
                 z += width * level.z;
                 total += width;
             }
-        if (total > 0.0) write(sum, rate_at({0, 0, z / total}, way), least, channels.add(KERF_CUT));
+        if (total > 0.0) write(sum, rate_at({0, 0, z / total}, way), least, channels.add(KERF_CUT, id));
+        ++id;
     }
 }
 
@@ -270,9 +274,10 @@ void add_contact(const ContactPoints& c, const Tick& tick, const BoneQuery& bone
         Nearest& slot = nearest[quadrant + (i >= c.count / 2 ? 4 : 0)];
         if (distance < slot.distance) slot = {i, distance};
     }
-    for (const Nearest& touch : nearest) {
+    for (std::size_t slot = 0; slot < nearest.size(); ++slot) {
+        const Nearest& touch = nearest[slot];
         if (touch.distance > near_contact) continue;
-        kerf_channel* channel = channels.add(KERF_CONTACT);
+        kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(slot));
         if (channel == nullptr) return;
         const Vec6 d = rate_at(c.point[touch.point], c.normal[touch.point]);
         std::copy(d.begin(), d.end(), channel->d);
@@ -298,7 +303,7 @@ void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, 
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
     if (contact_force > 0.0) {
-        if (kerf_channel* rub = channels.add(KERF_FRICTION)) {
+        if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
             rub->d[2] = 1.0;
             rub->tau = tick.force[force_friction] * contact_force;
             rub->w = std::max(1e-6, 2.0 * pi * n * e.drill.radius());

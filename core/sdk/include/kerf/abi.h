@@ -148,7 +148,7 @@ enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
  * `follow` is a wrench per newton of (filtered) λ that does no work against s: reaction torque, imbalance. */
 typedef struct kerf_channel {
     uint32_t kind;
-    uint32_t reserved;
+    uint32_t id;      /* the same number for the same thing in every tick; λ filtered for `follow` is kept by it */
     double d[6];      /* linear [-], angular [m] */
     double follow[6]; /* force [N/N], torque [N·m/N] */
     double tau;       /* [N] */

@@ -42,7 +42,8 @@ private:
 class Channels {
 public:
     explicit Channels(kerf_law& law) : law_(&law) { law.count = 0; }
-    kerf_channel* add(std::uint32_t kind) noexcept {
+    /// @param id  the same number for the same thing in every tick
+    kerf_channel* add(std::uint32_t kind, std::uint32_t id) noexcept {
         if (law_->count >= KERF_MAX_CHANNELS) {
             ++dropped_;
             return nullptr;
@@ -50,6 +51,7 @@ public:
         kerf_channel& c = law_->channel[law_->count++];
         c = kerf_channel{};
         c.kind = kind;
+        c.id = id;
         c.w = 1e-6;
         return &c;
     }
