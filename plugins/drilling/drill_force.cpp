@@ -17,7 +17,7 @@ enum ChannelId : std::uint32_t { id_feed = 1, id_heel, id_rub, id_side = 8, id_c
 constexpr double slowest_spindle = 10.0_rpm;  // below it nothing is cut: the tip only touches
 constexpr double left_behind = 0.1_mm;        // edges farther from the front than the nearest by this wait (R2)
 constexpr int chisel_points = 4;              // per half of the chisel edge
-constexpr int ring_count = 4, ring_points = 8;
+constexpr int ring_count = 8, ring_points = 8;        // of the shank, a diameter apart
 constexpr double near_contact = 0.3_mm;       // surface points farther away get no channel
 
 struct Coefficients {
@@ -241,16 +241,30 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     }
 }
 
-/// Points of the tool's own surface, with its outward normals: what may touch.
+/// Points of the tool's own surface, with its outward normals and how stiff it is there [N/m]: what may touch.
 struct ContactPoints {
     std::array<Vec3, static_cast<std::size_t>(ring_count* ring_points)> point, normal;
+    std::array<double, static_cast<std::size_t>(ring_count* ring_points)> stiffness;
     std::size_t count = 0;
 
-    void add(Vec3 p, Vec3 n) noexcept {
+    void add(Vec3 p, Vec3 n, double k) noexcept {
         point[count] = p;
-        normal[count++] = n;
+        normal[count] = n;
+        stiffness[count++] = k;
     }
 };
+
+/// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
+///
+///     k = 3 E I / l³,    I = ½ π d⁴/64
+///
+/// with l the length from the chuck and half of the round section's I left by the flutes [assumed]; E of stainless steel.
+double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
+    constexpr double steel = 193e9;  // [Pa]
+    const double d2 = drill.diameter * drill.diameter, l = std::max(drill.length + z, drill.diameter);
+    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / (l * l * l);
+    return bending * contact / (bending + contact);
+}
 
 /// The nearest point of each quadrant about the shaft and half along it becomes a contact channel.
 ///
@@ -281,7 +295,7 @@ void add_contact(const ContactPoints& c, const Tick& tick, const BoneQuery& bone
         if (channel == nullptr) return;
         const Vec6 d = rate_at(c.point[touch.point], c.normal[touch.point]);
         std::copy(d.begin(), d.end(), channel->d);
-        channel->k = tick.force[force_contact_stiffness];
+        channel->k = c.stiffness[touch.point];
         channel->delta = -touch.distance;
         if (is_running) channel->follow[5] = -tick.force[force_friction] * radius;  // rubbing against the turn
     }
@@ -296,8 +310,9 @@ void add_shank_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, 
     constexpr double ring[ring_points][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
     ContactPoints points;
     for (int level = 0; level < ring_count; ++level) {
-        const double z = corner - e.drill.diameter * (0.25 + 2.0 * level);
-        for (const auto& at : ring) points.add({r * at[0], r * at[1], z}, {at[0], at[1], 0.0});
+        const double z = corner - e.drill.diameter * (0.25 + level);
+        const double k = shank_stiffness(e.drill, z, tick.force[force_contact_stiffness]);
+        for (const auto& at : ring) points.add({r * at[0], r * at[1], z}, {at[0], at[1], 0.0}, k);
     }
     add_contact(points, tick, bone, true, e.drill.radius(), channels);
 
@@ -319,7 +334,8 @@ void add_tip_contact(const Edges& e, const Tick& tick, const BoneQuery& bone, Ch
     for (int level = 0; level < 4; ++level) {
         const double r = e.drill.radius() * (0.1 + 0.3 * level);
         for (const auto& at : ring)
-            points.add({r * at[0], r * at[1], -r * p.cos / p.sin}, {p.cos * at[0], p.cos * at[1], p.sin});
+            points.add({r * at[0], r * at[1], -r * p.cos / p.sin}, {p.cos * at[0], p.cos * at[1], p.sin},
+                       tick.force[force_contact_stiffness]);
     }
     add_contact(points, tick, bone, false, e.drill.radius(), channels);
 }
