@@ -4,6 +4,9 @@ find_package(PkgConfig REQUIRED)
 find_package(yaml-cpp 0.7 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(SQLite3 REQUIRED)
+find_package(ZLIB REQUIRED)
+# Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
+find_package(ITK 5 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta)
 
 function(dep_wrap name)   # the first target that exists wins
   foreach(target IN LISTS ARGN)
@@ -20,6 +23,11 @@ endfunction()
 dep_wrap(yaml yaml-cpp::yaml-cpp yaml-cpp)
 dep_wrap(json nlohmann_json::nlohmann_json)
 dep_wrap(sqlite SQLite::SQLite3)
+dep_wrap(zlib ZLIB::ZLIB)
+add_library(dep_itk INTERFACE)   # without its use-file, which changes flags for everybody
+target_link_libraries(dep_itk INTERFACE ${ITK_LIBRARIES})
+target_include_directories(dep_itk SYSTEM INTERFACE ${ITK_INCLUDE_DIRS})
+add_library(dep::itk ALIAS dep_itk)
 if(KERF_TESTS)
   find_package(GTest CONFIG REQUIRED)
   dep_wrap(gtest GTest::gtest_main)

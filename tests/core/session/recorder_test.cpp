@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "core/session/content_hash.h"
-#include "count_allocations.h"
+#include "tests/support/count_allocations.h"
 #include "synthetic_run.h"
 #include "temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "count_allocations.h"
+#include "tests/support/count_allocations.h"
 
 #include <cstdlib>
 #include <new>

@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/image_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "kerf/math.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr int least_edge = 2, most_edge = 4096;             // [voxels]
+constexpr std::uint64_t most_voxels = 512ull * 1024 * 1024;
+constexpr double least_spacing = 1e-3, most_spacing = 100.0;  // [mm]
+constexpr std::size_t most_header = 64 * 1024;                // [bytes] of text
+
+/// What is wrong with the file; becomes a Diagnostic at the only way out.
+struct Refusal {
+    const char* code;
+    std::string message, write;
+};
+
+[[noreturn]] void refuse(const char* code, std::string message, std::string write) {
+    throw Refusal{code, std::move(message), std::move(write)};
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n";
+    const std::size_t begin = text.find_first_not_of(blank);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
+}
+
+/// A piece of the file that may be shown to a person: short, and without control characters.
+std::string shown(std::string_view text) {
+    std::string result(text.substr(0, 60));
+    for (char& c : result)
+        if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+    return result;
+}
+
+std::string number_text(double value) {
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+    return std::string(text, end.ptr);
+}
+
+std::vector<std::string_view> words_of(std::string_view text, std::string_view separators = " \t\r,()") {
+    std::vector<std::string_view> words;
+    for (std::size_t at = 0; (at = text.find_first_not_of(separators, at)) != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+        words.push_back(text.substr(at, end - at));
+        at = end;
+    }
+    return words;
+}
+
+/// Numbers separated by blanks, commas or parentheses.
+template <class Number>
+std::vector<Number> numbers_of(std::string_view text, const std::string& field) {
+    std::vector<Number> numbers;
+    for (const std::string_view word : words_of(text)) {
+        Number value{};
+        const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (end.ec != std::errc{} || end.ptr != word.data() + word.size())
+            refuse("E0622", "`" + field + "` in the header is \"" + shown(text) + "\", must be numbers.",
+                   "Export the image again.");
+        numbers.push_back(value);
+    }
+    return numbers;
+}
+
+// ---- checks that all formats share --------------------------------------------------------------------------------
+
+void check_size(const std::vector<long long>& size, ImageFile& image) {
+    std::string text;
+    for (const long long n : size) text += (text.empty() ? "" : " × ") + std::to_string(n);
+    if (size.size() != 3)
+        refuse("E0623", "the image has " + std::to_string(size.size()) + " dimension(s), must have 3.",
+               "Export a single volume, not a slice, a series over time or colours.");
+    for (const long long n : size)
+        if (n < least_edge || n > most_edge)
+            refuse("E0624", "the header says " + text + " voxels, each axis must have 2 … 4096.",
+                   "Crop the image, or export it again if the header is wrong.");
+    for (std::size_t axis = 0; axis < 3; ++axis) image.size[axis] = static_cast<int>(size[axis]);
+    if (image.voxels() > most_voxels)
+        refuse("E0624", "the header says " + text + " voxels, at most 512 million can be read.", "Crop the image.");
+}
+
+/// Columns: the steps from voxel to voxel along i, j, k [mm], and the origin [mm].
+void check_placement(const std::array<Vec3, 3>& steps, Vec3 origin) {
+    for (const Vec3& step : steps) {
+        const double spacing = length(step);
+        if (!(spacing >= least_spacing && spacing <= most_spacing))
+            refuse("E0627", "a voxel is " + number_text(spacing) + " mm wide, must be 0.001 mm … 100 mm.",
+                   "Export the image again, with its spacing in millimetres.");
+    }
+    const double volume = length(steps[0]) * length(steps[1]) * length(steps[2]);
+    if (!(std::abs(dot(steps[0], cross(steps[1], steps[2]))) > 1e-3 * volume))
+        refuse("E0627", "the three axes of the image lie in one plane.", "Export the image again.");
+    if (!is_finite(origin) || length(origin) > 1e5)
+        refuse("E0627", "the image's origin is no finite place within 100 m.", "Export the image again.");
+}
+
+// ---- bytes ---------------------------------------------------------------------------------------------------------
+
+std::uint64_t size_of_file(const std::string& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (error || !std::filesystem::exists(status))
+        refuse("E0620", "there is no such file.", "Check the name, and that KERF_DATA names the folder with the data.");
+    if (!std::filesystem::is_regular_file(status)) refuse("E0620", "this is no regular file.", "Name an image file.");
+    const auto size = std::filesystem::file_size(file, error);
+    if (error) refuse("E0620", "its size cannot be read.", "Check the permissions.");
+    return size;
+}
+
+std::ifstream opened(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) refuse("E0620", "the file cannot be opened.", "Check the permissions.");
+    return in;
+}
+
+std::string first_bytes(const std::string& file, std::size_t count) {
+    std::ifstream in = opened(file);
+    std::string bytes(count, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
+
+[[noreturn]] void refuse_truncated(std::uint64_t got, std::uint64_t need, const std::string& of) {
+    refuse("E0626", of + " has " + std::to_string(got) + " bytes, the header promises " + std::to_string(need) + ".",
+           "Copy the file again: it is cut short, or its header is wrong.");
+}
+
+/// Unpacks at most `wanted` bytes from `offset` on, keeps the first `keep` of them, and gives the number unpacked.
+std::uint64_t unpack(const std::string& file, std::uint64_t offset, std::uint64_t wanted, std::size_t keep,
+                     std::string& kept) {
+    std::ifstream in = opened(file);
+    in.seekg(static_cast<std::streamoff>(offset));
+    z_stream stream{};
+    if (inflateInit2(&stream, 15 + 32 /* zlib or gzip */) != Z_OK)
+        refuse("E0626", "the compressed data cannot be unpacked.", "Free some memory.");
+    struct End {
+        z_stream& stream;
+        ~End() { inflateEnd(&stream); }
+    } end{stream};
+
+    std::vector<unsigned char> packed(1 << 16), unpacked(1 << 18);
+    std::uint64_t total = 0;
+    int status = Z_OK;
+    while (total < wanted) {
+        if (stream.avail_in == 0) {
+            in.read(reinterpret_cast<char*>(packed.data()), static_cast<std::streamsize>(packed.size()));
+            stream.avail_in = static_cast<unsigned>(in.gcount());
+            stream.next_in = packed.data();
+            if (stream.avail_in == 0) break;
+        }
+        stream.avail_out = static_cast<unsigned>(unpacked.size());
+        stream.next_out = unpacked.data();
+        status = inflate(&stream, Z_NO_FLUSH);
+        const std::size_t count = unpacked.size() - stream.avail_out;
+        if (kept.size() < keep)
+            kept.append(reinterpret_cast<const char*>(unpacked.data()), std::min(count, keep - kept.size()));
+        total += count;
+        if (status == Z_STREAM_END || (status == Z_BUF_ERROR && stream.avail_in > 0)) break;
+        if (status != Z_OK && status != Z_BUF_ERROR)
+            refuse("E0626", "its compressed data are damaged after " + std::to_string(total) + " bytes.",
+                   "Copy the file again.");
+    }
+    return total;
+}
+
+void check_bytes(const ImageFile& image) {
+    const std::uint64_t file_size = size_of_file(image.data_file);
+    const std::uint64_t need = image.data_offset + image.data_bytes();
+    std::string ignored;
+    if (image.packing == ImageFile::Packing::raw) {
+        if (file_size < need) refuse_truncated(file_size, need, "the file with the voxels");
+    } else if (image.packing == ImageFile::Packing::gzip_file) {
+        const std::uint64_t got = unpack(image.data_file, 0, need, 0, ignored);
+        if (got < need) refuse_truncated(got, need, "unpacked, the file");
+    } else {
+        const std::uint64_t got = unpack(image.data_file, image.data_offset, image.data_bytes(), 0, ignored);
+        if (got < image.data_bytes()) refuse_truncated(got, image.data_bytes(), "unpacked, the block of voxels");
+    }
+}
+
+// ---- NIfTI-1 --------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t nifti_header = 348;  // [bytes]
+
+/// One number of the header, in the byte order of the file.
+template <class Number>
+Number nifti_field(const std::string& header, std::size_t at, bool is_swapped) {
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, header.data() + at, sizeof bytes);
+    if (is_swapped) std::reverse(std::begin(bytes), std::end(bytes));
+    Number value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+int bytes_of_nifti_type(int type) {
+    switch (type) {
+        case 2: case 256: return 1;           // (u)int8
+        case 4: case 512: return 2;           // (u)int16
+        case 8: case 768: case 16: return 4;  // (u)int32, float32
+        case 64: return 8;                    // float64
+        default: return 0;
+    }
+}
+
+void check_nifti_placement(const std::string& header, bool is_swapped) {
+    const auto real = [&](std::size_t at) { return static_cast<double>(nifti_field<float>(header, at, is_swapped)); };
+    const auto word = [&](std::size_t at) { return nifti_field<std::int16_t>(header, at, is_swapped); };
+    const int unit = static_cast<unsigned char>(header[123]) & 7;
+    const double mm = unit == 1 ? 1000.0 : unit == 3 ? 0.001 : 1.0;  // metres, micrometres; unknown means millimetres
+
+    const Vec3 spacing{mm * real(80), mm * real(84), mm * real(88)};
+    for (const double s : {spacing.x, spacing.y, spacing.z})
+        if (!(s > 0.0))
+            refuse("E0627", "`pixdim` is " + number_text(s) + ", must be above 0 mm.", "Export the image again.");
+    if (word(254) > 0) {
+        std::array<Vec3, 3> steps;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            steps[axis] = mm * Vec3{real(280 + 4 * axis), real(296 + 4 * axis), real(312 + 4 * axis)};
+        check_placement(steps, mm * Vec3{real(292), real(308), real(324)});
+    }
+    if (word(252) > 0) {
+        const Vec3 quaternion{real(256), real(260), real(264)};
+        if (!is_finite(quaternion) || length(quaternion) > 1.001)
+            refuse("E0627", "the rotation of `qform` is no unit quaternion.", "Export the image again.");
+        check_placement({Vec3{spacing.x, 0, 0}, Vec3{0, spacing.y, 0}, Vec3{0, 0, spacing.z}},
+                        mm * Vec3{real(268), real(272), real(276)});
+    }
+    if (word(254) <= 0 && word(252) <= 0)
+        refuse("E0627", "neither `qform_code` nor `sform_code` is above 0: nobody can tell left from right.",
+               "Export the image with its orientation.");
+}
+
+ImageFile check_nifti(const std::string& file, bool is_packed) {
+    std::string header;
+    if (is_packed) {
+        if (first_bytes(file, 2) != "\x1f\x8b")
+            refuse("E0622", "the name ends in .gz, but this is no gzip file.", "Rename it to .nii, or compress it.");
+        unpack(file, 0, 4096, nifti_header, header);
+    } else {
+        header = first_bytes(file, nifti_header);
+    }
+    if (header.size() < nifti_header) refuse_truncated(header.size(), nifti_header, "the file's header");
+
+    bool is_swapped = false;
+    for (const bool swapped : {false, true})
+        if (nifti_field<std::int32_t>(header, 0, swapped) == 540)
+            refuse("E0622", "this is NIfTI-2.", "Export it as NIfTI-1.");
+    if (nifti_field<std::int32_t>(header, 0, false) != 348) is_swapped = true;
+    if (nifti_field<std::int32_t>(header, 0, is_swapped) != 348 || std::memcmp(header.data() + 344, "n+1\0", 4) != 0)
+        refuse("E0622", "this is no NIfTI-1 file with its voxels in it.", "Export the image as .nii or .nii.gz.");
+
+    const auto word = [&](std::size_t at) { return nifti_field<std::int16_t>(header, at, is_swapped); };
+    ImageFile image;
+    image.format = ImageFile::Format::nifti;
+    image.packing = is_packed ? ImageFile::Packing::gzip_file : ImageFile::Packing::raw;
+    image.data_file = file;
+    const int dimensions = word(40);
+    std::vector<long long> size;
+    for (int axis = 0; axis < std::clamp(dimensions, 0, 7); ++axis)
+        if (const int n = word(42 + 2 * static_cast<std::size_t>(axis)); axis < 3 || n != 1) size.push_back(n);
+    check_size(size, image);
+
+    const int type = word(70);
+    image.bytes_per_voxel = bytes_of_nifti_type(type);
+    if (image.bytes_per_voxel == 0)
+        refuse("E0625", "the header names voxel type " + std::to_string(type) + ", must be an integer or float of 1 to 8 bytes.",
+               "Export the image as 16-bit integers.");
+    if (word(72) != 8 * image.bytes_per_voxel)
+        refuse("E0622", "`bitpix` is " + std::to_string(word(72)) + ", but the voxel type has " +
+                            std::to_string(8 * image.bytes_per_voxel) + " bits.", "Export the image again.");
+    const auto offset = static_cast<double>(nifti_field<float>(header, 108, is_swapped));
+    if (!(offset >= 352.0 && offset <= 16.0 * 1024 * 1024) || offset != std::floor(offset))
+        refuse("E0622", "`vox_offset` is " + number_text(offset) + ", must be 352 or more.", "Export the image again.");
+    image.data_offset = static_cast<std::uint64_t>(offset);
+    for (const std::size_t at : {std::size_t{112}, std::size_t{116}})
+        if (!std::isfinite(nifti_field<float>(header, at, is_swapped)))
+            refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
+    check_nifti_placement(header, is_swapped);
+    return image;
+}
+
+// ---- headers of text ------------------------------------------------------------------------------------------------
+
+using Fields = std::map<std::string, std::string>;
+
+const std::string* find(const Fields& fields, std::initializer_list<const char*> names) {
+    const std::string* found = nullptr;
+    for (const char* name : names)
+        if (const auto at = fields.find(name); at != fields.end()) {
+            if (found) refuse("E0622", "the header has two names for `" + at->first + "`.", "Remove one.");
+            found = &at->second;
+        }
+    return found;
+}
+
+const std::string& need(const Fields& fields, std::initializer_list<const char*> names) {
+    if (const std::string* found = find(fields, names)) return *found;
+    refuse("E0622", "the header has no `" + std::string(*names.begin()) + "`.", "Export the image again.");
+}
+
+void add(Fields& fields, std::string_view name, std::string_view value) {
+    if (!fields.emplace(lower(trimmed(name)), std::string(trimmed(value))).second)
+        refuse("E0622", "the header has `" + shown(trimmed(name)) + "` twice.", "Export the image again.");
+}
+
+int bytes_of_named_type(const std::string& type) {
+    static const std::map<std::string, int> known{
+        {"signed char", 1}, {"int8", 1}, {"int8_t", 1}, {"uchar", 1}, {"unsigned char", 1}, {"uint8", 1}, {"uint8_t", 1},
+        {"short", 2}, {"short int", 2}, {"signed short", 2}, {"signed short int", 2}, {"int16", 2}, {"int16_t", 2},
+        {"ushort", 2}, {"unsigned short", 2}, {"unsigned short int", 2}, {"uint16", 2}, {"uint16_t", 2},
+        {"int", 4}, {"signed int", 4}, {"int32", 4}, {"int32_t", 4}, {"uint", 4}, {"unsigned int", 4}, {"uint32", 4},
+        {"uint32_t", 4}, {"float", 4}, {"double", 8},
+        {"met_char", 1}, {"met_uchar", 1}, {"met_short", 2}, {"met_ushort", 2}, {"met_int", 4}, {"met_uint", 4},
+        {"met_float", 4}, {"met_double", 8}};
+    const auto found = known.find(lower(type));
+    if (found == known.end())
+        refuse("E0625", "the header names voxel type `" + shown(type) + "`, must be an integer or float of 1 to 8 bytes.",
+               "Export the image as 16-bit integers.");
+    return found->second;
+}
+
+// ---- NRRD -----------------------------------------------------------------------------------------------------------
+
+ImageFile check_nrrd(const std::string& file) {
+    const std::string text = first_bytes(file, most_header);
+    if (text.compare(0, 7, "NRRD000") != 0)
+        refuse("E0622", "this is no NRRD file.", "Export the image as .nrrd, .nii.gz or .mha.");
+    Fields fields;
+    std::size_t at = 0;
+    bool has_end = false;
+    for (bool is_first = true; at < text.size(); is_first = false) {
+        const std::size_t end = text.find('\n', at);
+        if (end == std::string::npos) break;
+        const std::string_view line = trimmed(std::string_view(text).substr(at, end - at));
+        at = end + 1;
+        if (line.empty()) {
+            has_end = true;
+            break;
+        }
+        if (is_first || line[0] == '#') continue;
+        const std::size_t colon = line.find(':');
+        if (colon == std::string_view::npos) refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image again.");
+        if (colon + 1 < line.size() && line[colon + 1] == '=') continue;  // a remark of the author's
+        add(fields, line.substr(0, colon), line.substr(colon + 1));
+    }
+    if (find(fields, {"data file", "datafile"}))
+        refuse("E0622", "the voxels are in another file.", "Export the image as one .nrrd.");
+    if (!has_end) refuse("E0626", "the header does not end.", "Copy the file again: it is cut short.");
+    for (const char* skip : {"line skip", "lineskip", "byte skip", "byteskip"})
+        if (const std::string* found = find(fields, {skip}); found && *found != "0")
+            refuse("E0622", "the header has `" + std::string(skip) + "`.", "Export the image again.");
+
+    ImageFile image;
+    image.format = ImageFile::Format::nrrd;
+    image.data_file = file;
+    image.data_offset = at;
+    const auto sizes = numbers_of<long long>(need(fields, {"sizes"}), "sizes");
+    const auto dimension = numbers_of<long long>(need(fields, {"dimension"}), "dimension");
+    if (dimension.size() != 1 || dimension[0] != static_cast<long long>(sizes.size()))
+        refuse("E0622", "`dimension` and the number of `sizes` differ.", "Export the image again.");
+    check_size(sizes, image);
+    image.bytes_per_voxel = bytes_of_named_type(need(fields, {"type"}));
+    if (image.bytes_per_voxel > 1)
+        if (const std::string endian = lower(need(fields, {"endian"})); endian != "little" && endian != "big")
+            refuse("E0622", "`endian` is \"" + shown(endian) + "\", must be little or big.", "Export the image again.");
+
+    const std::string encoding = lower(need(fields, {"encoding"}));
+    if (encoding == "gzip" || encoding == "gz") image.packing = ImageFile::Packing::deflated;
+    else if (encoding != "raw")
+        refuse("E0625", "the encoding is `" + shown(encoding) + "`, must be raw or gzip.", "Export the image with gzip.");
+
+    const std::string space = lower(need(fields, {"space"}));
+    static const std::array<const char*, 6> spaces{"left-posterior-superior", "lps", "right-anterior-superior", "ras",
+                                                   "left-anterior-superior", "las"};
+    if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
+        refuse("E0627", "`space` is \"" + shown(space) + "\": nobody can tell left from right.",
+               "Export the image with space: left-posterior-superior.");
+    if (find(fields, {"space units"}) && need(fields, {"space units"}) != "\"mm\" \"mm\" \"mm\"")
+        refuse("E0627", "`space units` is not \"mm\" three times.", "Export the image in millimetres.");
+    const auto directions = numbers_of<double>(need(fields, {"space directions"}), "space directions");
+    const auto origin = numbers_of<double>(need(fields, {"space origin"}), "space origin");
+    if (directions.size() != 9 || origin.size() != 3)
+        refuse("E0627", "`space directions` needs three vectors, `space origin` one.", "Export the image again.");
+    const auto vector = [&](std::size_t i) { return Vec3{directions[i], directions[i + 1], directions[i + 2]}; };
+    check_placement({vector(0), vector(3), vector(6)}, {origin[0], origin[1], origin[2]});
+    return image;
+}
+
+// ---- MetaImage ------------------------------------------------------------------------------------------------------
+
+bool is_true(const Fields& fields, std::initializer_list<const char*> names, bool otherwise) {
+    const std::string* value = find(fields, names);
+    if (!value) return otherwise;
+    const std::string word = lower(*value);
+    if (word == "true" || word == "1") return true;
+    if (word == "false" || word == "0") return false;
+    refuse("E0622", "`" + std::string(*names.begin()) + "` is \"" + shown(*value) + "\", must be True or False.",
+           "Export the image again.");
+}
+
+ImageFile check_meta(const std::string& file) {
+    const std::string text = first_bytes(file, most_header);
+    Fields fields;
+    std::size_t at = 0;
+    while (at < text.size() && !fields.contains("elementdatafile")) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view line = trimmed(std::string_view(text).substr(at, end - at));
+        at = std::min(end + 1, text.size());
+        if (line.empty()) continue;
+        const std::size_t equals = line.find('=');
+        if (equals == std::string_view::npos)
+            refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image as .mha, .nrrd or .nii.gz.");
+        add(fields, line.substr(0, equals), line.substr(equals + 1));
+    }
+    const std::string& data = need(fields, {"elementdatafile"});
+
+    ImageFile image;
+    image.format = ImageFile::Format::meta;
+    const auto sizes = numbers_of<long long>(need(fields, {"dimsize"}), "DimSize");
+    const auto dimensions = numbers_of<long long>(need(fields, {"ndims"}), "NDims");
+    if (dimensions.size() != 1 || dimensions[0] != static_cast<long long>(sizes.size()))
+        refuse("E0622", "`NDims` and the number of sizes in `DimSize` differ.", "Export the image again.");
+    check_size(sizes, image);
+    image.bytes_per_voxel = bytes_of_named_type(need(fields, {"elementtype"}));
+    if (const std::string* channels = find(fields, {"elementnumberofchannels"}); channels && *channels != "1")
+        refuse("E0623", "there are " + shown(*channels) + " numbers per voxel, must be 1.", "Export a single channel.");
+    if (!is_true(fields, {"binarydata"}, true))
+        refuse("E0625", "the voxels are written as text.", "Export the image with binary data.");
+    is_true(fields, {"binarydatabyteordermsb", "elementbyteordermsb"}, false);
+    if (is_true(fields, {"compresseddata"}, false)) image.packing = ImageFile::Packing::deflated;
+    if (const std::string* skip = find(fields, {"headersize"}); skip && *skip != "0")
+        refuse("E0622", "the header has `HeaderSize`.", "Export the image again.");
+
+    const auto spacing = numbers_of<double>(need(fields, {"elementspacing"}), "ElementSpacing");
+    if (spacing.size() != 3) refuse("E0627", "`ElementSpacing` needs three numbers.", "Export the image again.");
+    for (const double s : spacing)
+        if (!(s > 0.0)) refuse("E0627", "`ElementSpacing` is " + number_text(s) + ", must be above 0 mm.", "Export the image again.");
+    const std::string* rotation = find(fields, {"transformmatrix", "rotation", "orientation"});
+    const auto matrix = numbers_of<double>(rotation ? *rotation : "1 0 0 0 1 0 0 0 1", "TransformMatrix");
+    const std::string* offset = find(fields, {"offset", "position", "origin"});
+    const auto origin = numbers_of<double>(offset ? *offset : "0 0 0", "Offset");
+    if (matrix.size() != 9 || origin.size() != 3)
+        refuse("E0627", "`TransformMatrix` needs nine numbers, `Offset` three.", "Export the image again.");
+    std::array<Vec3, 3> steps;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        steps[axis] = spacing[axis] * Vec3{matrix[3 * axis], matrix[3 * axis + 1], matrix[3 * axis + 2]};
+    check_placement(steps, {origin[0], origin[1], origin[2]});
+
+    if (lower(data) == "local") {
+        image.data_file = file;
+        image.data_offset = at;
+        return image;
+    }
+    const std::filesystem::path name(data);
+    if (data.find_first_of("/\\%* ") != std::string::npos || lower(data) == "list" || name.filename() != name || name == "..")
+        refuse("E0622", "the voxels are in \"" + shown(data) + "\", must be one file beside the header, without blanks.",
+               "Export the image as one .mha.");
+    image.data_file = (std::filesystem::path(file).parent_path() / name).string();
+    return image;
+}
+
+bool ends_in(const std::string& name, std::string_view ending) {
+    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+ImageFile checked(const std::string& file) {
+    size_of_file(file);
+    const std::string name = lower(file);
+    ImageFile image;
+    if (ends_in(name, ".nii")) image = check_nifti(file, false);
+    else if (ends_in(name, ".nii.gz")) image = check_nifti(file, true);
+    else if (ends_in(name, ".nrrd")) image = check_nrrd(file);
+    else if (ends_in(name, ".mha") || ends_in(name, ".mhd")) image = check_meta(file);
+    else
+        refuse("E0621", "the file's ending names no format that can be read.",
+               "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd).");
+    check_bytes(image);
+    return image;
+}
+
+}  // namespace
+
+std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
+    Diagnostic wrong;
+    wrong.place.file = file;
+    try {
+        return checked(file);
+    } catch (const Refusal& refusal) {
+        wrong.code = refusal.code;
+        wrong.message = refusal.message;
+        wrong.write = refusal.write;
+    } catch (const std::exception& error) {  // no memory, or a name that is no path
+        wrong.code = "E0620";
+        wrong.message = std::string("the file cannot be checked: ") + error.what() + ".";
+    }
+    diagnostics.push_back(std::move(wrong));
+    return std::nullopt;
+}
+
+}  // namespace kerf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/procedure/source.h"
+
+/// What an image file says of itself, and whether that is true: looked at before any voxel gets memory.
+///
+///     E0620  the file is missing, no regular file, or cannot be read
+///     E0621  the name ends in none of the known endings
+///     E0622  the header is malformed, or asks for something that is not read (detached data, several files, NIfTI-2)
+///     E0623  not three dimensions, or several numbers per voxel
+///     E0624  an axis under 2 or over 4096 voxels, or over 512 million voxels in all
+///     E0625  a type of voxel, or an encoding, that is not read
+///     E0626  fewer bytes than the header promises, or damaged compressed data
+///     E0627  no usable spacing, orientation or frame
+///     E0628  the reader refused the file, or read something else than its header says
+///     E0629  a voxel that is no finite number
+namespace kerf {
+
+struct ImageFile {
+    enum class Format { nifti, nrrd, meta };
+    enum class Packing { raw, gzip_file, deflated };  ///< as it stands · the whole file · the voxels only
+    Format format = Format::nifti;
+    std::array<int, 3> size{};
+    int bytes_per_voxel = 0;
+    Packing packing = Packing::raw;
+    std::string data_file;          ///< beside or the same as the header
+    std::uint64_t data_offset = 0;  ///< [bytes] in the unpacked file for gzip_file, else in data_file
+
+    [[nodiscard]] std::uint64_t voxels() const noexcept {
+        return static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]) *
+               static_cast<std::uint64_t>(size[2]);
+    }
+    [[nodiscard]] std::uint64_t data_bytes() const noexcept {
+        return voxels() * static_cast<std::uint64_t>(bytes_per_voxel);
+    }
+};
+
+/// Reads the header and counts the bytes behind it; compressed ones are unpacked into a small buffer and dropped.
+/// Empty, with one error, when anything does not fit. Never throws.   [main]
+[[nodiscard]] std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace kerf

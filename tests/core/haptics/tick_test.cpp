@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole tick, with the drilling plugin as the host loads it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/haptics/work_force.h"
+#include "tests/support/count_allocations.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// A drill in a block, held through the coupling by a hand that is where it is told.
+struct Rig {
+    Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
+    ToolSetup setup;
+    Simulation simulation;
+
+    explicit Rig(const std::map<std::string, double>& set = {}, const CouplingGains& gains = test::gains())
+        : setup(test::twist_drill(set)), simulation(body, setup, test::outline(setup), gains, test::at_depth(-0.2_mm)) {}
+
+    TickResult tick(const Pose& hand) {
+        const TickResult result = simulation.tick({hand});
+        simulation.after_tick();
+        return result;
+    }
+    /// The hand pushes `push` [N] past where the tool is.
+    TickResult push(double push_force) {
+        const CouplingGains g = test::gains();
+        const double stretch = push_force * g.force_scale / g.stiffness;
+        const double depth = -simulation.world_from_tool().position.z;
+        return tick(test::at_depth(depth + stretch));
+    }
+};
+
+TEST(Tick, TenThousandTicksAllocateNothing) {
+    Rig rig;
+    double depth = -0.2_mm;
+    for (int i = 0; i < 10000; ++i) {
+        depth += 0.4_um;
+        const std::size_t before = test::allocations_here();
+        (void)rig.simulation.tick({test::at_depth(depth)});
+        ASSERT_EQ(test::allocations_here(), before) << "tick " << i;
+        rig.simulation.after_tick();
+    }
+    EXPECT_GT(-rig.simulation.world_from_tool().position.z, 1.0_mm) << "it did drill";
+}
+
+TEST(Tick, AskingForTheLawLeavesTheStateAsItWas) {
+    Rig rig;
+    for (int i = 0; i < 800; ++i) (void)rig.push(120.0);
+    const kerf_force& force = *rig.setup.force->force;
+    std::vector<std::byte> before(rig.simulation.state(), rig.simulation.state() + rig.simulation.state_size());
+    kerf_channel channels[KERF_MAX_CHANNELS];
+    kerf_law law{sizeof(kerf_law), 0, channels};
+    kerf_tick_in in{};
+    in.size = sizeof in;
+    in.dt = Simulation::dt;
+    in.tool_params = rig.setup.tool_parameters.data();
+    in.force_params = rig.setup.force_parameters.data();
+    in.drive = rig.setup.drives.data();
+    in.bone = &rig.simulation.bone().query();
+    for (int asked = 0; asked < 3; ++asked) ASSERT_EQ(force.resist(&in, rig.simulation.state(), &law), KERF_OK);
+    EXPECT_GT(law.count, 0u);
+    EXPECT_EQ(before, std::vector<std::byte>(rig.simulation.state(), rig.simulation.state() + rig.simulation.state_size()));
+}
+
+TEST(Tick, TwoSimulationsInTurnAreEachAsAlone) {
+    const auto run_alone = [](double push) {
+        Rig rig;
+        for (int i = 0; i < 1500; ++i) (void)rig.push(push);
+        rig.simulation.finish();
+        return rig.simulation.exact().hash();
+    };
+    Rig a, b;
+    for (int i = 0; i < 1500; ++i) {
+        (void)a.push(150.0);
+        (void)b.push(90.0);
+    }
+    a.simulation.finish();
+    b.simulation.finish();
+    EXPECT_EQ(a.simulation.exact().hash(), run_alone(150.0));
+    EXPECT_EQ(b.simulation.exact().hash(), run_alone(90.0));
+    EXPECT_NE(a.simulation.exact().hash(), b.simulation.exact().hash());
+}
+
+TEST(Tick, AfterTheEndBothFieldsHoldTheSameBits) {
+    Rig rig;
+    for (int i = 0; i < 2000; ++i) (void)rig.push(i % 500 < 400 ? 150.0 : -20.0);
+    rig.simulation.finish();
+    EXPECT_TRUE(rig.simulation.committed().same_bits(rig.simulation.exact()));
+}
+
+// P9
+TEST(Tick, NoPushNoThrust) {
+    Rig rig;
+    for (int i = 0; i < 1000; ++i) (void)rig.push(150.0);
+    double thrust = 1.0;
+    for (int i = 0; i < 50; ++i) thrust = rig.push(0.0).thrust;
+    EXPECT_LT(thrust, 0.05);
+}
+
+TEST(Tick, WithTheSpindleOffTheTipRestsOnTheBoneAndTakesNone) {
+    Rig rig({{"spindle_speed", 0.0}});
+    TickResult result;
+    for (int i = 0; i < 500; ++i) result = rig.push(50.0);
+    EXPECT_NEAR(result.thrust, 50.0, 5.0);
+    EXPECT_LT(-rig.simulation.world_from_tool().position.z, 0.2_mm);
+    EXPECT_EQ(rig.simulation.exact().hash(), CutField(rig.body, 1).hash()) << "nothing was removed";
+}
+
+TEST(Tick, AHarderPushFeedsFaster) {
+    double last = 0.0;
+    for (const double push : {60.0, 120.0, 180.0, 240.0}) {
+        Rig rig;
+        for (int i = 0; i < 1500; ++i) (void)rig.push(push);
+        const double depth = -rig.simulation.world_from_tool().position.z;
+        EXPECT_GT(depth, last) << push;
+        last = depth;
+    }
+}
+
+TEST(Tick, TheHandIsNeverPushedHarderThanTheDeviceCan) {
+    Rig rig;
+    double largest = 0.0;
+    for (int i = 0; i < 2000; ++i) largest = std::max(largest, length(linear(rig.tick(test::at_depth(30.0_mm)).commanded)));
+    EXPECT_LE(largest, 8.5 * (1.0 + 1e-9));
+    EXPECT_GT(largest, 4.0) << "the limit was reached for";
+}
+
+TEST(Tick, ABadPoseIsTakenForTheLastGoodOne) {
+    Rig rig;
+    for (int i = 0; i < 500; ++i) (void)rig.push(100.0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Pose bad = test::at_depth(0.0);
+    bad.position.y = nan;
+    for (int i = 0; i < 5; ++i) {
+        const TickResult result = rig.tick(bad);
+        EXPECT_TRUE(is_finite(result.world_from_tool));
+        for (const double component : result.commanded) EXPECT_TRUE(std::isfinite(component));
+    }
+}
+
+TEST(WorkForce, IsTheThrustInTheHardestTissue) {
+    Rig rig;
+    EXPECT_NEAR(work_force(rig.setup, rig.body, 2.0_mm_per_s), 198.0, 2.0);  // [macavelia-2012] at 1000 rpm
+}
+
+}  // namespace
+}  // namespace kerf
