@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "app/run_procedure.h"
+#include "core/session/content_hash.h"
+#include "core/session/read_session.h"
 
 namespace {
 
@@ -17,6 +19,7 @@ using namespace kerf;
 
 constexpr const char* usage =
     "usage: kerf run PROCEDURE.yaml [--anatomy ANATOMY.yaml] [--hand REHEARSAL] [--out FOLDER]\n"
+    "                [--replay SESSION.db]\n"
     "                [--learner CODE] [--mode practice|exam|demo] [--headless]\n"
     "       kerf validate PROCEDURE.yaml [--anatomy ANATOMY.yaml]\n"
     "       kerf rehearse PROCEDURE.yaml [--anatomy ANATOMY.yaml]\n"
@@ -41,7 +44,7 @@ std::vector<std::string> plugin_folders() {
 }
 
 struct Arguments {
-    std::string command, file, anatomy, hand, out, learner, mode = "practice";
+    std::string command, file, anatomy, hand, out, learner, replay, mode = "practice";
     std::string error;
 };
 
@@ -63,6 +66,7 @@ Arguments parse(int argc, char** argv) {
         if (word == "--anatomy") value(i, a.anatomy);
         else if (word == "--hand") value(i, a.hand);
         else if (word == "--out") value(i, a.out);
+        else if (word == "--replay") value(i, a.replay);
         else if (word == "--learner") value(i, a.learner);
         else if (word == "--mode") value(i, a.mode);
         else if (word == "--headless") continue;
@@ -143,6 +147,19 @@ int main(int argc, char** argv) {
     }
 
     request.rehearsal = arguments.hand;
+    std::string recorded_hash;
+    if (!arguments.replay.empty()) {
+        std::string error;
+        auto recorded = read_session(arguments.replay, error);
+        if (recorded && (recorded->procedure_text != scene->procedure.text || recorded->anatomy_hash != hash_of_text(scene->anatomy.text)))
+            error = arguments.replay + ": was recorded with another text of this procedure or anatomy, so it cannot end the same.";
+        if (!error.empty()) {
+            std::fprintf(stderr, "kerf: %s\n", error.c_str());
+            return 2;
+        }
+        request.replay = std::move(recorded->device_from_handle);
+        recorded_hash = recorded->hash;
+    }
     request.out = arguments.out.empty() ? "out/" + scene->procedure.id : arguments.out;
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) {
@@ -151,6 +168,11 @@ int main(int argc, char** argv) {
     }
     print(outcome.summary);
     std::printf("  %s/report.html\n", request.out.c_str());
+    if (!recorded_hash.empty()) {
+        const bool is_same = recorded_hash == hex16(outcome.summary.hash);
+        std::printf("  replay: %s\n", is_same ? "the same bits" : "NOT the same bits");
+        if (!is_same) return 3;
+    }
     if (outcome.summary.verdict == Verdict::pass) return 0;
     return 1;
 }

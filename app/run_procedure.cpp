@@ -30,6 +30,12 @@ std::vector<SignalColumn> signal_columns(const kerf_component& force) {
     return columns;
 }
 
+/// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
+Pose without_negative_zeros(const Pose& p) {
+    return {{p.position.x + 0.0, p.position.y + 0.0, p.position.z + 0.0},
+            {p.rotation.w + 0.0, p.rotation.x + 0.0, p.rotation.y + 0.0, p.rotation.z + 0.0}};
+}
+
 /// The material under the tip, present bone only; −1 in air.
 std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
     // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
@@ -88,7 +94,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.procedure_version = scene.procedure.version;
     summary.anatomy = scene.anatomy.id;
     summary.rehearsal = rehearsal->id;
-    summary.hand = "simulated";
+    summary.hand = request.replay.empty() ? "simulated" : "replay";
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.gains.stiffness;
@@ -143,10 +149,11 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
     const bool has_power = std::any_of(scene.setup.drives.begin(), scene.setup.drives.end(), [](double d) { return d > 0.0; });
     while (simulation.ticks() < most_ticks) {
-        const Pose handle = hand.reported();
+        const bool is_replay = !request.replay.empty();
+        const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
         const TickResult result = simulation.tick({handle});
         simulation.after_tick();
-        hand.step(linear(result.commanded));
+        if (!is_replay) hand.step(linear(result.commanded));
 
         if (simulation.ticks() % volume_interval == 0) removed.update(simulation.exact());
         const bool is_in_bone = result.is_cutting && result.thrust > 0.0;
@@ -166,7 +173,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             if (!recorder->wait_for_room()) break;
         }
         if (request.progress && simulation.ticks() % 250 == 0)
-            request.progress(static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
+            request.progress(is_replay ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
+                                       : static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
                              "drilling, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
         if (result.is_quarantined) {
             add_event("quarantined", scene.setup.force->id);
@@ -177,7 +185,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             end = RunEnd::steps_done;
             break;
         }
-        if (hand.is_done()) {
+        if (is_replay ? simulation.ticks() >= request.replay.size() : hand.is_done()) {
             end = RunEnd::path_ended;
             break;
         }

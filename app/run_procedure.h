@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/run_result.h"
 
@@ -13,6 +14,7 @@ struct RunRequest {
     std::string rehearsal;   ///< id; empty: the first
     std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl; empty: nothing is written
     std::string learner, mode = "practice";
+    std::vector<Pose> replay;  ///< device poses of a recorded run: the hand does what it did then
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };
 

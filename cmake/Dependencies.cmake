@@ -6,7 +6,9 @@ find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 # Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)   # its packages list all that Debian keeps in other ones
 find_package(ITK 5 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta)
+unset(CMAKE_MESSAGE_LOG_LEVEL)
 
 function(dep_wrap name)   # the first target that exists wins
   foreach(target IN LISTS ARGN)

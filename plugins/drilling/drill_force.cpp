@@ -16,7 +16,7 @@ enum ChannelId : std::uint32_t { id_feed = 1, id_heel, id_rub, id_side = 8, id_c
 
 constexpr double slowest_spindle = 10.0_rpm;  // below it nothing is cut: the tip only touches
 constexpr double left_behind = 0.1_mm;        // edges farther from the front than the nearest by this wait (R2)
-constexpr int chisel_points = 4;              // per half of the chisel edge
+constexpr std::size_t most_chisel_points = 32;  // per half of the chisel edge
 constexpr int ring_count = 8, ring_points = 8;        // of the shank, a diameter apart
 constexpr double near_contact = 0.3_mm;       // surface points farther away get no channel
 
@@ -68,11 +68,11 @@ struct Edges {
     TwistDrill drill;
     Lip lip;
     double cos_angle, sin_angle;
-    std::array<Vec3, lip_count * largest_element_count + 2 * chisel_points> point;
-    std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * chisel_points> sample;
-    std::size_t lip_points = 0, count = 0;
+    std::array<Vec3, lip_count * largest_element_count + 2 * most_chisel_points> point;
+    std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * most_chisel_points> sample;
+    std::size_t lip_points = 0, chisel_points = 0, count = 0;
 
-    [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / chisel_points; }
+    [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
 
     void ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept {
         drill = drill_of(tick.tool);
@@ -87,8 +87,10 @@ struct Edges {
         }
         count = lip_points;
         const PointAngle p = half_point_angle(drill);
-        for (int i = 0; i < chisel_points; ++i) {
-            const double r = (i + 0.5) * chisel_width();
+        const double pieces = std::ceil(drill.chisel_radius() / tick.force[force_element_pitch]);
+        chisel_points = static_cast<std::size_t>(std::clamp(pieces, 2.0, static_cast<double>(most_chisel_points)));
+        for (std::size_t i = 0; i < chisel_points; ++i) {
+            const double r = (static_cast<double>(i) + 0.5) * chisel_width();
             for (const double side : {1.0, -1.0})
                 point[count++] = {-side * r * a.sin, side * r * a.cos, -r * p.cos / p.sin};
         }

@@ -103,10 +103,22 @@ TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
     EXPECT_FALSE(std::filesystem::exists(folder + "/session.db-wal"));
 }
 
+TEST(Program, AReplayEndsInTheSameBits) {
+    const std::string folder = testing::TempDir() + "kerf-record", again = testing::TempDir() + "kerf-replay";
+    const std::string run = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml ";
+    ASSERT_EQ(std::system((run + "--out " + folder + " > /dev/null").c_str()), 0);
+    const std::string log = testing::TempDir() + "kerf-replay.txt";
+    ASSERT_EQ(std::system((run + "--replay " + folder + "/session.db --out " + again + " > " + log).c_str()), 0);
+    std::stringstream text;
+    text << std::ifstream(log).rdbuf();
+    EXPECT_NE(text.str().find("replay: the same bits"), std::string::npos) << text.str();
+}
+
 TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     const std::string folder = testing::TempDir() + "kerf-bad";
     for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
-                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody", "fly", "run"}) {
+                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody",
+                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --replay " KERF_SOURCE_DIR "/README.md", "fly", "run"}) {
         const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + folder + " > /dev/null 2>&1";
         EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << what;
         EXPECT_FALSE(std::filesystem::exists(folder)) << what;

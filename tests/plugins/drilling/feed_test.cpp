@@ -5,8 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "plugins/drilling/drill_force.h"
-#include "tests/support/drill_rig.h"
+#include "tests/support/layered_slab.h"
 
 namespace kerf {
 namespace {
@@ -130,54 +129,14 @@ TEST(DrillThrust, IsGoneWhenReEnteringTheHole) {
 
 // ---- layers (C.4, C.9) -------------------------------------------------------------------------------------------
 
-/// 4 mm cortical, 10 mm cancellous (a tenth of the force), 4 mm cortical, then air.
-struct Slab {
-    static constexpr double first = 4.0_mm, second = 14.0_mm, third = 18.0_mm;
-    static double resistance(double depth) {
-        if (depth <= 0.0 || depth >= third) return 0.0;
-        return depth > first && depth < second ? 0.1 : 1.0;
-    }
-    static Body make(double h, Vec3 offset) {
-        Body body = test::block({-6.0_mm, -6.0_mm, -third}, {6.0_mm, 6.0_mm, 0}, h, offset);
-        body.materials.clear();
-        const LevelSet middle = LevelSet::build(body.grid(), [](Vec3 p) { return std::abs(p.z + 0.5 * (first + second)) - 0.5 * (second - first); });
-        body.materials.push_back({"cancellous", 1850.0 * std::sqrt(0.1), middle});
-        body.materials.push_back({"cortical", 1850.0, {}});
-        return body;
-    }
-};
-
-/// The lip integral of the same law, layer by layer, chisel included, to quadrature.
-double exact_thrust(const ToolSetup& setup, double depth, double feed_per_lip) {
-    using namespace drilling;
-    const TwistDrill drill = drill_of(setup.tool_parameters);
-    const auto& f = setup.force_parameters;
-    const EdgeCoefficients lip{f[force_thrust_edge], f[force_edge_depth], f[force_thrust_chip]};
-    const EdgeCoefficients chisel{f[force_chisel_edge], f[force_edge_depth], f[force_chisel_chip]};
-    const double p = 0.5 * drill.point_angle, b = drill.half_web(), r_c = drill.chisel_radius(), r_o = drill.radius();
-    const double first = std::sqrt(r_c * r_c - b * b), last = std::sqrt(r_o * r_o - b * b);
-    constexpr int pieces = 4000;
-    double thrust = 0.0;
-    for (int i = 0; i < pieces; ++i) {
-        const double s = first + (i + 0.5) * (last - first) / pieces;
-        const double r = std::hypot(s, b), cos_beta = s / r;
-        const double cos_i = std::sqrt(std::cos(p) * std::cos(p) + std::sin(p) * std::sin(p) * cos_beta * cos_beta);
-        const double n_z = std::sin(p) * cos_beta / cos_i, width = (last - first) / pieces / std::sin(p) * cos_i;
-        thrust += 2.0 * Slab::resistance(depth - r / std::tan(p)) * width * n_z * force_per_width(feed_per_lip * n_z, lip);
-        const double r_chisel = (i + 0.5) * r_c / pieces;
-        thrust += 2.0 * Slab::resistance(depth - r_chisel / std::tan(p)) * r_c / pieces * force_per_width(feed_per_lip, chisel);
-    }
-    return thrust;
-}
-
 TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {
     const double rate = 8.0_mm_per_s;
     const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}, {"element_pitch", 0.05_mm}});
     const double feed_per_lip = rate / (2.0 * 1000.0 / 60.0);
     for (const double h : {0.5_mm, 0.25_mm}) {
         double error2 = 0.0, mean = 0.0, count = 0.0;
-        for (const Felt& f : feed(Slab::make(h, {0.31, 0.77, 0.43}), setup, rate, 21.0_mm)) {
-            const double exact = exact_thrust(setup, f.depth, feed_per_lip);
+        for (const Felt& f : feed(test::Slab::make(h, {0.31, 0.77, 0.43}), setup, rate, 21.0_mm)) {
+            const double exact = test::exact_thrust(setup, test::at_depth(f.depth), 0.0, feed_per_lip, 2000);
             if (exact <= 0.0) continue;
             error2 += (f.thrust - exact) * (f.thrust - exact);
             mean += exact;
@@ -192,7 +151,7 @@ TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {
 TEST(LayeredSlab, HasTheSevenStagesOfThePaper) {
     const double rate = 4.0_mm_per_s, h = 0.25_mm;
     const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
-    const auto felt = feed(Slab::make(h, {0.1, 0.9, 0.6}), setup, rate, 21.0_mm);
+    const auto felt = feed(test::Slab::make(h, {0.1, 0.9, 0.6}), setup, rate, 21.0_mm);
     const double full = mean_between(felt, 2.5_mm, 3.5_mm).thrust;
     const double low = mean_between(felt, 7.0_mm, 12.0_mm).thrust;
     EXPECT_NEAR(low / full, 0.1, 0.002) << "the ratio of the tissues";

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/read_session.h"
+
+#include <sqlite3.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "core/session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+/// One SELECT, row by row.
+class Query {
+public:
+    Query(sqlite3* database, const char* sql) { code_ = sqlite3_prepare_v2(database, sql, -1, &statement_, nullptr); }
+    ~Query() { sqlite3_finalize(statement_); }
+    Query(const Query&) = delete;
+    Query& operator=(const Query&) = delete;
+
+    bool next() {
+        if (code_ != SQLITE_OK) return false;
+        code_ = sqlite3_step(statement_);
+        if (code_ != SQLITE_ROW) return false;
+        code_ = SQLITE_OK;
+        return true;
+    }
+    [[nodiscard]] bool has_failed() const { return code_ != SQLITE_DONE && code_ != SQLITE_OK; }
+    [[nodiscard]] double number(int column) const { return sqlite3_column_double(statement_, column); }
+    [[nodiscard]] std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
+    [[nodiscard]] std::string text(int column) const {
+        const auto* bytes = sqlite3_column_text(statement_, column);
+        return bytes != nullptr ? std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+                                : std::string();
+    }
+
+private:
+    sqlite3_stmt* statement_ = nullptr;
+    int code_ = SQLITE_OK;
+};
+
+std::int64_t pragma(sqlite3* database, const char* sql) {
+    Query query(database, sql);
+    return query.next() ? query.integer(0) : -1;
+}
+
+}  // namespace
+
+std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
+    sqlite3* raw = nullptr;
+    const int opened = sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
+    const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(raw, &sqlite3_close);
+    if (opened != SQLITE_OK) {
+        error = path + ": cannot be opened. Name a session.db that a run has written.";
+        return std::nullopt;
+    }
+    if (pragma(raw, "PRAGMA application_id") != session_application_id) {
+        error = path + ": is not a Kerf session. Name a session.db that a run has written.";
+        return std::nullopt;
+    }
+    if (const auto version = pragma(raw, "PRAGMA user_version"); version != session_schema_version) {
+        error = path + ": has session schema " + std::to_string(version) + ", need " + std::to_string(session_schema_version) + ".";
+        return std::nullopt;
+    }
+
+    RecordedInputs inputs;
+    Query keys(raw, "SELECT key, value FROM session");
+    while (keys.next()) {
+        const std::string key = keys.text(0);
+        if (key == "procedure_text") inputs.procedure_text = keys.text(1);
+        if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
+        if (key == "hash") inputs.hash = keys.text(1);
+    }
+    Query ticks(raw,
+                "SELECT tick, device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
+                "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz FROM ticks ORDER BY tick");
+    while (ticks.next()) {
+        if (ticks.integer(0) != static_cast<std::int64_t>(inputs.device_from_handle.size())) {
+            error = path + ": tick " + std::to_string(inputs.device_from_handle.size()) + " is missing, so it cannot be replayed.";
+            return std::nullopt;
+        }
+        inputs.device_from_handle.push_back({{ticks.number(1), ticks.number(2), ticks.number(3)},
+                                             {ticks.number(4), ticks.number(5), ticks.number(6), ticks.number(7)}});
+    }
+    if (keys.has_failed() || ticks.has_failed() || inputs.device_from_handle.empty()) {
+        error = path + ": holds no ticks that can be read.";
+        return std::nullopt;
+    }
+    return inputs;
+}
+
+}  // namespace kerf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/recording.h"
+
+namespace kerf {
+
+/// What a replay needs of a session: every input of every tick, and the hash the run ended in.
+struct RecordedInputs {
+    std::string procedure_text;
+    std::uint64_t anatomy_hash = 0;
+    std::vector<Pose> device_from_handle;  ///< one per tick, in order
+    std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short
+};
+
+/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks; `error` is for
+/// people.   [main]
+[[nodiscard]] std::optional<RecordedInputs> read_session(const std::string& path, std::string& error);
+
+}  // namespace kerf
