@@ -20,7 +20,7 @@
 namespace kerf {
 namespace {
 
-constexpr int least_edge = 2, most_edge = 4096;             // [voxels]
+constexpr int least_edge = 2, most_edge = 4096;  // [voxels]
 constexpr std::uint64_t most_voxels = 512ull * 1024 * 1024;
 constexpr double least_spacing = 1e-3, most_spacing = 100.0;  // [mm]
 constexpr std::size_t most_header = 64 * 1024;                // [bytes] of text
@@ -222,11 +222,20 @@ Number nifti_field(const std::string& header, std::size_t at, bool is_swapped) {
 
 int bytes_of_nifti_type(int type) {
     switch (type) {
-        case 2: case 256: return 1;           // (u)int8
-        case 4: case 512: return 2;           // (u)int16
-        case 8: case 768: case 16: return 4;  // (u)int32, float32
-        case 64: return 8;                    // float64
-        default: return 0;
+        case 2:
+        case 256:
+            return 1;  // (u)int8
+        case 4:
+        case 512:
+            return 2;  // (u)int16
+        case 8:
+        case 768:
+        case 16:
+            return 4;  // (u)int32, float32
+        case 64:
+            return 8;  // float64
+        default:
+            return 0;
     }
 }
 
@@ -291,11 +300,14 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     const int type = word(70);
     image.bytes_per_voxel = bytes_of_nifti_type(type);
     if (image.bytes_per_voxel == 0)
-        refuse("E0625", "the header names voxel type " + std::to_string(type) + ", must be an integer or float of 1 to 8 bytes.",
+        refuse("E0625",
+               "the header names voxel type " + std::to_string(type) + ", must be an integer or float of 1 to 8 bytes.",
                "Export the image as 16-bit integers.");
     if (word(72) != 8 * image.bytes_per_voxel)
-        refuse("E0622", "`bitpix` is " + std::to_string(word(72)) + ", but the voxel type has " +
-                            std::to_string(8 * image.bytes_per_voxel) + " bits.", "Export the image again.");
+        refuse("E0622",
+               "`bitpix` is " + std::to_string(word(72)) + ", but the voxel type has " +
+                   std::to_string(8 * image.bytes_per_voxel) + " bits.",
+               "Export the image again.");
     const auto offset = static_cast<double>(nifti_field<float>(header, 108, is_swapped));
     if (!(offset >= 352.0 && offset <= 16.0 * 1024 * 1024) || offset != std::floor(offset))
         refuse("E0622", "`vox_offset` is " + number_text(offset) + ", must be 352 or more.", "Export the image again.");
@@ -332,17 +344,46 @@ void add(Fields& fields, std::string_view name, std::string_view value) {
 }
 
 int bytes_of_named_type(const std::string& type) {
-    static const std::map<std::string, int> known{
-        {"signed char", 1}, {"int8", 1}, {"int8_t", 1}, {"uchar", 1}, {"unsigned char", 1}, {"uint8", 1}, {"uint8_t", 1},
-        {"short", 2}, {"short int", 2}, {"signed short", 2}, {"signed short int", 2}, {"int16", 2}, {"int16_t", 2},
-        {"ushort", 2}, {"unsigned short", 2}, {"unsigned short int", 2}, {"uint16", 2}, {"uint16_t", 2},
-        {"int", 4}, {"signed int", 4}, {"int32", 4}, {"int32_t", 4}, {"uint", 4}, {"unsigned int", 4}, {"uint32", 4},
-        {"uint32_t", 4}, {"float", 4}, {"double", 8},
-        {"met_char", 1}, {"met_uchar", 1}, {"met_short", 2}, {"met_ushort", 2}, {"met_int", 4}, {"met_uint", 4},
-        {"met_float", 4}, {"met_double", 8}};
+    static const std::map<std::string, int> known{{"signed char", 1},
+                                                  {"int8", 1},
+                                                  {"int8_t", 1},
+                                                  {"uchar", 1},
+                                                  {"unsigned char", 1},
+                                                  {"uint8", 1},
+                                                  {"uint8_t", 1},
+                                                  {"short", 2},
+                                                  {"short int", 2},
+                                                  {"signed short", 2},
+                                                  {"signed short int", 2},
+                                                  {"int16", 2},
+                                                  {"int16_t", 2},
+                                                  {"ushort", 2},
+                                                  {"unsigned short", 2},
+                                                  {"unsigned short int", 2},
+                                                  {"uint16", 2},
+                                                  {"uint16_t", 2},
+                                                  {"int", 4},
+                                                  {"signed int", 4},
+                                                  {"int32", 4},
+                                                  {"int32_t", 4},
+                                                  {"uint", 4},
+                                                  {"unsigned int", 4},
+                                                  {"uint32", 4},
+                                                  {"uint32_t", 4},
+                                                  {"float", 4},
+                                                  {"double", 8},
+                                                  {"met_char", 1},
+                                                  {"met_uchar", 1},
+                                                  {"met_short", 2},
+                                                  {"met_ushort", 2},
+                                                  {"met_int", 4},
+                                                  {"met_uint", 4},
+                                                  {"met_float", 4},
+                                                  {"met_double", 8}};
     const auto found = known.find(lower(type));
     if (found == known.end())
-        refuse("E0625", "the header names voxel type `" + shown(type) + "`, must be an integer or float of 1 to 8 bytes.",
+        refuse("E0625",
+               "the header names voxel type `" + shown(type) + "`, must be an integer or float of 1 to 8 bytes.",
                "Export the image as 16-bit integers.");
     return found->second;
 }
@@ -367,7 +408,8 @@ ImageFile check_nrrd(const std::string& file) {
         }
         if (is_first || line[0] == '#') continue;
         const std::size_t colon = line.find(':');
-        if (colon == std::string_view::npos) refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image again.");
+        if (colon == std::string_view::npos)
+            refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image again.");
         if (colon + 1 < line.size() && line[colon + 1] == '=') continue;  // a remark of the author's
         add(fields, line.substr(0, colon), line.substr(colon + 1));
     }
@@ -393,13 +435,15 @@ ImageFile check_nrrd(const std::string& file) {
             refuse("E0622", "`endian` is \"" + shown(endian) + "\", must be little or big.", "Export the image again.");
 
     const std::string encoding = lower(need(fields, {"encoding"}));
-    if (encoding == "gzip" || encoding == "gz") image.packing = ImageFile::Packing::deflated;
+    if (encoding == "gzip" || encoding == "gz")
+        image.packing = ImageFile::Packing::deflated;
     else if (encoding != "raw")
-        refuse("E0625", "the encoding is `" + shown(encoding) + "`, must be raw or gzip.", "Export the image with gzip.");
+        refuse("E0625", "the encoding is `" + shown(encoding) + "`, must be raw or gzip.",
+               "Export the image with gzip.");
 
     const std::string space = lower(need(fields, {"space"}));
     static const std::array<const char*, 6> spaces{"left-posterior-superior", "lps", "right-anterior-superior", "ras",
-                                                   "left-anterior-superior", "las"};
+                                                   "left-anterior-superior",  "las"};
     if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
         refuse("E0627", "`space` is \"" + shown(space) + "\": nobody can tell left from right.",
                "Export the image with space: left-posterior-superior.");
@@ -437,7 +481,8 @@ ImageFile check_meta(const std::string& file) {
         if (line.empty()) continue;
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos)
-            refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image as .mha, .nrrd or .nii.gz.");
+            refuse("E0622", "the header has the line \"" + shown(line) + "\".",
+                   "Export the image as .mha, .nrrd or .nii.gz.");
         add(fields, line.substr(0, equals), line.substr(equals + 1));
     }
     const std::string& data = need(fields, {"elementdatafile"});
@@ -462,7 +507,9 @@ ImageFile check_meta(const std::string& file) {
     const auto spacing = numbers_of<double>(need(fields, {"elementspacing"}), "ElementSpacing");
     if (spacing.size() != 3) refuse("E0627", "`ElementSpacing` needs three numbers.", "Export the image again.");
     for (const double s : spacing)
-        if (!(s > 0.0)) refuse("E0627", "`ElementSpacing` is " + number_text(s) + ", must be above 0 mm.", "Export the image again.");
+        if (!(s > 0.0))
+            refuse("E0627", "`ElementSpacing` is " + number_text(s) + ", must be above 0 mm.",
+                   "Export the image again.");
     const std::string* rotation = find(fields, {"transformmatrix", "rotation", "orientation"});
     const auto matrix = numbers_of<double>(rotation ? *rotation : "1 0 0 0 1 0 0 0 1", "TransformMatrix");
     const std::string* offset = find(fields, {"offset", "position", "origin"});
@@ -480,8 +527,10 @@ ImageFile check_meta(const std::string& file) {
         return image;
     }
     const std::filesystem::path name(data);
-    if (data.find_first_of("/\\%* ") != std::string::npos || lower(data) == "list" || name.filename() != name || name == "..")
-        refuse("E0622", "the voxels are in \"" + shown(data) + "\", must be one file beside the header, without blanks.",
+    if (data.find_first_of("/\\%* ") != std::string::npos || lower(data) == "list" || name.filename() != name ||
+        name == "..")
+        refuse("E0622",
+               "the voxels are in \"" + shown(data) + "\", must be one file beside the header, without blanks.",
                "Export the image as one .mha.");
     image.data_file = (std::filesystem::path(file).parent_path() / name).string();
     return image;
@@ -495,10 +544,14 @@ ImageFile checked(const std::string& file) {
     size_of_file(file);
     const std::string name = lower(file);
     ImageFile image;
-    if (ends_in(name, ".nii")) image = check_nifti(file, false);
-    else if (ends_in(name, ".nii.gz")) image = check_nifti(file, true);
-    else if (ends_in(name, ".nrrd")) image = check_nrrd(file);
-    else if (ends_in(name, ".mha") || ends_in(name, ".mhd")) image = check_meta(file);
+    if (ends_in(name, ".nii"))
+        image = check_nifti(file, false);
+    else if (ends_in(name, ".nii.gz"))
+        image = check_nifti(file, true);
+    else if (ends_in(name, ".nrrd"))
+        image = check_nrrd(file);
+    else if (ends_in(name, ".mha") || ends_in(name, ".mhd"))
+        image = check_meta(file);
     else
         refuse("E0621", "the file's ending names no format that can be read.",
                "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd).");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/import/ct_body.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -33,14 +34,30 @@ std::string rounded(double value, int digits) {
 
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics) {
+namespace {
+
+Box phantom_bounds(const PhantomSource& phantom) {
     Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (const auto& part : anatomy.phantom.parts) {
+    for (const auto& part : phantom.parts) {
         if (part.subtract) continue;
         const Box box = bounds_of(part.solid);
         bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y), std::min(bounds.low.z, box.low.z)};
         bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y), std::max(bounds.high.z, box.high.z)};
     }
+    return bounds;
+}
+
+double distance_to_box(const Box& box, Vec3 p) {
+    return distance_to(BoxSolid{0.5 * (box.low + box.high), box.high - box.low}, p);
+}
+
+}  // namespace
+
+std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics) {
+    std::optional<CtBone> ct;
+    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics))) return std::nullopt;
+
+    const Box bounds = ct ? ct->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
         diagnostics.push_back(error("E0601", anatomy.file, "the phantom has no part that adds bone.",
                                     "Give `phantom.parts` at least one part without `subtract`."));
@@ -54,21 +71,29 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         diagnostics.push_back(error("E0602", anatomy.file,
                                     "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
                                         rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) + " mm is too large.",
-                                    "Use a coarser `accuracy.spacing` or a smaller phantom."));
+                                    "Use a coarser `accuracy.spacing` or a smaller bone."));
         return std::nullopt;
     }
+
+    // A CT is cut off at its region: a face of bone, but no cortex.
+    const auto depth = [&](Vec3 p) {
+        return ct ? ct->distance.sample_trilinear(p, spacing * 1e3) : distance_to(anatomy.phantom, p);
+    };
+    const auto surface = [&](Vec3 p) { return ct ? std::max(depth(p), distance_to_box(ct->region, p)) : depth(p); };
 
     Body body;
     body.id = anatomy.id;
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    body.surface = LevelSet::build(grid, [&](Vec3 p) { return distance_to(anatomy.phantom, p); });
+    body.surface = LevelSet::build(grid, surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
+        if (is_base && ct && anatomy.ct->density) {
+            const DensityLine& line = *anatomy.ct->density;
+            material.density = std::max(line.floor, line.at_zero + line.per_unit * ct->mean_value);
+        }
         // A shell lies between the surface and its own thickness below it.
-        if (!is_base)
-            material.border = LevelSet::build(
-                grid, [&](Vec3 p) { return -distance_to(anatomy.phantom, p) - tissue.thickness; });
+        if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
         body.materials.push_back(std::move(material));
     }
     return body;

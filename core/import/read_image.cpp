@@ -19,9 +19,12 @@ using ItkImage = itk::Image<float, 3>;
 
 itk::ImageIOBase::Pointer reader_for(ImageFile::Format format) {
     switch (format) {
-        case ImageFile::Format::nrrd: return itk::NrrdImageIO::New().GetPointer();
-        case ImageFile::Format::meta: return itk::MetaImageIO::New().GetPointer();
-        default: return itk::NiftiImageIO::New().GetPointer();
+        case ImageFile::Format::nrrd:
+            return itk::NrrdImageIO::New().GetPointer();
+        case ImageFile::Format::meta:
+            return itk::MetaImageIO::New().GetPointer();
+        default:
+            return itk::NiftiImageIO::New().GetPointer();
     }
 }
 
@@ -36,7 +39,11 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
 
 /// Whether ITK understood the header as we did: it must not take more memory than was checked for.
 bool agrees(itk::ImageIOBase& io, const ImageFile& header) {
-    if (io.GetNumberOfComponents() != 1 || io.GetComponentSize() != static_cast<unsigned>(header.bytes_per_voxel)) return false;
+    // What NIfTI scales comes as a float.
+    const bool is_scaled =
+        header.format == ImageFile::Format::nifti && io.GetComponentType() == itk::IOComponentEnum::FLOAT;
+    const bool has_type = is_scaled || io.GetComponentSize() == static_cast<unsigned>(header.bytes_per_voxel);
+    if (io.GetNumberOfComponents() != 1 || !has_type) return false;
     for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
         if (io.GetDimensions(axis) != static_cast<std::size_t>(axis < 3 ? header.size[axis] : 1)) return false;
     return io.GetNumberOfDimensions() >= 3;

@@ -16,10 +16,10 @@ namespace kerf {
 
 /// Voxels with their place in the patient. Frame: LPS, metres; (0,0,0) is the centre of the first voxel.
 struct VoxelImage {
-    std::array<int, 3> size{};               ///< voxels along i, j, k
+    std::array<int, 3> size{};                ///< voxels along i, j, k
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m]; may be sheared (tilted gantry)
     std::array<double, 12> index_from_lps{};  ///< its inverse [voxels]
-    std::vector<float> values;               ///< i fastest; HU, grey or label, scaled as the file says
+    std::vector<float> values;                ///< i fastest; HU, grey or label, scaled as the file says
 
     [[nodiscard]] std::size_t offset(int i, int j, int k) const noexcept {
         return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) *

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,11 +42,32 @@ struct Zone {
 
 struct PhantomSource { std::vector<PhantomPart> parts; };
 
+/// Bone density from a voxel's value: at_zero + per_unit × value, never under the floor.
+struct DensityLine {
+    double at_zero = 0.0;   ///< [kg/m³]
+    double per_unit = 0.0;  ///< [kg/m³] per HU or grey level
+    double floor = 0.0;     ///< [kg/m³]
+    std::string source;
+};
+
+/// Bone out of a CT. Files: paths as written, inside the document's folder or, failing that, inside KERF_DATA.
+struct CtSource {
+    std::string image;
+    std::string labels;      ///< a label map on the same grid; empty: by threshold alone
+    std::vector<int> keep;   ///< the labels that are this bone
+    double threshold = 0.0;  ///< [HU or grey] the border of bone, between voxels; without labels also what is bone
+    double closing = 0.0;    ///< [m] radius: narrower gaps in the mask are closed
+    bool fill = false;       ///< cavities without a way out count as bone
+    std::optional<DensityLine> density;  ///< the base tissue takes the mean of its voxels
+    std::string source;
+};
+
 struct Anatomy {
     std::string file;   ///< stderr only
     std::string id, title;
     std::string text;   ///< the document itself
-    PhantomSource phantom;
+    PhantomSource phantom;       ///< this,
+    std::optional<CtSource> ct;  ///< or that
     std::vector<Tissue> tissues;  ///< front to back; the last one is the base
     std::vector<LandmarkPoint> points;
     std::vector<LandmarkAxis> axes;

@@ -2,6 +2,7 @@
 #include "core/procedure/read_anatomy.h"
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "core/procedure/read_map.h"
@@ -18,6 +19,11 @@ const QuantityNeed extent{dimension::length, "mm", 0.1_mm, 2.0_m};
 const QuantityNeed tolerance{dimension::length, "mm", 0.0_mm, 20.0_mm};
 const QuantityNeed shell{dimension::length, "mm", 0.1_mm, 20.0_mm};
 const QuantityNeed bone_density{dimension::density, "g/cm3", 0.05_g_per_cm3, 3.0_g_per_cm3};
+const QuantityNeed line_density{dimension::density, "g/cm3", -3.0_g_per_cm3, 3.0_g_per_cm3};
+const QuantityNeed least_density{dimension::density, "g/cm3", 0.01_g_per_cm3, 3.0_g_per_cm3};
+const QuantityNeed closing_radius{dimension::length, "mm", 0.0_mm, 10.0_mm};
+const QuantityNeed voxel_value{dimension::none, "", -4000.0, 65535.0};
+const QuantityNeed label{dimension::none, "", 1.0, 65535.0};
 const QuantityNeed direction{dimension::none, "", -1.0, 1.0};
 
 constexpr double shortest = 1e-6;  // [m] a length below it has no direction
@@ -101,7 +107,60 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
     return parts;
 }
 
-std::vector<Tissue> read_tissues(const Node& node, Report& report) {
+/// A path that stays inside whatever folder it is looked for in.
+std::string read_data_path(const Node* node, const std::string& name, Report& report) {
+    if (!node) return {};
+    const std::optional<std::string> text = read_text(*node, name, report);
+    if (!text) return {};
+    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
+    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
+    if (path.is_absolute() || has_drive || (!path.empty() && *path.begin() == "..")) {
+        report.error(Code::path_outside, node->span,
+                     name + " must be a path inside the document's own folder or KERF_DATA, with `/` between folders.");
+        return {};
+    }
+    return path.generic_string();
+}
+
+DensityLine read_density_line(const Node& node, Report& report) {
+    MapReader map(node, "ct.density", report);
+    DensityLine line;
+    line.at_zero = map.quantity("at_zero", line_density);
+    line.per_unit = map.quantity("per_unit", line_density);
+    line.floor = map.quantity("floor", least_density);
+    line.source = map.text("source");
+    map.finish();
+    return line;
+}
+
+CtSource read_ct(const Node& node, Report& report) {
+    MapReader map(node, "ct", report);
+    CtSource ct;
+    ct.image = read_data_path(map.required("image"), "ct.image", report);
+    if (const Node* found = map.optional("labels")) {
+        MapReader labels(*found, "ct.labels", report);
+        ct.labels = read_data_path(labels.required("file"), "ct.labels.file", report);
+        if (const Node* keep = labels.required("keep"))
+            for (const Node& item : read_list(*keep, "ct.labels.keep", report)) {
+                const std::optional<double> value = read_quantity(item, "A label", label, report);
+                if (!value) continue;
+                if (*value != std::floor(*value))
+                    report.error(Code::not_a_number, item.span, "A label must be a whole number.");
+                ct.keep.push_back(static_cast<int>(*value));
+            }
+        labels.finish();
+    }
+    ct.threshold = map.quantity("threshold", voxel_value);
+    map.quantity("closing", closing_radius, ct.closing);
+    if (const Node* fill = map.optional("fill")) ct.fill = read_yes_no(*fill, "ct.fill", report).value_or(false);
+    if (const Node* density = map.optional("density")) ct.density = read_density_line(*density, report);
+    ct.source = map.optional_text("source");
+    map.finish();
+    return ct;
+}
+
+/// `has_density_line`: the density of the base comes from the CT.
+std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report& report) {
     std::vector<Tissue> tissues;
     UniqueIds ids;
     const std::vector<Node>& items = read_list(node, "tissues", report);
@@ -114,9 +173,11 @@ std::vector<Tissue> read_tissues(const Node& node, Report& report) {
         Tissue tissue;
         tissue.id = map.id("id");
         if (!tissue.id.empty()) ids.add(tissue.id, item.find("id")->span, report);
-        tissue.density = map.quantity("density", bone_density);
-        tissue.source = map.optional_text("source");
         const bool is_base = &item == &items.back();
+        if (!(is_base && has_density_line)) tissue.density = map.quantity("density", bone_density);
+        else if (const Node* density = map.optional("density"))
+            report.error(Code::degenerate, density->key_span, "`ct.density` gives the last tissue its density. Remove one.");
+        tissue.source = map.optional_text("source");
         if (!is_base) tissue.thickness = map.quantity("thickness", shell);
         else if (const Node* thickness = map.optional("thickness"))
             report.error(Code::degenerate, thickness->key_span,
@@ -203,12 +264,18 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
                 anatomy->title = metadata.text("title");
                 metadata.finish();
             }
-            if (const Node* node = map.required("phantom")) {
-                MapReader phantom(*node, "phantom", report);
+            const Node* solids = map.optional("phantom");
+            const Node* ct = map.optional("ct");
+            if (!solids == !ct)
+                report.error(Code::one_of, ct ? ct->key_span : map.span(), "An anatomy has either `phantom` or `ct`.");
+            if (ct) anatomy->ct = read_ct(*ct, report);
+            if (solids) {
+                MapReader phantom(*solids, "phantom", report);
                 if (const Node* parts = phantom.required("parts")) anatomy->phantom.parts = read_parts(*parts, report);
                 phantom.finish();
             }
-            if (const Node* node = map.required("tissues")) anatomy->tissues = read_tissues(*node, report);
+            if (const Node* node = map.required("tissues")) 
+                anatomy->tissues = read_tissues(*node, anatomy->ct && anatomy->ct->density, report);
             if (const Node* node = map.required("landmarks")) read_landmarks(*node, *anatomy, report);
             if (const Node* node = map.optional("zones")) anatomy->zones = read_zones(*node, report);
             map.finish();

@@ -27,7 +27,8 @@ SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pos
       position_(start.position),
       rotation_(start.rotation),
       leg_start_(start.position),
-      felt_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position) {}
+      felt_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position),
+      planned_(felt_.size(), 0.0) {}
 
 Pose SimulatedHand::reported() const noexcept {
     const double r = plant_.resolution;
@@ -36,7 +37,9 @@ Pose SimulatedHand::reported() const noexcept {
 
 void SimulatedHand::think() {
     const Vec3 seen = felt_[felt_at_];
+    const double planned = planned_[felt_at_];
     felt_[felt_at_] = reported().position;
+    planned_[felt_at_] = plan_;
     felt_at_ = (felt_at_ + 1) % felt_.size();
     if (is_done()) return;
 
@@ -46,7 +49,7 @@ void SimulatedHand::think() {
     const double total = length(way);
     const Vec3 along = normalized(way);
     const double seen_at = dot(seen - leg_start_, along);
-    const double lag = plan_ - seen_at - leg.speed * intent_.reaction;
+    const double lag = planned - seen_at;
 
     if (lag < patience) plan_ = std::min(total, plan_ + leg.speed * dt_);
     if (lag < -surprise) {
@@ -60,6 +63,8 @@ void SimulatedHand::think() {
         ++leg_;
         leg_start_ = reported().position;
         plan_ = lean_ = 0.0;
+        std::fill(planned_.begin(), planned_.end(), 0.0);
+        std::fill(felt_.begin(), felt_.end(), leg_start_);
     }
 }
 
@@ -67,10 +72,12 @@ Pose SimulatedHand::step(Vec3 force_on_hand) {
     think();
     Vec3 aim = leg_start_;
     if (!is_done()) aim = leg_start_ + (plan_ + lean_) * normalized(intent_.legs[leg_].target.position - leg_start_);
+    const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;
     for (int i = 0; i < substeps; ++i) {
-        const Vec3 pull = plant_.arm_stiffness * (aim - position_);
+        Vec3 pull = plant_.arm_stiffness * (aim - position_);
+        if (const double strength = length(pull); strength > most) pull = (most / strength) * pull;
         const Vec3 drag = (plant_.arm_damping + plant_.device_viscosity) * velocity_;
         Vec3 force = pull - drag + force_on_hand;
         // Coulomb friction: it stops the handle, and never turns it back.

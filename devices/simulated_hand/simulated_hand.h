@@ -62,7 +62,9 @@ private:
     double lean_ = 0.0;      ///< [m] along the leg: stretch of the arm's spring on top
     Vec3 leg_start_;
     std::size_t leg_ = 0;
-    std::vector<Vec3> felt_;  ///< ring of past positions, one reaction time long
+    /// What was, and what was planned, one reaction time ago: rings.
+    std::vector<Vec3> felt_;
+    std::vector<double> planned_;
     std::size_t felt_at_ = 0;
 };
 

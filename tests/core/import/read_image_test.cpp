@@ -62,7 +62,8 @@ struct Nifti {
     }
     Nifti() {
         with<std::int32_t>(0, 348).with<std::int16_t>(40, 3);
-        for (std::size_t axis = 0; axis < 3; ++axis) with<std::int16_t>(42 + 2 * axis, static_cast<std::int16_t>(size[axis]));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            with<std::int16_t>(42 + 2 * axis, static_cast<std::int16_t>(size[axis]));
         for (std::size_t axis = 3; axis < 7; ++axis) with<std::int16_t>(42 + 2 * axis, 1);
         with<std::int16_t>(70, 4).with<std::int16_t>(72, 16);
         with(76, 1.0f).with(80, 0.5f).with(84, 1.0f).with(88, 2.0f).with(108, 352.0f).with(112, 1.0f);
@@ -124,21 +125,24 @@ TEST_F(ReadImage, GivesTheSameVolumeFromEveryFormat) {
     expect_the_volume("d.nrrd", replaced(nrrd_header, "encoding: raw", "encoding: gzip") + packed(voxels(), true));
     expect_the_volume("e.mha", meta_header + voxels());
     const std::string bytes = packed(voxels(), false);
-    expect_the_volume("f.mha", replaced(meta_header, "CompressedData = False", "CompressedData = True\nCompressedDataSize = " +
-                                                                                   std::to_string(bytes.size())) + bytes);
+    expect_the_volume("f.mha", replaced(meta_header, "CompressedData = False",
+                                        "CompressedData = True\nCompressedDataSize = " + std::to_string(bytes.size())) +
+                                   bytes);
     write("g.raw", voxels());
     expect_the_volume("g.mhd", replaced(meta_header, "LOCAL", "g.raw"));
 }
 
 TEST_F(ReadImage, TurnsRasIntoLps) {
     const std::string ras = replaced(nrrd_header, "left-posterior-superior", "right-anterior-superior");
-    expect_the_volume("ras.nrrd", replaced(replaced(ras, "(0.5,0,0) (0,1,0)", "(-0.5,0,0) (0,-1,0)"), "(10,20,30)", "(-10,-20,30)") + voxels());
+    expect_the_volume(
+        "ras.nrrd",
+        replaced(replaced(ras, "(0.5,0,0) (0,1,0)", "(-0.5,0,0) (0,-1,0)"), "(10,20,30)", "(-10,-20,30)") + voxels());
 }
 
 TEST_F(ReadImage, KeepsTheShearOfATiltedScan) {
     Diagnostics diagnostics;
-    const auto image = read_image(
-        write("tilted.nrrd", replaced(nrrd_header, "(0,0,2)", "(0,0.5,2)") + voxels()), diagnostics);
+    const auto image =
+        read_image(write("tilted.nrrd", replaced(nrrd_header, "(0,0,2)", "(0,0.5,2)") + voxels()), diagnostics);
     ASSERT_TRUE(image) << to_text(diagnostics);
     EXPECT_NEAR(length(image->lps({0, 0, 1}) - Vec3{10.0_mm, 20.5_mm, 32.0_mm}), 0.0, 1e-9);
     EXPECT_NEAR(image->sample_trilinear({10.0_mm, 20.5_mm, 32.0_mm}, -1.0), 1.0, 1e-6);
@@ -189,7 +193,8 @@ TEST_F(ReadImage, RefusesTruncatedFilesOfEveryFormat) {
     expect_refused("E0626", "b.nii.gz", gzip.substr(0, gzip.size() - 20 /* the sums at its end are 8 bytes */));
     expect_refused("E0626", "short.nii.gz", packed(cut(Nifti().file()), true));
     expect_refused("E0626", "c.nrrd", cut(nrrd_header + voxels()));
-    expect_refused("E0626", "d.nrrd", replaced(nrrd_header, "encoding: raw", "encoding: gzip") + packed(cut(voxels()), true));
+    expect_refused("E0626", "d.nrrd",
+                   replaced(nrrd_header, "encoding: raw", "encoding: gzip") + packed(cut(voxels()), true));
     expect_refused("E0626", "e.mha", cut(meta_header + voxels()));
     write("g.raw", cut(voxels()));
     expect_refused("E0626", "g.mhd", replaced(meta_header, "LOCAL", "g.raw"));
@@ -206,7 +211,9 @@ TEST_F(ReadImage, RefusesDamagedCompressedData) {
 
 TEST_F(ReadImage, RefusesASmallFileThatPromisesMuch) {
     // 512 million voxels of 2 bytes in a file of a few hundred
-    expect_refused("E0626", "a.nii", Nifti().with<std::int16_t>(42, 1024).with<std::int16_t>(44, 1024).with<std::int16_t>(46, 512).file());
+    expect_refused(
+        "E0626", "a.nii",
+        Nifti().with<std::int16_t>(42, 1024).with<std::int16_t>(44, 1024).with<std::int16_t>(46, 512).file());
     expect_refused("E0626", "b.nrrd", replaced(nrrd_header, "4 3 2", "1024 1024 512") + voxels());
     expect_refused("E0626", "c.mha", replaced(meta_header, "4 3 2", "1024 1024 512") + voxels());
     expect_refused("E0624", "d.mha", replaced(meta_header, "4 3 2", "4096 4096 4096") + voxels());

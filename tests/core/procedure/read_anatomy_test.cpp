@@ -95,5 +95,57 @@ TEST(ReadAnatomy, RefusesMoreTissuesThanASampleCanMix) {
     expect_refused(Code::out_of_range, shell + "  - {", five + "  - «{»");
 }
 
+// The same out of a CT.
+const std::string faultless_ct = R"(apiVersion: kerf/v1
+kind: Anatomy
+metadata: {id: bone, title: A bone}
+ct:
+  image: scans/bone.nii.gz
+  labels: {file: scans/labels.nrrd, keep: [22, 23]}
+  threshold: 150
+  closing: 2 mm
+  fill: true
+  density: {at_zero: -0.1 g/cm3, per_unit: 0.001 g/cm3, floor: 0.1 g/cm3, source: A book.}
+tissues:
+  - {id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}
+  - {id: cancellous}
+landmarks: {}
+)";
+
+void expect_ct_refused(Code code, std::string_view from, std::string_view to) {
+    SCOPED_TRACE(std::string(to));
+    const MarkedText marked(replaced(faultless_ct, from, to));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(ReadAnatomy, GivesTheCtInSi) {
+    Diagnostics diagnostics;
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_ct, diagnostics);
+
+    ASSERT_TRUE(anatomy && anatomy->ct) << to_text(diagnostics);
+    EXPECT_EQ(anatomy->ct->image, "scans/bone.nii.gz");
+    EXPECT_EQ(anatomy->ct->labels, "scans/labels.nrrd");
+    EXPECT_EQ(anatomy->ct->keep, (std::vector<int>{22, 23}));
+    EXPECT_EQ(anatomy->ct->threshold, 150.0);
+    EXPECT_EQ(anatomy->ct->closing, 2.0_mm);
+    EXPECT_TRUE(anatomy->ct->fill);
+    EXPECT_EQ(anatomy->ct->density.value().floor, 0.1_g_per_cm3);
+}
+
+TEST(ReadAnatomy, RefusesAnImageOutsideBothFolders) {
+    for (const char* path : {"/scans/bone.nii.gz", "../bone.nii.gz", "scans/../../bone.nii.gz", "'c:bone.nii.gz'"})
+        expect_ct_refused(Code::path_outside, "scans/bone.nii.gz", "«" + std::string(path) + "»");
+}
+TEST(ReadAnatomy, RefusesALabelThatIsNoWholeNumber) { expect_ct_refused(Code::not_a_number, "[22,", "[«22.5»,"); }
+TEST(ReadAnatomy, RefusesTwoDensitiesForTheBase) {
+    expect_ct_refused(Code::degenerate, "{id: cancellous}", "{id: cancellous, «density»: 0.25 g/cm3}");
+}
+TEST(ReadAnatomy, RefusesACtWithoutThreshold) { expect_ct_refused(Code::missing_key, "ct:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}\n  threshold: 150", "«ct»:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}"); }
+TEST(ReadAnatomy, RefusesACtBesideAPhantom) {
+    expect_ct_refused(Code::one_of, "ct:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«ct»:");
+}
+
 }  // namespace
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/field/removed_volume.h"
 #include "tests/support/layered_slab.h"
 
 namespace kerf {
@@ -71,6 +72,38 @@ TEST(DrillThrust, IsTheClosedFormOfTheLipIntegral) {
 
     // Thrust: each piece gives k (f/2) n_z dr per lip, n_z within 1 % of sin p for so thin a web.
     EXPECT_NEAR(felt.thrust / (k_thrust * f * (r - r_c) * std::sin(59.0_deg)), 1.0, 0.01);
+}
+
+// P8: the work of thrust and torque is the law's own: chip energy × volume + edge energy × swept edge area, plus the
+// thrust's share. The volume is the field's, counted from the voxels.
+TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
+    using namespace drilling;
+    const double rate = 2.0_mm_per_s, n = 1000.0_rpm;
+    const ToolSetup setup = test::twist_drill({{"chisel_edge", 0.0}, {"chisel_chip", 0.0}, {"thrust_edge", 0.0}, {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */}, {"web", 0.05}});
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    RemovedVolume volume(body);
+    double work = 0.0, at = -1.0_mm, from_volume = 0.0, revolutions = 0.0;
+    while (at < 6.0_mm) {
+        const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt)});
+        simulation.after_tick();
+        at += rate * Simulation::dt;
+        if (at < 2.5_mm) {
+            volume.update(simulation.exact());
+            from_volume = volume.total();
+            continue;
+        }
+        work += (r.torque * 2.0 * pi * n + r.thrust * rate) * Simulation::dt;
+        revolutions += n * Simulation::dt;
+    }
+    volume.update(simulation.exact());
+
+    const Lip lip = make_lip(drill_of(setup.tool_parameters), 0.1_mm);
+    double edge_area_per_turn = 0.0;
+    for (std::size_t i = 0; i < lip.count; ++i) edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
+    const double cost = setup.force_parameters[force_cutting_chip] * (volume.total() - from_volume) +
+                        setup.force_parameters[force_cutting_edge] * edge_area_per_turn * revolutions;
+    EXPECT_NEAR(work / cost, 1.0, 0.02);
 }
 
 // P6: finer elements converge, they do not add force.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/simulated_hand/simulated_hand.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/layered_slab.h"
+
+namespace kerf::simulated_hand {
+namespace {
+
+using namespace literals;
+
+constexpr double dt = 1e-3;
+
+Intent down_to(double depth, double speed, double push) {
+    return {.legs = {{.target = test::at_depth(depth), .speed = speed, .push = push}}};
+}
+
+TEST(SimulatedHand, InAirItArrivesAtItsSpeed) {
+    SimulatedHand hand({}, down_to(20.0_mm, 10.0_mm_per_s, 0.5), test::at_depth(0.0), dt);
+    int ticks = 0;
+    while (!hand.is_done() && ticks < 10000) {
+        hand.step({});
+        ++ticks;
+    }
+    EXPECT_NEAR(ticks * dt, 2.0, 0.5 /* it starts from rest */);
+    EXPECT_NEAR(-hand.reported().position.z, 20.0_mm, 0.5_mm);
+}
+
+TEST(SimulatedHand, AgainstAWallItLeansInAndNeverBeyondItsPush) {
+    // A wall of 1 N/mm at 5 mm
+    const double push = 0.6;
+    SimulatedHand hand({}, down_to(20.0_mm, 10.0_mm_per_s, push), test::at_depth(0.0), dt);
+    double mean = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const double force = std::max(0.0, 1000.0 * (-hand.reported().position.z - 5.0_mm));
+        if (i >= 18000) mean += force / 2000.0;
+        hand.step({0, 0, force});
+    }
+    EXPECT_NEAR(mean, push, Plant{}.device_friction + 0.02 /* half a count of the encoder */);
+    EXPECT_FALSE(hand.is_done());
+}
+
+/// How far the tip runs past the far face of the layered slab [m].
+double plunge(double push, double reaction) {
+    const Body body = test::Slab::make(0.25_mm, {0.2, 0.3, 0.4});
+    const ToolSetup setup = test::twist_drill();
+    const CouplingGains gains = test::gains(1.0 / 100.0);
+    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
+    // Up to the middle of the far cortex by hand and clockwork, so that only the breakthrough is compared.
+    for (double depth = -1.0_mm; depth < 15.0_mm; depth += 4.0_um) {
+        (void)simulation.tick_direct({test::at_depth(depth)});
+        simulation.after_tick();
+    }
+    const Pose start = simulation.world_from_tool();
+    SimulatedHand hand({}, {.legs = {{.target = test::at_depth(60.0_mm), .speed = 1.0_mm_per_s, .push = push * gains.force_scale}}, .reaction = reaction},
+                       start, dt);
+    double deepest = 0.0;
+    int after_clearing = 0;
+    while (after_clearing < 1500 && simulation.ticks() < 60000) {
+        const TickResult result = simulation.tick({hand.reported()});
+        simulation.after_tick();
+        hand.step(linear(result.commanded));
+        const double depth = -result.world_from_tool.position.z;
+        if (depth > test::Slab::third + 0.96_mm) ++after_clearing;
+        deepest = std::max(deepest, depth - test::Slab::third - 0.96_mm);
+    }
+    EXPECT_GT(after_clearing, 0) << "it never got through";
+    return deepest;
+}
+
+TEST(SimulatedHand, AHastyHandPlungesFartherThanACarefulOne) {
+    const double careful = plunge(110.0, 0.10), hasty = plunge(200.0, 0.35);
+    EXPECT_GT(hasty, careful + 2.0_mm);
+    RecordProperty("careful_mm", std::to_string(careful * 1e3));
+    RecordProperty("hasty_mm", std::to_string(hasty * 1e3));
+}
+
+}  // namespace
+}  // namespace kerf::simulated_hand
