@@ -15,12 +15,11 @@ constexpr double around_axes = 15e-3;  // [m] of bone that is taken along on eve
 constexpr std::array<std::array<int, 3>, 6> neighbours{
     {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
-Diagnostic error(const char* code, const std::string& file, std::string message, std::string write) {
+Diagnostic error(const char* code, const std::string& file, std::string message, const std::string& advice) {
     Diagnostic d;
     d.code = code;
     d.place.file = file;
-    d.message = std::move(message);
-    d.write = std::move(write);
+    d.message = std::move(message) + " " + advice;
     return d;
 }
 
@@ -311,8 +310,8 @@ std::string found_file(const std::string& written, const std::string& document) 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
                                    Diagnostics& diagnostics) {
     const CtSource& ct = *anatomy.ct;
-    const auto refuse = [&](const char* code, std::string message, std::string write) {
-        diagnostics.push_back(error(code, anatomy.file, std::move(message), std::move(write)));
+    const auto refuse = [&](const char* code, std::string message, const std::string& advice) {
+        diagnostics.push_back(error(code, anatomy.file, std::move(message), advice));
         return std::nullopt;
     };
     if (labels && !on_one_grid(image, *labels))

@@ -28,11 +28,11 @@ constexpr std::size_t most_header = 64 * 1024;                // [bytes] of text
 /// What is wrong with the file; becomes a Diagnostic at the only way out.
 struct Refusal {
     const char* code;
-    std::string message, write;
+    std::string message, advice;
 };
 
-[[noreturn]] void refuse(const char* code, std::string message, std::string write) {
-    throw Refusal{code, std::move(message), std::move(write)};
+[[noreturn]] void refuse(const char* code, std::string message, std::string advice) {
+    throw Refusal{code, std::move(message), std::move(advice)};
 }
 
 std::string lower(std::string_view text) {
@@ -568,8 +568,7 @@ std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& 
         return checked(file);
     } catch (const Refusal& refusal) {
         wrong.code = refusal.code;
-        wrong.message = refusal.message;
-        wrong.write = refusal.write;
+        wrong.message = refusal.message + " " + refusal.advice;
     } catch (const std::exception& error) {  // no memory, or a name that is no path
         wrong.code = "E0620";
         wrong.message = std::string("the file cannot be checked: ") + error.what() + ".";

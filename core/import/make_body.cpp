@@ -15,12 +15,11 @@ namespace {
 constexpr double least_share = 0.80;             // of a planned axis in bone
 constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
 
-Diagnostic error(std::string code, const std::string& file, std::string message, std::string write) {
+Diagnostic error(std::string code, const std::string& file, std::string message, const std::string& advice) {
     Diagnostic d;
     d.code = std::move(code);
     d.place.file = file;
-    d.message = std::move(message);
-    d.write = std::move(write);
+    d.message = std::move(message) + " " + advice;
     return d;
 }
 

@@ -32,8 +32,7 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
     Diagnostic wrong;
     wrong.code = code;
     wrong.place.file = file;
-    wrong.message = std::move(message);
-    wrong.write = "Export the image again, for example as .nii.gz.";
+    wrong.message = std::move(message) + " Export the image again, for example as .nii.gz.";
     return wrong;
 }
 

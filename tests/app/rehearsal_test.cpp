@@ -85,6 +85,40 @@ TEST(PedicleScrew, WhatIsRemovedIsCountedByTissue) {
     EXPECT_NEAR(sum, s.removed, 1e-15);
 }
 
+/// The same procedure on a real scan, when there is one.
+class RealScan : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override {
+        if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    }
+    [[nodiscard]] std::optional<Scene> scene() const {
+        Diagnostics diagnostics;
+        auto made = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
+                               std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam(), test::plugins(), diagnostics);
+        EXPECT_TRUE(made) << to_text(diagnostics);
+        return made;
+    }
+};
+
+TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
+    const auto made = scene();
+    ASSERT_TRUE(made);
+    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "expert", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_GT(metric(run.summary, "pilot-hole.axis-in-bone"), 0.95);
+    EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
+}
+
+TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
+    const auto made = scene();
+    ASSERT_TRUE(made);
+    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "medial-breach", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    EXPECT_TRUE(run.is_as_expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
+                         [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
+
 TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
     const std::string folder = testing::TempDir() + "kerf-run";
     const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + folder +
