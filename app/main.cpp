@@ -102,6 +102,15 @@ int main(int argc, char** argv) {
         std::fputs(usage, stdout);
         return 0;
     }
+    if (arguments.command == "--version") {
+        std::printf("kerf %s\n", KERF_VERSION);
+        return 0;
+    }
+    const bool is_known = arguments.command == "run" || arguments.command == "validate" || arguments.command == "rehearse" || arguments.command == "list";
+    if (!arguments.command.empty() && !is_known) {
+        std::fprintf(stderr, "kerf: there is no command `%s`.\n%s", arguments.command.c_str(), usage);
+        return 2;
+    }
     if (!arguments.error.empty()) {
         std::fprintf(stderr, "kerf: %s\n%s", arguments.error.c_str(), usage);
         return 2;
@@ -116,11 +125,6 @@ int main(int argc, char** argv) {
                         component.id.c_str(), component.help.c_str());
         return 0;
     }
-    if (arguments.command != "run" && arguments.command != "validate" && arguments.command != "rehearse") {
-        std::fprintf(stderr, "kerf: there is no command `%s`.\n%s", arguments.command.c_str(), usage);
-        return 2;
-    }
-
     Diagnostics diagnostics;
     const auto scene = make_scene(arguments.file, arguments.anatomy, plugins, diagnostics);
     if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);

@@ -12,12 +12,11 @@ namespace kerf {
 
 namespace {
 
-Diagnostic fault(std::string code, const std::string& file, std::string message, std::string write) {
+Diagnostic fault(std::string code, const std::string& file, std::string message) {
     Diagnostic d;
     d.code = std::move(code);
     d.place.file = file;
     d.message = std::move(message);
-    d.write = std::move(write);
     return d;
 }
 
@@ -36,15 +35,29 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     check_needs(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
+    // What needs no bone is checked before the bone is made.
     scene.device = find_device(scene.procedure.device.c_str());
     if (scene.device == nullptr) {
         int count = 0;
         const DeviceRecord* known = all_devices(count);
         std::string names;
         for (int i = 0; i < count; ++i) names += std::string(i > 0 ? ", " : "") + known[i].id;
-        diagnostics.push_back(fault("E0701", procedure_file, "there is no device `" + scene.procedure.device + "`.",
-                                    "Write one of: " + names + "."));
+        diagnostics.push_back(fault("E0701", procedure_file, "haptics.device: there is no device `" + scene.procedure.device + "`. There are: " + names + "."));
     }
+    const Step& first = scene.procedure.steps.front();
+    for (const auto& step : scene.procedure.steps)
+        if (step.instrument != first.instrument || step.axis != first.axis)
+            diagnostics.push_back(fault("E0702", procedure_file,
+                                        "step `" + step.id + "` changes instrument or axis, which is not possible yet: every step needs `instrument: " +
+                                            first.instrument + "` and `axis: " + first.axis + "`."));
+    for (const auto& rehearsal : scene.procedure.rehearsals) {
+        if (rehearsal.path.size() < 2)
+            diagnostics.push_back(fault("E0704", procedure_file, "rehearsal `" + rehearsal.id + "` has " + std::to_string(rehearsal.path.size()) +
+                                                                     " waypoint, need at least 2: from where and to where."));
+        else if (rehearsal.path.front().depth >= 0.0)
+            diagnostics.push_back(fault("E0705", procedure_file, "rehearsal `" + rehearsal.id + "` starts inside the bone: its first waypoint needs a depth below 0 mm."));
+    }
+    if (has_error(diagnostics)) return std::nullopt;
 
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics);
     if (!body || has_error(diagnostics)) return std::nullopt;
@@ -59,22 +72,15 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     }
     if (has_error(diagnostics)) return std::nullopt;
 
-    // One tool for the whole run, so far: the first step's.
-    const auto& first = scene.procedure.steps.front().instrument;
-    for (const auto& step : scene.procedure.steps)
-        if (step.instrument != first)
-            diagnostics.push_back(fault("E0702", procedure_file,
-                                        "step `" + step.id + "` changes the instrument, which is not possible yet.",
-                                        "Use `instrument: " + first + "` in every step."));
     const auto instrument = std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
-                                         [&](const Instrument& i) { return i.id == first; });
+                                         [&](const Instrument& i) { return i.id == first.instrument; });
     scene.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
     scene.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
     scene.setup.tool_parameters = instrument->tool_parameters;
     scene.setup.force_parameters = instrument->force_parameters;
     scene.setup.drives = instrument->drives;
     if (std::string why; !outline_of(scene.setup, scene.outline, why))
-        diagnostics.push_back(fault("E0703", procedure_file, why, "Change the parameters of `" + first + "`."));
+        diagnostics.push_back(fault("E0703", procedure_file, "instrument `" + first.instrument + "`: " + why));
     if (has_error(diagnostics)) return std::nullopt;
 
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -74,11 +75,16 @@ std::string prepare_output(const std::string& folder) {
     if (!is_session(path / "session.db"))
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
 
+    // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
+    constexpr std::string_view ours[] = {"session.db", "session.db-wal", "session.db-shm", "summary.json", "report.html", "bone.stl"};
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
-        fs::remove_all(entry->path(), error);
-        if (error) break;
+        const std::string name = entry->path().filename().string();
+        if (std::find(std::begin(ours), std::end(ours), name) == std::end(ours))
+            return folder + " holds `" + name + "`, which no run has written, so it was left alone. Give a new or empty folder.";
     }
+    for (const std::string_view name : ours)
+        if (!error) fs::remove(path / name, error);
     return error ? folder + " could not be emptied: " + error.message() : std::string();
 }
 

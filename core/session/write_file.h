@@ -13,7 +13,7 @@ namespace kerf {
 [[nodiscard]] std::string write_file(const std::string& path, std::span<const unsigned char> contents);
 
 /// Makes `folder` ready for a run's files. A folder that exists is emptied only if it holds a session of ours
-/// (session.db); an empty one is taken as it is; anything else is left alone and refused. Returns why, for people;
+/// (session.db) and nothing that no run writes; an empty one is taken as it is; anything else is left alone and refused. Returns why, for people;
 /// empty when the folder is ready.   [main]
 [[nodiscard]] std::string prepare_output(const std::string& folder);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shipped procedure, run whole.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -21,6 +22,20 @@ const Scene& pedicle() {
         return std::move(*made);
     }();
     return scene;
+}
+
+/// A folder of this process, gone when it ends.
+std::string temporary() {
+    struct Folder {
+        std::string path = testing::TempDir() + "kerf-test-" + std::to_string(getpid()) + "/";
+        Folder() { std::filesystem::create_directories(path); }
+        ~Folder() {
+            std::error_code error;
+            std::filesystem::remove_all(path, error);
+        }
+    };
+    static const Folder folder;
+    return folder.path;
 }
 
 const RunOutcome& outcome_of(const std::string& rehearsal) {
@@ -120,9 +135,9 @@ INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yam
                          [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
 
 TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
-    const std::string folder = testing::TempDir() + "kerf-run";
+    const std::string folder = temporary() + "kerf-run";
     const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + folder +
-                                " > " + testing::TempDir() + "kerf-run.txt 2>&1";
+                                " > " + temporary() + "kerf-run.txt 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
         std::ifstream file(folder + "/" + name, std::ios::binary);
@@ -138,10 +153,10 @@ TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
 }
 
 TEST(Program, AReplayEndsInTheSameBits) {
-    const std::string folder = testing::TempDir() + "kerf-record", again = testing::TempDir() + "kerf-replay";
+    const std::string folder = temporary() + "kerf-record", again = temporary() + "kerf-replay";
     const std::string run = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml ";
     ASSERT_EQ(std::system((run + "--out " + folder + " > /dev/null").c_str()), 0);
-    const std::string log = testing::TempDir() + "kerf-replay.txt";
+    const std::string log = temporary() + "kerf-replay.txt";
     ASSERT_EQ(std::system((run + "--replay " + folder + "/session.db --out " + again + " > " + log).c_str()), 0);
     std::stringstream text;
     text << std::ifstream(log).rdbuf();
@@ -149,7 +164,7 @@ TEST(Program, AReplayEndsInTheSameBits) {
 }
 
 TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
-    const std::string folder = testing::TempDir() + "kerf-bad";
+    const std::string folder = temporary() + "kerf-bad";
     for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
                                    "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody",
                                    "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --replay " KERF_SOURCE_DIR "/README.md", "fly", "run"}) {

@@ -64,6 +64,16 @@ TEST(PrepareOutput, LeavesAnotherFolderAlone) {
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
 }
 
+TEST(PrepareOutput, LeavesSomebodysFilesBesideASessionAlone) {
+    const TemporaryFolder folder;
+    Recorder::create(folder / "session.db", {}).recorder.reset();
+    ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
+
+    EXPECT_NE(prepare_output(folder.path()).find("thesis.txt"), std::string::npos);
+    EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
+    EXPECT_TRUE(fs::exists(folder / "session.db"));
+}
+
 TEST(PrepareOutput, IsNotFooledByTheNameOfASession) {
     const TemporaryFolder folder;
     ASSERT_EQ(write_file(folder / "session.db", std::string(4096, 'x')), "");
