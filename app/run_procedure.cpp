@@ -58,7 +58,7 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     row.modelled = result.bone_on_tool;
     row.coupled = result.coupled_on_hand;
     row.limited = result.limited_on_hand;
-    row.commanded = result.commanded;
+    row.commanded = result.command.wrench;
     row.thrust = result.thrust;
     row.torque = result.torque;
     row.depth = scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
@@ -153,7 +153,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
         const TickResult result = simulation.tick({handle});
         simulation.after_tick();
-        if (!is_replay) hand.step(linear(result.commanded));
+        if (!is_replay) hand.step(result.command);
 
         if (simulation.ticks() % volume_interval == 0) removed.update(simulation.exact());
         const bool is_in_bone = result.is_cutting && result.thrust > 0.0;
@@ -163,7 +163,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         add_tick(hash, row);
         outcome.ticks.push_back(row);
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
-        for (int i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
+        for (std::size_t i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
         if (recorder) {
             recorder->push(row);
             for (int i = 0; i < result.closed_records; ++i) {
@@ -176,8 +176,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             request.progress(is_replay ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
                                        : static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
                              "drilling, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
-        if (result.is_quarantined) {
-            add_event("quarantined", scene.setup.force->id);
+        if (result.is_quarantined && linear(result.command.wrench) == Vec3{}) {  // it has faded
             end = RunEnd::fault;
             break;
         }
@@ -202,6 +201,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.hash = hash.value();
     judge(monitor, end, summary.duration, summary);
     summary.metrics = metrics_of(monitor, scene);
+    summary.metrics.push_back(port_energy_row(simulation.passivity()));
     outcome.is_as_expected = ended_as_expected(*rehearsal, monitor, summary.verdict);
 
     if (recorder == nullptr) return outcome;

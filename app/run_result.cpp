@@ -64,6 +64,18 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
     return rows;
 }
 
+MetricRow port_energy_row(const PassivityGuard& guard) {
+    MetricRow row;
+    row.id = "haptics.port-energy";
+    row.scope = "haptics";
+    row.value = guard.least_energy();
+    row.unit = "mJ";
+    row.per_unit = 1e-3;
+    row.status = guard.corrections() > 0 ? "corrected" : "ok";
+    row.help = "Least balance of the energy the device exchanged with the hand; below -0.1 mJ a damper takes the excess back.";
+    return row;
+}
+
 void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary) {
     int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;

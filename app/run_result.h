@@ -12,6 +12,9 @@ enum class RunEnd { path_ended, steps_done, time_over, fault };
 /// The metric rows of the steps: depth, clearance to each limited zone, entry offset, time.   [any] pure.
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
 
+/// How passive the loop was.   [any] pure.
+[[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
+
 /// Step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
 /// Incomplete: goals missing. Invalid: a fault.   [any] pure.
 void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary);

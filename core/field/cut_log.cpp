@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/reach.h"
+
 namespace kerf {
 
 namespace {
@@ -108,7 +110,7 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
 }
 
 bool CutTracker::removes_bone(const Pose& at) const noexcept {
-    if (!is_in_reach_of_bone(at)) return false;
+    if (!is_in_reach_of_bone(*body_, *solid_, at, body_->grid().clamp())) return false;
     if (!has_removed_) return true;
 
     // Past the deepest front so far: new bone for certain, however thin the slice.
@@ -132,25 +134,6 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
                     return true;
             }
         }
-    return false;
-}
-
-bool CutTracker::is_in_reach_of_bone(const Pose& body_from_tool) const noexcept {
-    const Grid& g = body_->grid();
-    const Vec3 tip = body_from_tool * Vec3{0, 0, solid_->tip_z()};
-    const Vec3 end = body_from_tool * Vec3{0, 0, solid_->end_z()};
-    const double margin = solid_->largest_radius() + g.clamp();
-    const double edge = brick_edge * g.spacing;
-    const auto first = [&](double a, double b, double o) {
-        return std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - o) / edge)));
-    };
-    const auto last = [&](double a, double b, double o, int n) {
-        return std::min(n - 1, static_cast<int>(std::floor((std::max(a, b) + margin - o) / edge)));
-    };
-    for (int k = first(tip.z, end.z, g.origin.z); k <= last(tip.z, end.z, g.origin.z, g.bricks[2]); ++k)
-        for (int j = first(tip.y, end.y, g.origin.y); j <= last(tip.y, end.y, g.origin.y, g.bricks[1]); ++j)
-            for (int i = first(tip.x, end.x, g.origin.x); i <= last(tip.x, end.x, g.origin.x, g.bricks[0]); ++i)
-                if (!body_->surface.is_all_air(g.brick_index(i, j, k))) return true;
     return false;
 }
 

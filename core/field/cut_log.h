@@ -53,7 +53,6 @@ private:
         return pending_inverse_[(pending_first_ + i) % pending_capacity];
     }
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
-    [[nodiscard]] bool is_in_reach_of_bone(const Pose& body_from_tool) const noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
     /// nothing is logged, and nobody stamps it.
     [[nodiscard]] bool removes_bone(const Pose& body_from_tool) const noexcept;
@@ -62,14 +61,14 @@ private:
     const Body* body_;
     const RevolutionSolid* solid_;
     CutField* committed_;
-    Pose open_from_ = identity_pose();   ///< the last record's end
-    Pose farthest_ = identity_pose();    ///< of the open stretch
-    double farthest_motion_ = 0.0;       ///< [m] from open_from_
+    Pose open_from_ = identity_pose();  ///< the last record's end
+    Pose farthest_ = identity_pose();   ///< of the open stretch
+    double farthest_motion_ = 0.0;      ///< [m] from open_from_
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
     std::uint64_t sequence_ = 0;
-    std::uint64_t last_reversal_ = 0;   ///< sequence of the first record after the path last turned back
+    std::uint64_t last_reversal_ = 0;  ///< sequence of the first record after the path last turned back
     std::array<CutRecord, 2> closed_{};
     int closed_count_ = 0;
 

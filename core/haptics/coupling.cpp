@@ -2,31 +2,11 @@
 #include "core/haptics/coupling.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace kerf {
 
 namespace {
-constexpr double unknown_share = 0.25;  // continuous force where no datasheet is known: a quarter of peak [assumed]
-
-// Limits: [chai3d]; masses, friction and resolution from memory of datasheets, to be checked on a unit.
-constexpr DeviceRecord devices[] = {
-    {"touch", 3.3, 0.88, 0.0, 400.0, 4.0, 0.045, 0.1, 0.26, 55e-6, "[chai3d]; continuous force from the maker"},
-    {"desktop", 7.9, unknown_share * 7.9, 0.0, 1000.0, 5.0, 0.045, 0.1, 0.06, 23e-6, "[chai3d]"},
-    {"premium-1.5-6dof", 8.5, unknown_share * 8.5, 0.188, 800.0, 5.0, 0.075, 0.1, 0.04, 30e-6, "[chai3d]"},
-    {"omega.6", 12.0, unknown_share * 12.0, 0.0, 5000.0, 30.0, 0.2, 0.2, 0.1, 10e-6, "[chai3d]; rest assumed"},
-};
-}  // namespace
-
-const DeviceRecord* all_devices(int& count) noexcept {
-    count = static_cast<int>(std::size(devices));
-    return devices;
-}
-
-const DeviceRecord* find_device(const char* id) noexcept {
-    for (const auto& device : devices)
-        if (std::strcmp(device.id, id) == 0) return &device;
-    return nullptr;
+constexpr double release_from = 5e-3;  // [m/s] faster than the hand by more: released (R5)
 }
 
 CouplingGains gains_for(const DeviceRecord& device, double force_scale) noexcept {
@@ -35,13 +15,63 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale) noexcept
     gains.damping = 0.3 * device.largest_damping;
     gains.force_limit = device.peak_force;
     // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
-    gains.torque_limit = device.peak_torque > 0.0 ? device.peak_torque : 0.01;
+    gains.has_torque = device.peak_torque > 0.0;
+    gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;
+    gains.spare_damping = device.largest_damping - gains.damping;
     gains.force_scale = force_scale;
     return gains;
 }
 
 double force_scale_for(const DeviceRecord& device, double work_force) noexcept {
     return work_force > 0.0 ? std::min(1.0, 0.6 * device.continuous_force / work_force) : 1.0;
+}
+
+void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool, double dt,
+                    Balance& out) const noexcept {
+    const Quat tool_from_world = conjugate(tool.rotation);
+    const Vec3 stretched = rotate(tool_from_world, stretch(handle, tool));
+    const Vec3 twisted = small_rotation_vector(tool_from_world * handle.rotation * rotation_slip_);
+    const double k = stiffness(), b = damping(), arm2 = gains_.rotation_arm * gains_.rotation_arm;
+    out.hand_turn = rotate(tool_from_world, angular(hand_rate));
+    out.hand_velocity = rotate(tool_from_world, linear(hand_rate)) + cross(out.hand_turn, grip_);
+    out.force = {k * stretched + b * out.hand_velocity, b + dt * k, gains_.force_limit / gains_.force_scale};
+    out.torque = {arm2 * (k * twisted + b * out.hand_turn), arm2 * (b + dt * k),
+                  gains_.torque_limit / gains_.force_scale};
+    out.grip = grip_;
+    out.dt = dt;
+    out.release_damping = 0.0;
+    const double pull = length(out.force.pull);
+    if (pull <= 0.0) return;
+    out.release_along = (1.0 / pull) * out.force.pull;
+    out.release_damping = gains_.release_time * k;
+    out.release_from = dot(out.hand_velocity, out.release_along) + release_from;
+}
+
+void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {
+    const Vec3 after = stretch(handle, tool);
+    slip_ = slip_ + after - clamped(after, gains_.force_limit / gains_.stiffness);
+    const Quat turn_after = twist(handle, tool);
+    const Vec3 turn = small_rotation_vector(turn_after);
+    const Vec3 kept =
+        clamped(turn, gains_.torque_limit / (gains_.rotation_arm * gains_.rotation_arm * gains_.stiffness));
+    if (!(kept == turn))
+        rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
+}
+
+void Coupling::let_go(const Pose& handle, const Pose& tool) noexcept {
+    slip_ = handle * grip_ - tool * grip_;
+    rotation_slip_ = normalized(conjugate(handle.rotation) * tool.rotation);
+}
+
+double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
+    const Vec3 e = clamped(stretch(handle, tool), gains_.force_limit / gains_.stiffness);
+    double energy = 0.5 * gains_.stiffness * dot(e, e);
+    if (gains_.has_torque) {
+        const double k = gains_.stiffness * gains_.rotation_arm * gains_.rotation_arm;
+        const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), gains_.torque_limit / k);
+        energy += 0.5 * k * dot(turn, turn);
+    }
+    return energy;
 }
 
 }  // namespace kerf

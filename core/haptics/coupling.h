@@ -1,40 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kerf/math.hpp"
+#include "core/haptics/device_record.h"
+#include "core/haptics/solve.h"
 
-/// The device's limits and what follows from them for the coupling between hand and tool.
+/// The spring and damper between the hand and the tool.
 namespace kerf {
-
-/// A haptic device as the loop needs it. Device newtons.
-struct DeviceRecord {
-    const char* id;
-    double peak_force;         ///< [N]
-    double continuous_force;   ///< [N]
-    double peak_torque;        ///< [N·m]; 0: torques are sensed, not actuated
-    double largest_stiffness;  ///< [N/m]
-    double largest_damping;    ///< [N·s/m]
-    double mass;               ///< [kg] at the handle
-    double viscosity;          ///< [N·s/m]
-    double friction;           ///< [N] Coulomb
-    double resolution;         ///< [m] of one count
-    const char* source;
-};
-
-/// The records known by name; nullptr for an unknown one.
-[[nodiscard]] const DeviceRecord* find_device(const char* id) noexcept;
-/// All of them, `count` written.
-[[nodiscard]] const DeviceRecord* all_devices(int& count) noexcept;
 
 /// Gains on the device's side; divided by the force scale they act on the bone's.
 struct CouplingGains {
-    double stiffness = 0.0;       ///< K_c [N/m]
-    double damping = 0.0;         ///< B_c [N·s/m]
-    double force_limit = 0.0;     ///< [N]
-    double torque_limit = 0.0;    ///< [N·m]
-    double force_scale = 1.0;     ///< [–] device newtons per bone newton, one for force and torque
-    double rotation_arm = 0.05;   ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
-    double release_time = 0.15;   ///< [s] release damping = release_time × K_c (docs/ARCHITECTURE.md, release)
+    double stiffness = 0.0;      ///< K_c [N/m]
+    double damping = 0.0;        ///< B_c [N·s/m]
+    double force_limit = 0.0;    ///< [N]
+    double torque_limit = 0.0;   ///< [N·m]
+    bool has_torque = false;     ///< the device makes torques: they count for what the hand is given
+    double spare_damping = 0.0;  ///< [N·s/m] the most the passivity controller may add
+    double force_scale = 1.0;    ///< [–] device newtons per bone newton, one for force and torque
+    double rotation_arm = 0.05;  ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
+    double release_time = 0.15;  ///< [s] release damping = release_time × K_c (docs/ARCHITECTURE.md, release)
 };
 
 /// K_c = 0.6 × the device's stiffness, B_c = 0.3 × its damping (resolutions B6; the bisected K_max is not known yet).
@@ -42,5 +25,51 @@ struct CouplingGains {
 
 /// The largest scale at which `work_force` [N, bone] stays within 0.6 of what the device can hold, at most 1 (R5).
 [[nodiscard]] double force_scale_for(const DeviceRecord& device, double work_force) noexcept;
+
+/// The coupling as it stands: where its anchor is. The anchor slides so that the stretch never stores more than the
+/// device can make felt.
+class Coupling {
+public:
+    Coupling(const CouplingGains& gains, Vec3 grip) : gains_(gains), grip_(grip) {}
+
+    /// What the solve must balance for a step of `dt`: all of `out` but the channels and what follows them.
+    /// [haptic, nonblocking]
+    void hold(const Pose& world_from_handle, const Vec6& hand_rate, const Pose& world_from_tool, double dt,
+              Balance& out) const noexcept;
+    /// After the step.   [haptic, nonblocking]
+    void slide(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
+    /// Nothing is stored any more: hand and tool go on from where they are.   [haptic, nonblocking]
+    void let_go(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
+
+    /// What the stretch holds [J], on the device's side.   [haptic, nonblocking]
+    [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;
+    /// Where the device would have to be for the spring to be slack: the grip, world frame [m].
+    [[nodiscard]] Vec3 slack_grip(const Pose& world_from_tool) const noexcept {
+        return world_from_tool * grip_ + slip_;
+    }
+    [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
+    [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
+
+private:
+    [[nodiscard]] Vec3 stretch(const Pose& handle, const Pose& tool) const noexcept {
+        return handle * grip_ - tool * grip_ - slip_;
+    }
+    [[nodiscard]] Quat twist(const Pose& handle, const Pose& tool) const noexcept {
+        return conjugate(tool.rotation) * handle.rotation * rotation_slip_;
+    }
+    [[nodiscard]] double stiffness() const noexcept { return gains_.stiffness / gains_.force_scale; }
+    [[nodiscard]] double damping() const noexcept { return gains_.damping / gains_.force_scale; }
+
+    CouplingGains gains_;
+    Vec3 grip_;
+    Vec3 slip_{};  ///< how far the anchor has slid, world frame [m]
+    Quat rotation_slip_{1, 0, 0, 0};
+};
+
+/// `v`, or as much of it as is `limit` long.
+[[nodiscard]] inline Vec3 clamped(Vec3 v, double limit) noexcept {
+    const double size = length(v);
+    return size > limit ? (limit / size) * v : v;
+}
 
 }  // namespace kerf

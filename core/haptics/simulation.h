@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -8,33 +9,41 @@
 
 #include "core/field/bone_view.h"
 #include "core/haptics/coupling.h"
-#include "core/haptics/solve.h"
+#include "core/haptics/following.h"
+#include "core/haptics/force_gate.h"
+#include "core/haptics/hand_motion.h"
+#include "core/haptics/passivity.h"
 
 /// One tool in one body: the haptic loop's tick, from pose read to force out.
 namespace kerf {
 
-/// What the device reported at the start of a tick.
-struct DeviceSample {
-    Pose world_from_handle = identity_pose();  ///< where the hand wants the tool
-};
-
-/// What one tick came to. Wrenches: world frame. Bone newtons unless said otherwise.
+/// What one tick came to. Wrenches: world frame. Bone newtons unless said otherwise. In fast motion a tick has several
+/// parts: rates, wrenches and powers are then their mean.
 struct TickResult {
+    static constexpr std::size_t most_events = 2 * KERF_MAX_ACTIONS;
+
     Pose world_from_tool = identity_pose();
-    Vec6 rate{};           ///< of the tool, tool frame
-    Vec6 bone_on_tool{};   ///< modelled, about the tip
-    Vec6 coupled_on_hand{};   ///< what an unlimited coupling would carry, at the grip
-    Vec6 limited_on_hand{};   ///< what it carried
-    Vec6 commanded{};      ///< to the device [device newtons]
-    double thrust = 0.0;   ///< [N] bone on tool, against the shaft
-    double torque = 0.0;   ///< [N·m] about the shaft
-    double power_hand = 0.0;  ///< [W] from the hand into the tool
-    int iterations = 0;
-    int closed_records = 0;   ///< read with Simulation::closed_record
-    bool is_cutting = false;  ///< the plugin removed bone in this tick
-    bool is_quarantined = false;  ///< the law was unsound or the solve failed: force released
-    int event_count = 0;
-    const char* events[KERF_MAX_ACTIONS]{};
+    Vec6 rate{};                  ///< of the tool, tool frame
+    Vec6 bone_on_tool{};          ///< modelled, about the tip
+    Vec6 coupled_on_hand{};       ///< what an unlimited coupling would carry, at the grip
+    Vec6 limited_on_hand{};       ///< what it carried
+    Vec3 released_on_hand{};      ///< of that, what the release damper did [N]
+    DeviceCommand command;        ///< to the device [device newtons]
+    double thrust = 0.0;          ///< [N] bone on tool, against the shaft
+    double torque = 0.0;          ///< [N·m] about the shaft
+    double power_hand = 0.0;      ///< [W] from the hand into the tool
+    int parts = 1;                ///< 1 … 16: how often the law was asked
+    int iterations = 0;           ///< of the hardest of their solves
+    int closed_records = 0;       ///< read with Simulation::closed_record
+    bool is_cutting = false;      ///< the plugin removed bone in this tick
+    bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
+    bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
+    std::size_t event_count = 0;
+    const char* events[most_events]{};
+
+    void add_event(const char* id) noexcept {
+        if (event_count < most_events) events[event_count++] = id;
+    }
 };
 
 /// A tool of a plugin, with its parameters: everything the loop needs to ask it.
@@ -48,7 +57,7 @@ struct ToolSetup {
 struct ToolOutline {
     RevolutionSolid cutting;  ///< removes bone
     RevolutionSolid whole;
-    double grip_z = -0.1;     ///< [m]
+    double grip_z = -0.1;  ///< [m]
 };
 /// Asks the plugin; on failure `error` says why.   [main]
 [[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);
@@ -57,13 +66,20 @@ class Simulation {
 public:
     static constexpr double dt = 1e-3;  ///< [s] nominal, always
 
-    /// Pre: `outline_of` succeeded for this setup. Starts with the tool at `start` and everything uncut.   [main]
+    /// Pre: `outline_of` succeeded for this setup. Everything is uncut. The tool begins at `start`, where the hand is;
+    /// if that lies in bone, drawn back along its axis until it is free, with the event `haptics.started_in_bone`.
+    /// [main]
     Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// One millisecond.   [haptic, nonblocking]
+    /// One millisecond.
+    ///
+    /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick is done in up to 16
+    /// equal parts, each with its own law and its part of the hand's way; beyond that, or at more than 1 m/s, the tool
+    /// is slower than the hand (R1, B9). A sample that is no pose, a leap of the hand, or an unsound law bar the force
+    /// gate: the tool rests, the force fades, and hand and tool go on from where they are.   [haptic, nonblocking]
     TickResult tick(const DeviceSample& sample) noexcept;
 
     /// `coupling: direct`: the tool is where the device says, the law is evaluated at the device's rate, and nothing
@@ -77,7 +93,7 @@ public:
     void finish();
 
     /// 0 … TickResult::closed_records − 1, of the last tick.
-    [[nodiscard]] const CutRecord& closed_record(int i) const noexcept { return tracker_.closed(i); }
+    [[nodiscard]] const CutRecord& closed_record(int i) const noexcept { return closed_[static_cast<std::size_t>(i)]; }
     [[nodiscard]] const CutField& exact() const noexcept { return exact_; }
     [[nodiscard]] CutField& exact() noexcept { return exact_; }
     [[nodiscard]] const CutField& committed() const noexcept { return committed_; }
@@ -86,22 +102,29 @@ public:
     [[nodiscard]] const ToolOutline& outline() const noexcept { return outline_; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
     [[nodiscard]] const CutTracker& tracker() const noexcept { return tracker_; }
+    [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
     /// The plugin's state, as bytes.
     [[nodiscard]] const std::byte* state() const noexcept { return state_; }
     [[nodiscard]] std::size_t state_size() const noexcept { return setup_.force->force->state_size; }
 
 private:
-    [[nodiscard]] bool ask(kerf_law& law) noexcept;
-    void commit(const Vec6& rate, const double* lambda, TickResult& result) noexcept;
-    void report_wrench(const Vec6& bone_on_tool_in_tool, TickResult& result) const noexcept;
-    [[nodiscard]] kerf_tick_in tick_in() const noexcept;
-    Vec6 estimated_hand_rate(const Pose& world_from_handle) noexcept;
+    static constexpr int most_parts = 16;
+
+    [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;
+    [[nodiscard]] bool ask(double step) noexcept;
+    /// Holds, asks and solves for one step. False: the law or the solve is unsound.
+    [[nodiscard]] bool find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept;
+    [[nodiscard]] bool move(const Pose& last_handle, TickResult& result) noexcept;
+    void rest(TickResult& result) noexcept;
+    void report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept;
+    void report_bone(const Vec6& bone_on_tool_in_tool, double share, TickResult& result) const noexcept;
+    void commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept;
+    void command(TickResult& result) noexcept;
 
     const Body* body_;
     ToolSetup setup_;
     ToolOutline outline_;
-    CouplingGains gains_;
     CutField committed_, exact_;
     CutTracker tracker_;
     BoneView view_;
@@ -111,23 +134,19 @@ private:
     double signals_[KERF_MAX_SIGNALS]{};
     kerf_channel channels_[KERF_MAX_CHANNELS]{};
     std::uint32_t channel_count_ = 0;
-    /// λ̄, by channel id: what `follow` goes with.
-    struct Filtered {
-        std::uint32_t id = 0;
-        double lambda = 0.0;
-    };
-    Filtered filtered_[KERF_MAX_CHANNELS]{};
-    std::uint32_t filtered_count_ = 0;
-    [[nodiscard]] double filtered_lambda(std::uint32_t id) const noexcept;
-    [[nodiscard]] Vec6 following(const Balance& balance) const noexcept;
-    void filter_lambda(const Balance& balance, const Motion& motion) noexcept;
+    Following following_;
 
     Pose world_from_tool_;
-    Pose last_handle_;
-    Vec6 hand_rate_first_{}, hand_rate_{};  ///< two poles at 100 Hz, world frame
-    Vec3 slip_{};                           ///< how far the coupling's anchor has slid, world frame [m]
-    Quat rotation_slip_{1, 0, 0, 0};
+    HandMotion hand_;
+    Coupling coupling_;
+    PassivityGuard guard_;
+    ForceGate gate_;
+    Vec6 commanded_{};       ///< the last command: on the hand, device newtons
+    Vec6 before_fault_{};    ///< what the gate fades
+    double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
+    bool is_drawn_back_ = false;
     std::uint64_t tick_ = 0;
+    std::array<CutRecord, 2 * most_parts> closed_{};
     std::vector<CutRecord> to_stamp_;
 };
 

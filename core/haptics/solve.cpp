@@ -242,12 +242,22 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         at = evaluate(b, u);
     }
 
-    motion.rate = u;
+    Motion carried = at_rate(b, u);
+    carried.iterations = motion.iterations;
+    carried.residual = motion.residual;
+    carried.has_converged = motion.has_converged;
+    return carried;
+}
+
+Motion at_rate(const Balance& b, const Vec6& rate) noexcept {
+    Motion motion;
+    const At at = evaluate(b, rate);
+    motion.rate = rate;
     motion.force = limited(b.force, at.force_pull);
     motion.torque = limited(b.torque, at.torque_pull);
-    motion.release = release_force(b, u);
+    motion.release = release_force(b, rate);
     for (std::size_t c = 0; c < b.channels.size() && c < KERF_MAX_CHANNELS; ++c)
-        motion.lambda[c] = channel_force(b.channels[c], dot(direction(b.channels[c]), u), b.dt).lambda;
+        motion.lambda[c] = channel_force(b.channels[c], dot(direction(b.channels[c]), rate), b.dt).lambda;
     return motion;
 }
 

@@ -21,25 +21,26 @@ struct CouplingBlock {
 
 /// Everything one tick has to balance, tool frame, about the tip. Bone newtons.
 struct Balance {
-    CouplingBlock force;       ///< acts at the grip
+    CouplingBlock force;  ///< acts at the grip
     CouplingBlock torque;
-    Vec3 grip{};               ///< from the tip [m]
-    double mass = 0.0;         ///< [kg] of the proxy; 0 by default
-    Vec6 previous_rate{};      ///< only used with a mass
-    double dt = 1e-3;          ///< [s]
+    Vec3 grip{};           ///< from the tip [m]
+    double mass = 0.0;     ///< [kg] of the proxy; 0 by default
+    Vec6 previous_rate{};  ///< only used with a mass
+    double dt = 1e-3;      ///< [s]
     std::span<const kerf_channel> channels;
-    Vec6 following{};          ///< Σ follow λ̄: what follows the law without working against the rate
+    Vec6 following{};  ///< Σ follow λ̄: what follows the law without working against the rate
     /// One-sided damper between tool and hand (resolutions R5): λ = damping max(0, along·v_tip − from).
     Vec3 release_along{};
-    double release_damping = 0.0;  ///< [N·s/m]
-    double release_from = 0.0;     ///< [m/s]
+    double release_damping = 0.0;       ///< [N·s/m]
+    double release_from = 0.0;          ///< [m/s]
+    Vec3 hand_velocity{}, hand_turn{};  ///< of the hand at the grip [m/s, rad/s]; not part of the balance
 };
 
 struct Motion {
-    Vec6 rate{};                                         ///< of the tool, tool frame [m/s, rad/s]
-    std::array<double, KERF_MAX_CHANNELS> lambda{};      ///< [N]
-    double release = 0.0;                                ///< [N] of the release damper
-    Vec3 force{}, torque{};                              ///< of the coupling on the tool; the force acts at the grip
+    Vec6 rate{};                                     ///< of the tool, tool frame [m/s, rad/s]
+    std::array<double, KERF_MAX_CHANNELS> lambda{};  ///< [N]
+    double release = 0.0;                            ///< [N] of the release damper
+    Vec3 force{}, torque{};                          ///< of the coupling on the tool; the force acts at the grip
     int iterations = 0;
     double residual = 0.0;  ///< [–] relative
     bool has_converged = false;
@@ -57,5 +58,8 @@ inline constexpr int iteration_cap = 32;
 [[nodiscard]] Motion solve(const Balance& balance) noexcept;
 /// The same from another start; the answer must not depend on it.   [any]
 [[nodiscard]] Motion solve_from(const Balance& balance, const Vec6& start) noexcept;
+
+/// What every part carries at a given rate, balanced or not.   [haptic, nonblocking]
+[[nodiscard]] Motion at_rate(const Balance& balance, const Vec6& rate) noexcept;
 
 }  // namespace kerf

@@ -45,8 +45,8 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     double largest = 0.0;
     for (std::size_t m = 0; m < body.materials.size(); ++m) {
         const EndlessBone endless{m, body.materials[m].density};
-        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()), &sample_endless,
-                              &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
+        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()),
+                              &sample_endless, &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
         kerf_tick_in in{};
         in.size = sizeof in;
         in.dt = Simulation::dt;
@@ -60,7 +60,9 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         if (force.resist(&in, state, &law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
-            if (is_sound(channels[c])) along += channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
+            if (is_sound(channels[c]))
+                along +=
+                    channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
         largest = std::max(largest, along);
     }
     return largest;

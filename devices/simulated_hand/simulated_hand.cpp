@@ -8,7 +8,7 @@ namespace kerf::simulated_hand {
 
 namespace {
 
-constexpr int substeps = 20;           // of the plant per tick
+constexpr int substeps = 20;          // of the plant per tick
 constexpr double leaning_rate = 1.0;  // [1/s] lean per lag and second: slow enough for a reaction of 0.3 s [assumed]
 constexpr double letting_go = 10.0;   // [1/s] how quickly the lean goes when the handle runs ahead [assumed]
 constexpr double let_go = 0.2e-3;     // [m] of lean left: from then on it plans on from where the handle is [assumed]
@@ -68,8 +68,9 @@ void SimulatedHand::think() {
     }
 }
 
-Pose SimulatedHand::step(Vec3 force_on_hand) {
+Pose SimulatedHand::step(const DeviceCommand& command) {
     think();
+    const Setpoint& spring = command.setpoint;
     Vec3 aim = leg_start_;
     if (!is_done()) aim = leg_start_ + (plan_ + lean_) * normalized(intent_.legs[leg_].target.position - leg_start_);
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
@@ -78,6 +79,12 @@ Pose SimulatedHand::step(Vec3 force_on_hand) {
     for (int i = 0; i < substeps; ++i) {
         Vec3 pull = plant_.arm_stiffness * (aim - position_);
         if (const double strength = length(pull); strength > most) pull = (most / strength) * pull;
+        Vec3 force_on_hand = linear(command.wrench);
+        if (plant_.asks_setpoint) {
+            Vec3 f = spring.stiffness * (spring.position - position_) + spring.damping * (spring.velocity - velocity_);
+            if (const double strength = length(f); strength > spring.limit) f = (spring.limit / strength) * f;
+            force_on_hand = spring.carried + f;
+        }
         const Vec3 drag = (plant_.arm_damping + plant_.device_viscosity) * velocity_;
         Vec3 force = pull - drag + force_on_hand;
         // Coulomb friction: it stops the handle, and never turns it back.

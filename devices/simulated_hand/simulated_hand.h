@@ -4,20 +4,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "kerf/math.hpp"
+#include "kerf/device.hpp"
 
 /// A hand without hardware: an arm that holds a haptic device and carries out intent.
 namespace kerf::simulated_hand {
 
 /// The arm that holds the handle, and the handle itself. Device side.
 struct Plant {
-    double arm_mass = 0.554;       ///< [kg]     one fitted trial [van-beek-2015]
-    double arm_damping = 6.45;     ///< [N·s/m]  same
-    double arm_stiffness = 135.0;  ///< [N/m]    same
-    double device_mass = 0.075;    ///< [kg]
-    double device_viscosity = 0.1; ///< [N·s/m]
-    double device_friction = 0.04; ///< [N] Coulomb
-    double resolution = 30e-6;     ///< [m] of one encoder count
+    double arm_mass = 0.554;        ///< [kg]     one fitted trial [van-beek-2015]
+    double arm_damping = 6.45;      ///< [N·s/m]  same
+    double arm_stiffness = 135.0;   ///< [N/m]    same
+    double device_mass = 0.075;     ///< [kg]
+    double device_viscosity = 0.1;  ///< [N·s/m]
+    double device_friction = 0.04;  ///< [N] Coulomb
+    double resolution = 30e-6;      ///< [m] of one encoder count
+    bool asks_setpoint = false;  ///< the device closes the spring itself, 20 times a tick, instead of holding the force
 };
 
 /// One leg of the way: to `target`, in a straight line.
@@ -43,8 +44,8 @@ class SimulatedHand {
 public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
 
-    /// What the encoders say now. `force_on_hand`: what the device is being sent [device N], world frame, held for dt.
-    Pose step(Vec3 force_on_hand);
+    /// One tick under what the device is sent; what the encoders say then.
+    Pose step(const DeviceCommand& command);
     /// The last answer of `step`, or the start.
     [[nodiscard]] Pose reported() const noexcept;
     [[nodiscard]] bool is_done() const noexcept { return leg_ >= intent_.legs.size(); }
@@ -58,8 +59,8 @@ private:
     double dt_;
     Vec3 position_, velocity_{};
     Quat rotation_;
-    double plan_ = 0.0;      ///< [m] along the leg: where the mind would be
-    double lean_ = 0.0;      ///< [m] along the leg: stretch of the arm's spring on top
+    double plan_ = 0.0;  ///< [m] along the leg: where the mind would be
+    double lean_ = 0.0;  ///< [m] along the leg: stretch of the arm's spring on top
     Vec3 leg_start_;
     std::size_t leg_ = 0;
     /// What was, and what was planned, one reaction time ago: rings.

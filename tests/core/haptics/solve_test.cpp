@@ -155,7 +155,8 @@ TEST(Solve, FindsTheSameAnswerFromAnyStart) {
         ASSERT_TRUE(other.has_converged) << i;
         for (std::size_t k = 0; k < 6; ++k)
             ASSERT_NEAR(from_rest.rate[k], other.rate[k],
-                        1e-5 * (1.0 + std::abs(from_rest.rate[k])) /* where the coupling slides, hardly held */) << i;
+                        1e-5 * (1.0 + std::abs(from_rest.rate[k])) /* where the coupling slides, hardly held */)
+                << i;
     }
 }
 

@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "core/session/content_hash.h"
-#include "tests/support/count_allocations.h"
 #include "synthetic_run.h"
 #include "temporary_folder.h"
+#include "tests/support/loop_guard.h"
 
 namespace kerf {
 namespace {
@@ -29,7 +29,8 @@ std::string ask(const std::string& path, const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
     std::string answer = "no answer";
     if (sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK &&
-        sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK && sqlite3_step(statement) == SQLITE_ROW) {
+        sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK &&
+        sqlite3_step(statement) == SQLITE_ROW) {
         const unsigned char* text = sqlite3_column_text(statement, 0);
         answer = text == nullptr ? "" : reinterpret_cast<const char*>(text);
     } else {
@@ -85,12 +86,14 @@ TEST(Recorder, ASessionIsOneFileWithEveryRowPushed) {
 
     // Then all of them are there, in a file that stands alone
     EXPECT_FALSE(recorder->losses().any());
-    EXPECT_EQ(ask(path, "SELECT count(*) || ' ' || max(tick) || ' ' || sum(thrust) FROM ticks"), "30000 29999 224992500.0");
+    EXPECT_EQ(ask(path, "SELECT count(*) || ' ' || max(tick) || ' ' || sum(thrust) FROM ticks"),
+              "30000 29999 224992500.0");
     EXPECT_EQ(ask(path, "SELECT count(*) FROM cuts"), "3000");
     EXPECT_EQ(ask(path, "SELECT count(*) FROM events"), "30");
     EXPECT_EQ(ask(path, "PRAGMA integrity_check"), "ok");
     EXPECT_EQ(ask(path, "PRAGMA journal_mode"), "delete");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator()), 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), std::filesystem::directory_iterator()),
+              1);
 }
 
 TEST(Recorder, AFinishedSessionHoldsItsResult) {
@@ -113,8 +116,11 @@ TEST(Recorder, ASessionDescribesItself) {
 
     EXPECT_EQ(ask(path, "PRAGMA application_id"), std::to_string(0x4b455246));
     EXPECT_EQ(ask(path, "PRAGMA user_version"), "1");
-    EXPECT_EQ(ask(path, "SELECT text FROM notice"), "For training and research; not for diagnosis, planning or deciding treatment");
-    EXPECT_EQ(ask(path, "SELECT unit || ', ' || dimension || ', ' || frame FROM columns WHERE table_name='ticks' AND name='modelled_fz'"),
+    EXPECT_EQ(ask(path, "SELECT text FROM notice"),
+              "For training and research; not for diagnosis, planning or deciding treatment");
+    EXPECT_EQ(ask(path,
+                  "SELECT unit || ', ' || dimension || ', ' || frame FROM columns WHERE table_name='ticks' AND "
+                  "name='modelled_fz'"),
               "N, force, world");
     EXPECT_EQ(ask(path, "SELECT column_name FROM signals WHERE id='chip.thickness'"), "signal_chip_thickness");
     EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='anatomy_hash'"), hex16(hash_of_text("kind: Anatomy\n")));
@@ -125,8 +131,11 @@ TEST(Recorder, EveryColumnOfEveryTableIsDescribed) {
     const std::string path = folder / "session.db";
     new_recorder(path).reset();
 
-    EXPECT_EQ(ask(path, "SELECT coalesce(group_concat(t.name || '.' || c.name), 'none missing') FROM sqlite_schema t, pragma_table_info(t.name) c "
-                        "WHERE t.type='table' AND NOT EXISTS (SELECT 1 FROM columns d WHERE d.table_name=t.name AND d.name=c.name AND d.help<>'')"),
+    EXPECT_EQ(ask(path,
+                  "SELECT coalesce(group_concat(t.name || '.' || c.name), 'none missing') FROM sqlite_schema t, "
+                  "pragma_table_info(t.name) c "
+                  "WHERE t.type='table' AND NOT EXISTS (SELECT 1 FROM columns d WHERE d.table_name=t.name AND "
+                  "d.name=c.name AND d.help<>'')"),
               "none missing");
 }
 

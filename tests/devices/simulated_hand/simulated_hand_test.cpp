@@ -35,7 +35,7 @@ TEST(SimulatedHand, AgainstAWallItLeansInAndNeverBeyondItsPush) {
     for (int i = 0; i < 20000; ++i) {
         const double force = std::max(0.0, 1000.0 * (-hand.reported().position.z - 5.0_mm));
         if (i >= 18000) mean += force / 2000.0;
-        hand.step({0, 0, force});
+        hand.step({.wrench = {0, 0, force}, .setpoint = {}});
     }
     EXPECT_NEAR(mean, push, Plant{}.device_friction + 0.02 /* half a count of the encoder */);
     EXPECT_FALSE(hand.is_done());
@@ -53,14 +53,17 @@ double plunge(double push, double reaction) {
         simulation.after_tick();
     }
     const Pose start = simulation.world_from_tool();
-    SimulatedHand hand({}, {.legs = {{.target = test::at_depth(60.0_mm), .speed = 1.0_mm_per_s, .push = push * gains.force_scale}}, .reaction = reaction},
-                       start, dt);
+    SimulatedHand hand(
+        {},
+        {.legs = {{.target = test::at_depth(60.0_mm), .speed = 1.0_mm_per_s, .push = push * gains.force_scale}},
+         .reaction = reaction},
+        start, dt);
     double deepest = 0.0;
     int after_clearing = 0;
     while (after_clearing < 1500 && simulation.ticks() < 60000) {
         const TickResult result = simulation.tick({hand.reported()});
         simulation.after_tick();
-        hand.step(linear(result.commanded));
+        hand.step(result.command);
         const double depth = -result.world_from_tool.position.z;
         if (depth > test::Slab::third + 0.96_mm) ++after_clearing;
         deepest = std::max(deepest, depth - test::Slab::third - 0.96_mm);

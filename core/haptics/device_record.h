@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// What a haptic device can do.
+namespace kerf {
+
+/// A haptic device as the loop needs it. Device newtons.
+struct DeviceRecord {
+    const char* id;
+    double peak_force;         ///< [N]
+    double continuous_force;   ///< [N]
+    double peak_torque;        ///< [N·m]; 0: torques are sensed, not actuated
+    double largest_stiffness;  ///< [N/m]
+    double largest_damping;    ///< [N·s/m]
+    double mass;               ///< [kg] at the handle
+    double viscosity;          ///< [N·s/m]
+    double friction;           ///< [N] Coulomb
+    double resolution;         ///< [m] of one count
+    const char* source;
+};
+
+/// The records known by name; nullptr for an unknown one.
+[[nodiscard]] const DeviceRecord* find_device(const char* id) noexcept;
+/// All of them, `count` written.
+[[nodiscard]] const DeviceRecord* all_devices(int& count) noexcept;
+
+}  // namespace kerf

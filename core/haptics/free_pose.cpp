@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/free_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+namespace {
+
+constexpr double farthest = 0.3;  // [m]
+constexpr double c = 0.70710678118654752440;
+constexpr double ring[][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
+
+bool is_free(const Body& body, const RevolutionSolid& whole, const Pose& at) {
+    const double h = body.grid().spacing;
+    const auto& outline = whole.outline();
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+        const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius;
+        const int steps = static_cast<int>(std::ceil(std::hypot(dz, dr) / h)) + 1;
+        for (int step = 0; step <= steps; ++step) {
+            const double t = static_cast<double>(step) / steps, r = outline[i].radius + t * dr;
+            for (const auto& direction : ring)
+                if (body.surface.at(locate(body.grid(),
+                                           at * Vec3{r * direction[0], r * direction[1], outline[i].z + t * dz})) < 0.0)
+                    return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<double> way_out_of_bone(const Body& body, const RevolutionSolid& whole, const Pose& body_from_tool) {
+    const double step = 0.5 * body.grid().spacing;
+    for (int i = 0; i * step <= farthest; ++i)
+        if (is_free(body, whole, body_from_tool * Pose{{0, 0, -i * step}, {1, 0, 0, 0}})) return i * step;
+    return std::nullopt;
+}
+
+}  // namespace kerf

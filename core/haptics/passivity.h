@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "kerf/math.hpp"
+
+namespace kerf {
+
+/// Observer and controller of what the loop gives the hand, on the device's side.
+///
+/// The port may give back what the coupling's spring holds and what the tool's motor did, and no more. What the hand
+/// put in beyond that was spent on the bone and is not credited: a balance that only sums would hide a fault behind all
+/// the work of drilling. Where more comes out, a damper takes it back.
+///
+///     W ← min(W − f·Δx + supplied, V),      f_c = −c v,  c = clamp((−tolerance − W) / (T v²), 0, c_max),  v = Δx/T
+///
+/// The difference of one tick is taken for v, coarse as it is: a filtered rate still points inwards when the hand has
+/// turned, and would give more. After the passivity observer of Hannaford and Ryu, with the spring's V as its ceiling.
+class PassivityGuard {
+public:
+    static constexpr double tolerance = 1e-4;  ///< [J]
+    explicit PassivityGuard(double largest_damping) : largest_damping_(largest_damping) {}
+
+    /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
+    /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
+    void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored) noexcept;
+    /// The force on the hand that takes back what came out too much. [N]   [haptic, nonblocking]
+    [[nodiscard]] Vec3 correction(double dt) noexcept;
+
+    [[nodiscard]] double energy() const noexcept { return energy_; }       ///< [J] W
+    [[nodiscard]] double least_energy() const noexcept { return least_; }  ///< [J] the lowest W has been
+    [[nodiscard]] std::uint64_t corrections() const noexcept { return corrections_; }
+
+private:
+    double largest_damping_;
+    Vec3 moved_{};
+    double energy_ = 0.0, least_ = 0.0;
+    std::uint64_t corrections_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hand faster than a voxel a tick: nothing is jumped, nothing is missed.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/field/removed_volume.h"
+#include "tests/support/drill_rig.h"
+#include "tests/support/probe.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// S-04: 1 m/s at a plate of 0.5 mm, one millimetre a tick, at any phase.
+TEST(FastMotion, AProbeDoesNotPassThroughAThinPlate) {
+    const Body body = test::block({-4.0_mm, -4.0_mm, -0.5_mm}, {4.0_mm, 4.0_mm, 0}, 0.25_mm, {0.3, 0.6, 0.2});
+    const ToolSetup setup = test::probe(500.0_N_per_mm);
+    std::mt19937 random(4);
+    for (int i = 0; i < 200; ++i) {
+        const double phase = static_cast<double>(random()) / 4294967296.0;
+        double depth = -3.0_mm - phase * 1.0_mm;
+        Simulation simulation(body, setup, test::outline(setup), test::gains(1.0), test::at_depth(depth));
+        double felt = 0.0;
+        for (int t = 0; t < 8; ++t) {
+            depth += 1.0_mm;
+            felt = std::max(felt, simulation.tick({test::at_depth(depth)}).thrust);
+            simulation.after_tick();
+        }
+        EXPECT_GT(felt, 0.1) << "phase " << phase;
+        EXPECT_GT(simulation.world_from_tool().position.z, -0.1_mm) << "it stands on the plate, phase " << phase;
+    }
+}
+
+TEST(FastMotion, ItIsDoneInPartsOnlyWithBoneInReach) {
+    const Body body = test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.25_mm);
+    const ToolSetup setup = test::twist_drill();
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-60.0_mm));
+    int most_far = 0, most_near = 0;
+    for (double depth = -60.0_mm; depth < -2.0_mm; depth += 0.5_mm) {
+        const TickResult r = simulation.tick({test::at_depth(depth)});
+        simulation.after_tick();
+        (-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near) =
+            std::max(-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near, r.parts);
+    }
+    EXPECT_EQ(most_far, 1);
+    EXPECT_GE(most_near, 4) << "0.5 mm a tick, an eighth of a millimetre a part";
+    EXPECT_LE(most_near, 16);
+}
+
+TEST(FastMotion, WithBoneInReachTheToolIsNoFasterThanAMetreASecond) {
+    const Body body = test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.5_mm);
+    const ToolSetup setup = test::probe(500.0_N_per_mm);
+    Simulation simulation(body, setup, test::outline(setup), test::gains(1.0),
+                          test::at_depth(-30.0_mm, 0.0, {0, 0, 0}));
+    Pose last = simulation.world_from_tool();
+    for (int t = 0; t < 40; ++t) {
+        (void)simulation.tick({test::at_depth(-30.0_mm + 5.0_mm * t)});
+        simulation.after_tick();
+        const Pose now = simulation.world_from_tool();
+        if (last.position.z < 4.0_mm) {
+            EXPECT_LE(length(now.position - last.position), 1.0_mm * (1.0 + 1e-9)) << t;
+        }
+        last = now;
+    }
+    EXPECT_GT(last.position.z, -0.2_mm) << "and it met the bone";
+}
+
+// The tool outruns the field's resolution, yet what it swept is gone.
+TEST(FastMotion, APushThroughSoftBoneLeavesNothingStanding) {
+    Body body = test::block({-5.0_mm, -5.0_mm, -6.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm, {0.1, 0.4, 0.8});
+    body.materials[0].density = 5.0;  // next to nothing: the drill falls through
+    const ToolSetup setup = test::twist_drill();
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-2.0_mm));
+    for (int i = 0; i < 100; ++i) {  // it runs up
+        (void)simulation.tick({test::at_depth(-2.0_mm)});
+        simulation.after_tick();
+    }
+    int most = 0;
+    for (double depth = -2.0_mm; depth < 14.0_mm; depth += 1.0_mm) {
+        most = std::max(most, simulation.tick({test::at_depth(depth)}).parts);
+        simulation.after_tick();
+    }
+    for (int i = 0; i < 60; ++i) {
+        (void)simulation.tick({test::at_depth(14.0_mm)});
+        simulation.after_tick();
+    }
+    simulation.finish();
+    ASSERT_GE(most, 3);
+    RemovedVolume removed(body);
+    removed.update(simulation.exact());
+    const double radius = 1.6_mm;
+    EXPECT_NEAR(removed.total() / (pi * radius * radius * 6.0_mm), 1.0, 0.01);
+    EXPECT_TRUE(simulation.committed().same_bits(simulation.exact()));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between pose read and force out: no allocation, no lock, no system call, no throw. Whatever happens in the tick.
+#include "tests/support/loop_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// Everything a drill goes through: air, running up, cutting, drawing back, coming again, leaping, a device that is
+/// gone.
+std::vector<Pose> eventful_way() {
+    std::vector<Pose> way;
+    const auto go = [&](double from, double to, double rate) {
+        for (double depth = from; (to - depth) * (to > from ? 1.0 : -1.0) > 0.0;
+             depth += (to > from ? rate : -rate) * Simulation::dt)
+            way.push_back(test::at_depth(depth));
+    };
+    go(-6.0_mm, 1.5_mm, 8.0_mm_per_s);
+    go(1.5_mm, 12.0_mm, 20.0_mm_per_s);
+    go(12.0_mm, -8.0_mm, 500.0_mm_per_s);
+    go(-8.0_mm, 13.0_mm, 500.0_mm_per_s);
+    for (int i = 0; i < 100; ++i) way.push_back(test::at_depth(60.0_mm));
+    Pose gone = test::at_depth(60.0_mm);
+    gone.rotation.w = std::nan("");
+    for (int i = 0; i < 100; ++i) way.push_back(gone);
+    go(60.0_mm, 62.0_mm, 10.0_mm_per_s);
+    for (int i = 0; i < 300; ++i) way.push_back(test::at_depth(62.0_mm, 0.02 * std::sin(0.05 * i)));
+    return way;
+}
+
+struct Rig {
+    Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
+    ToolSetup setup = test::twist_drill();
+    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-6.0_mm)};
+};
+
+TEST(LoopGuard, SeesWhatItIsForbidden) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer brings its own heap and locks";
+#endif
+    std::mutex mutex;
+    const test::Forbidden before = test::forbidden_here();
+    { const std::lock_guard lock(mutex); }
+    EXPECT_EQ(test::forbidden_here().locks, before.locks + 1);
+    try {
+        throw std::runtime_error("on purpose");
+    } catch (const std::runtime_error&) {
+    }
+    EXPECT_EQ(test::forbidden_here().throws, before.throws + 1);
+    void* volatile memory = std::malloc(10);
+    std::free(memory);
+    EXPECT_GE(test::forbidden_here().allocations, before.allocations + 2);
+    const auto calls = test::system_calls_of([] { std::this_thread::sleep_for(std::chrono::microseconds(1)); });
+    EXPECT_NE(calls, test::SystemCalls::none);
+}
+
+TEST(LoopGuard, TheTickNeitherAllocatesNorLocksNorThrows) {
+    Rig rig;
+    const std::vector<Pose> way = eventful_way();
+    bool was_fast = false, was_barred = false;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const test::Forbidden before = test::forbidden_here();
+        const TickResult result = rig.simulation.tick({way[i]});
+        const test::Forbidden after = test::forbidden_here();
+        ASSERT_EQ(after.allocations, before.allocations) << "tick " << i;
+        ASSERT_EQ(after.locks, before.locks) << "tick " << i;
+        ASSERT_EQ(after.throws, before.throws) << "tick " << i;
+        was_fast = was_fast || result.parts > 1;
+        was_barred = was_barred || result.is_barred;
+        rig.simulation.after_tick();
+    }
+    EXPECT_TRUE(was_fast && was_barred) << "the way was eventful";
+    EXPECT_GT(way.size(), 2000u);
+}
+
+TEST(LoopGuard, TheTickMakesNoSystemCall) {
+    Rig rig;
+    const std::vector<Pose> way = eventful_way();
+    constexpr std::size_t stretch = 25;  // ticks in one child: what fits without after_tick
+    for (std::size_t i = 0; i + stretch < way.size(); i += 4 * stretch) {
+        const auto calls = test::system_calls_of([&] {
+            for (std::size_t t = 0; t < stretch; ++t) (void)rig.simulation.tick({way[i + t]});
+        });
+        if (calls == test::SystemCalls::cannot_tell)
+            GTEST_SKIP() << "this kernel does not let a process forbid itself system calls";
+        ASSERT_EQ(calls, test::SystemCalls::none) << "between ticks " << i << " and " << i + stretch;
+        for (std::size_t t = 0; t < 4 * stretch && i + t < way.size(); ++t) {
+            (void)rig.simulation.tick({way[i + t]});
+            rig.simulation.after_tick();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kerf
