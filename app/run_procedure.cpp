@@ -97,7 +97,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.hand = request.replay.empty() ? "simulated" : "replay";
     summary.device = scene.device->id;
     summary.force_scale = scene.gains.force_scale;
-    summary.coupling_stiffness = scene.gains.stiffness;
+    summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
     summary.versions.emplace_back("kerf", KERF_VERSION);
     for (const auto& plugin : plugins.plugins()) summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
     for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
@@ -116,7 +116,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         header.versions = summary.versions;
         header.envelope.learner = request.learner;
         header.envelope.mode = request.mode;
-        header.conditions = {scene.device->id, scene.gains.force_scale, "", scene.gains.stiffness};
+        header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness};
         header.signals = summary.signals;
         header.tissues = summary.tissues;
         auto created = Recorder::create(request.out + "/session.db", header);
@@ -151,7 +151,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     while (simulation.ticks() < most_ticks) {
         const bool is_replay = !request.replay.empty();
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
-        const TickResult result = simulation.tick({handle});
+        const TickResult result = scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});
         simulation.after_tick();
         if (!is_replay) hand.step(result.command);
 

@@ -263,7 +263,9 @@ void Simulation::command(TickResult& result) noexcept {
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     TickResult result;
-    (void)hand_.take(sample, dt);
+    const Pose last_handle = hand_.pose();
+    if (hand_.take(sample, dt))
+        guard_.observe(commanded_, make_vec6(hand_.pose().position - last_handle.position, {}), 0.0, 0.0);
     const Pose tool_from_next = inverse(world_from_tool_) * hand_.pose();
     result.rate =
         make_vec6((1.0 / dt) * tool_from_next.position, (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
@@ -281,6 +283,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     result.limited_on_hand = make_vec6(clamped(linear(result.bone_on_tool), gains.force_limit / gains.force_scale),
                                        clamped(angular(result.bone_on_tool), gains.torque_limit / gains.force_scale));
     add(result.limited_on_hand, gains.force_scale, result.command.wrench);
+    commanded_ = result.command.wrench;
     result.power_hand = -dot(bone, result.rate);
     if (!result.is_quarantined) commit(result.rate, lambda, dt, result);
     result.world_from_tool = world_from_tool_;

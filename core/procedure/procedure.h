@@ -81,6 +81,7 @@ struct Procedure {
     std::string anatomy_file;  ///< resolved against the document's folder
     double spacing = 0.25e-3;  ///< [m] of the cut field
     std::string device;        ///< name of the device record the simulated hand holds
+    bool is_direct = false;    ///< `coupling: direct`: the device's own rate goes into the law, as the papers do
     std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent
     double time_limit = 120.0; ///< [s] simulated
     std::vector<Instrument> instruments;

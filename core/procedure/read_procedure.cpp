@@ -395,6 +395,13 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     if (const Node* node = map.required("haptics")) {
         MapReader haptics(*node, "haptics", report);
         procedure.device = haptics.id("device");
+        if (const Node* coupling = haptics.optional("coupling")) {
+            const std::vector<std::string> words{"solved", "direct"};
+            const std::string text = read_text(*coupling, "haptics.coupling", report).value_or(words[0]);
+            procedure.is_direct = text == words[1];
+            if (!contains(words, text))
+                report.error(Code::unknown_word, coupling->span, "haptics.coupling must be " + listed(words) + ".", closest(text, words, report));
+        }
         if (const Node* force_scale = haptics.optional("force_scale"))
             procedure.force_scale = read_quantity(*force_scale, "haptics.force_scale", scale, report);
         haptics.finish();

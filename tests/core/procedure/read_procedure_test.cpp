@@ -67,6 +67,7 @@ TEST(ReadProcedure, GivesSiValuesInDeclaredOrder) {
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
     EXPECT_EQ(procedure->spacing, 0.5_mm);
     EXPECT_EQ(procedure->force_scale, 1.0 / 50.0);
+    EXPECT_FALSE(procedure->is_direct);
     EXPECT_EQ(procedure->time_limit, 60.0_s);
     ASSERT_EQ(procedure->instruments.size(), 1u);
     EXPECT_EQ(procedure->instruments[0].tool_parameters, (std::vector<double>{4.0_mm, 118.0_deg /* the default */}));
@@ -122,6 +123,9 @@ TEST(ReadProcedure, RefusesAnEmptyValue) { expect_refused(Code::empty_value, "ti
 TEST(ReadProcedure, RefusesAnEmptyList) { expect_refused(Code::empty_value, "[A. Author]", "«[»]"); }
 TEST(ReadProcedure, RefusesAnUnknownStatus) { expect_refused(Code::unknown_word, "status: draft", "status: «darft»"); }
 TEST(ReadProcedure, RefusesAnUnknownExpectation) { expect_refused(Code::unknown_word, "expect: pass", "expect: «passes»"); }
+TEST(ReadProcedure, RefusesAnUnknownCoupling) {
+    expect_refused(Code::unknown_word, "{device: touch, ", "{device: touch, coupling: «dierct», ");
+}
 TEST(ReadProcedure, RefusesTwoRehearsalsOfOneName) { expect_refused(Code::duplicate_id, "id: breach", "id: «expert»"); }
 TEST(ReadProcedure, RefusesANeedNamedTwice) { expect_refused(Code::duplicate_id, "[cortical]", "[cortical, «cortical»]"); }
 TEST(ReadProcedure, RefusesAnIdOfTwoWords) { expect_refused(Code::malformed_word, "id: hole", "id: «a hole»"); }

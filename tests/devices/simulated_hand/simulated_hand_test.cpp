@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/layered_slab.h"
+#include "tests/support/probe.h"
 
 namespace kerf::simulated_hand {
 namespace {
@@ -39,6 +40,36 @@ TEST(SimulatedHand, AgainstAWallItLeansInAndNeverBeyondItsPush) {
     }
     EXPECT_NEAR(mean, push, Plant{}.device_friction + 0.02 /* half a count of the encoder */);
     EXPECT_FALSE(hand.is_done());
+}
+
+/// Peak to peak of the handle [m] in the last second of twelve, pressed on a wall by a coupling of `stiffness`.
+double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
+    const ToolSetup setup = test::probe(20000.0_N_per_mm);
+    CouplingGains gains = test::gains(1.0);
+    gains.stiffness = stiffness;
+    gains.damping = 0.0;
+    gains.force_limit = 50.0;
+    gains.spare_damping = gains.release_time = 0.0;  // the spring alone
+    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
+    SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm), dt);
+    double low = 1.0, high = -1.0;
+    for (int i = 0; i < 12000; ++i) {
+        hand.step(simulation.tick({hand.reported()}).command);
+        simulation.after_tick();
+        if (i < 11000) continue;
+        low = std::min(low, hand.reported().position.z);
+        high = std::max(high, hand.reported().position.z);
+    }
+    return high - low;
+}
+
+TEST(SimulatedHand, ADeviceThatAsksForSetpointsHoldsASpringTheLoopCannot) {
+    const double soft = 1000.0, stiff = 60000.0;  // [N/m]; the loop alone can hold some b/(T/2) = 13 N/mm
+    EXPECT_LT(unrest_on_a_wall(false, soft), 3.0 * Plant{}.resolution);
+    EXPECT_LT(unrest_on_a_wall(true, soft), 3.0 * Plant{}.resolution);
+    EXPECT_GT(unrest_on_a_wall(false, stiff), 10.0 * Plant{}.resolution);
+    EXPECT_LT(unrest_on_a_wall(true, stiff), 3.0 * Plant{}.resolution);
 }
 
 /// How far the tip runs past the far face of the layered slab [m].
