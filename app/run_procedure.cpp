@@ -6,6 +6,7 @@
 
 #include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
+#include "core/procedure/quantity.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
@@ -24,8 +25,7 @@ std::vector<SignalColumn> signal_columns(const kerf_component& force) {
     for (std::uint32_t i = 0; i < force.force->signal_count; ++i) {
         const kerf_signal& s = force.force->signals[i];
         const std::string unit = s.display_unit;
-        const double per_unit = unit == "mm" ? 1e-3 : unit == "um" ? 1e-6 : 1.0;
-        columns.push_back({s.id, s.help, unit, per_unit});
+        columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
     }
     return columns;
 }
@@ -147,7 +147,6 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     };
 
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
-    const bool has_power = std::any_of(scene.setup.drives.begin(), scene.setup.drives.end(), [](double d) { return d > 0.0; });
     while (simulation.ticks() < most_ticks) {
         const bool is_replay = !request.replay.empty();
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
@@ -156,9 +155,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         if (!is_replay) hand.step(result.command);
 
         if (simulation.ticks() % volume_interval == 0) removed.update(simulation.exact());
-        const bool is_in_bone = result.is_cutting && result.thrust > 0.0;
-        monitor.observe(static_cast<double>(simulation.ticks() - 1) * Simulation::dt, result.world_from_tool,
-                        scene.outline.cutting, is_in_bone, has_power);
+        monitor.observe({static_cast<double>(simulation.ticks() - 1) * Simulation::dt, result.world_from_tool, result.is_cutting,
+                         result.thrust > 0.0},
+                        scene.outline.cutting);
         const TickRow row = row_of(result, scene, simulation, monitor, handle, removed.total());
         add_tick(hash, row);
         outcome.ticks.push_back(row);

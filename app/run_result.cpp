@@ -16,7 +16,8 @@ std::string millimetres(double metres) {
 }
 
 std::string what_was_missed(const Goal& goal, const StepState& state) {
-    if (goal.quantity == "entry") return "the tool never met bone";
+    if (goal.quantity == "entry")
+        return state.has_met_bone_still ? "the tool stood on the bone, but it was not running" : "the tool never met bone";
     std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
     if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
     if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);

@@ -291,6 +291,12 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     return result;
 }
 
+void Simulation::command_drive(std::size_t drive, double value) noexcept {
+    if (drive >= setup_.drives.size() || !(value == value)) return;
+    const kerf_drive& range = setup_.tool->tool->drives[drive];
+    setup_.drives[drive] = std::clamp(value, range.min, range.max);
+}
+
 // ---- what it leads to ---------------------------------------------------------------------------------------------
 
 void Simulation::commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept {

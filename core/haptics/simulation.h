@@ -86,6 +86,10 @@ public:
     /// is solved. Shows where the papers' way fails, and prescribes a feed exactly in tests.   [haptic, nonblocking]
     TickResult tick_direct(const DeviceSample& sample) noexcept;
 
+    /// Sets a drive channel from the next tick on: a pedal, a trigger, a step of the procedure. Beyond its range it is
+    /// held at the end of it.   [haptic, nonblocking] between ticks
+    void command_drive(std::size_t drive, double value) noexcept;
+
     /// Stamps the records closed since the last call into the exact field and makes room for coming cuts. In lock-step
     /// it follows every tick; it may allocate.   [worker]
     void after_tick();

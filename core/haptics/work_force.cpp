@@ -8,6 +8,14 @@ namespace kerf {
 
 namespace {
 
+/// No bone anywhere.
+void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        out[i] = kerf_bone_sample{};
+        out[i].body = -1;
+    }
+}
+
 /// Bone everywhere, of one material: answers the same to every question.
 struct EndlessBone {
     std::size_t material;
@@ -30,6 +38,23 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
         out[i] = kerf_surface_point{};
         out[i].body = -1;
         out[i].distance = 1.0;
+    }
+}
+
+/// Lets a powered tool come to its speed in air.
+void run_up(const kerf_force& force, kerf_tick_in in, void* state) {
+    constexpr int longest = 10000;  // ticks
+    const kerf_bone_query air{sizeof(kerf_bone_query), in.bone->tissue_count, &sample_air, &nearest_endless, nullptr};
+    in.bone = &air;
+    double signals[KERF_MAX_SIGNALS];
+    kerf_action actions[KERF_MAX_ACTIONS];
+    kerf_advance advance{};
+    advance.size = sizeof advance;
+    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals};
+    for (int i = 0; i < longest; ++i) {
+        in.tick = static_cast<std::uint64_t>(i);
+        out.action_count = 0;
+        if (force.commit(&in, &advance, state, &out) != KERF_OK) return;
     }
 }
 
@@ -57,6 +82,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels};
         force.reset(state);
+        run_up(force, in, state);
         if (force.resist(&in, state, &law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)

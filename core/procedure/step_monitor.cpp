@@ -55,7 +55,9 @@ StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std
     }
 }
 
-void StepMonitor::observe(double time, const Pose& tool, const RevolutionSolid& cutting, bool is_in_bone, bool has_power) {
+void StepMonitor::observe(const Observation& now, const RevolutionSolid& cutting) {
+    const auto& [time, tool, is_running, is_resisted] = now;
+    const bool is_in_bone = is_running && is_resisted;
     news_.clear();
     if (current_ >= steps_.size()) return;
     StepState& state = steps_[current_];
@@ -69,10 +71,11 @@ void StepMonitor::observe(double time, const Pose& tool, const RevolutionSolid& 
         state.entry_offset = length(tool.position - frame.entry - depth * frame.along);
         news_.emplace_back("entered_bone", state.step->id);
     }
+    if (is_resisted && !is_running) state.has_met_bone_still = true;
     if (is_in_bone) state.deepest = std::max(state.deepest, depth);
 
     for (auto& limit : state.limits) {
-        if (!has_power) continue;  // a still tool harms nothing
+        if (!is_running) continue;  // a still tool harms nothing
         double value = depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),

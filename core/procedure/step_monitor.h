@@ -27,6 +27,14 @@ struct AxisFrame {
 /// How far the outline of a solid stays from a zone [m]; negative inside. Looked at on rings along the outline.
 [[nodiscard]] double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
 
+/// What one tick showed.
+struct Observation {
+    double time = 0.0;                        ///< [s]
+    Pose world_from_tool = identity_pose();
+    bool is_running = false;                  ///< the tool removes what it sweeps
+    bool is_resisted = false;                 ///< bone resists it
+};
+
 struct LimitState {
     const Limit* limit = nullptr;
     double worst = 0.0;            ///< the value farthest towards the wrong side
@@ -40,7 +48,8 @@ struct StepState {
     std::vector<LimitState> limits;
     std::optional<double> start, end;  ///< [s]
     double deepest = -1.0;             ///< [m]
-    double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first met bone
+    double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first cut bone
+    bool has_met_bone_still = false;   ///< it stood on bone without running
 
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
 };
@@ -50,8 +59,8 @@ public:
     /// Keeps references: procedure and anatomy must outlive it. `frames`: one per step.
     StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
 
-    /// Shows one tick. `is_in_bone`: the tool cut bone in it. `has_power`: the tool is running.
-    void observe(double time, const Pose& world_from_tool, const RevolutionSolid& cutting, bool is_in_bone, bool has_power);
+    /// Shows one tick, of a tool whose cutting region is `cutting`.
+    void observe(const Observation& now, const RevolutionSolid& cutting);
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
     /// Index of the step that runs; the number of steps when all are done.

@@ -17,7 +17,9 @@ constexpr kerf_param tool_parameters[] = {
     {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"},
     {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"},
     {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"},
-    {"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"},
+{"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"},
+    {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"},
+    {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed; 0 makes the speed follow at once"},
 };
 static_assert(std::size(tool_parameters) == tool_parameter_count);
 
@@ -38,7 +40,7 @@ constexpr kerf_param force_parameters[] = {
     {"element_pitch", "Length of one piece of lip.", dimension::length, "mm", 0.02_mm, 1.0_mm, 0.1_mm, "measured: finer changes thrust by under 0.3 % at 0.2 mm"},
     {"relief_angle", "Relief behind the lip: faster feeds ride on the heel.", dimension::angle, "deg", 1.0_deg, 30.0_deg, 10.0_deg, "standard grind"},
     {"heel_stiffness", "Stiffness of the heel on bone.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 10000.0_N_per_mm, 1000.0_N_per_mm, "assumed"},
-    {"contact_stiffness", "Stiffness of bone under the shank and the still tip.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 500.0_N_per_mm, "assumed"},
+    {"contact_stiffness", "Stiffness of bone at each place where the shank or the still tip touches.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 500.0_N_per_mm, "assumed"},
     {"clearance", "How far the shank is thinner than the hole, on the radius.", dimension::length, "mm", 0.0_mm, 1.0_mm, 0.05_mm, "assumed"},
     {"friction", "Friction of steel on wet bone.", dimension::none, "", 0.0, 1.5, 0.3, "assumed"},
 };
@@ -48,7 +50,8 @@ constexpr kerf_signal signals[] = {
     {"chip_thickness", "Uncut chip thickness at the lips.", dimension::length, "um"},
     {"feed_per_revolution", "Feed per revolution through bone.", dimension::length, "mm"},
     {"engagement", "Share of the cutting edges in bone.", dimension::none, ""},
-    {"drive_power", "Power the motor puts into cutting.", kerf_dimension{{2, 1, -3, 0, 0, 0, 0, 0}}, "W"},
+    {"drive_power", "Power the motor puts into cutting and rubbing.", kerf_dimension{{2, 1, -3, 0, 0, 0, 0, 0}}, "W"},
+    {"spindle_speed", "Speed of the spindle as it is.", dimension::frequency, "rpm"},
 };
 static_assert(std::size(signals) == signal_count);
 

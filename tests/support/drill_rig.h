@@ -30,7 +30,9 @@ inline std::vector<double> values(const std::vector<ParameterInfo>& infos, const
     return v;
 }
 
-inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) {
+/// The motor follows at once unless `set` says otherwise: most questions are about the law at speed.
+inline ToolSetup twist_drill(std::map<std::string, double> set = {}) {
+    set.insert({"run_up", 0.0});
     ToolSetup setup;
     setup.tool = plugins().find("kerf.drilling", KERF_KIND_TOOL, "twist_drill");
     setup.force = plugins().find("kerf.drilling", KERF_KIND_FORCE, "drill_cutting");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -60,6 +61,32 @@ public:
 private:
     kerf_law* law_;
     int dropped_ = 0;
+};
+
+/// A unit rate along `n` at `point`, as a rate of the tool about its tip: the `d` of a channel there.
+[[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
+
+/// Sum of edge elements that share a rate into one cut channel. They share the width of their onset: the τ-weighted mean
+/// (resolutions R1).
+struct ChannelSum {
+    double tau = 0.0, eta = 0.0, tau_w = 0.0;
+
+    /// @param edge_force  [N] that builds up over `w` [m/s]
+    /// @param slope       [N·s/m] of what grows with the rate
+    void add(double edge_force, double slope, double w) noexcept {
+        tau += edge_force;
+        eta += slope;
+        tau_w += edge_force * w;
+    }
+    /// Writes a `share` [–] of it along `d`; nothing where there is no channel left.
+    void write(const Vec6& d, double share, double gap, kerf_channel* channel) const noexcept {
+        if (channel == nullptr) return;
+        std::copy(d.begin(), d.end(), channel->d);
+        channel->tau = share * tau;
+        channel->eta = share * eta;
+        channel->w = std::max(1e-6, tau > 0.0 ? tau_w / tau : 1e-6);
+        channel->gap = gap;
+    }
 };
 
 /// What happened in the tick.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drill_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kerf::drilling {
+
+namespace {
+
+constexpr std::size_t shank_levels = 8, tip_levels = 4, around = 8;  // levels of the shank lie a diameter apart
+constexpr std::size_t most_points = (shank_levels + tip_levels) * around;
+constexpr double near_contact = 0.3e-3;  // [m] surface points farther away get no channel
+constexpr double nearly = 20e-6;         // [m] behind the deepest: shares its channel
+constexpr double facing = 0.5;           // bone that does not face the tool is not touched from here
+
+/// Points of the tool's own surface, with its outward normals and how stiff it is there [N/m]: what may touch.
+struct ContactPoints {
+    std::array<Vec3, most_points> point, normal;
+    std::array<double, most_points> stiffness;
+    std::size_t count = 0, of_tip = 0;
+
+    /// A ring of radius `r` at `z` whose normals have these radial and axial parts.
+    void add_ring(double r, double z, double radial, double axial, double k) noexcept {
+        constexpr double c = 0.70710678118654752440;
+        constexpr double ring[around][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
+        for (const auto& at : ring) {
+            point[count] = {r * at[0], r * at[1], z};
+            normal[count] = {radial * at[0], radial * at[1], axial};
+            stiffness[count++] = k;
+        }
+    }
+};
+
+/// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
+///
+///     k = 3 E I / l³,    I = ½ π d⁴/64
+///
+/// with l the length from the chuck and half of the round section's I left by the flutes [assumed]; E of stainless steel.
+double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
+    constexpr double steel = 193e9;  // [Pa]
+    const double d2 = drill.diameter * drill.diameter, l = std::max(drill.length + z, drill.diameter);
+    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / (l * l * l);
+    return bending * contact / (bending + contact);
+}
+
+ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning& turning) noexcept {
+    const double stiffness = tick.force[force_contact_stiffness];
+    ContactPoints points;
+    if (!turning.removes()) {
+        const PointAngle p = half_point_angle(drill);
+        for (std::size_t level = 0; level < tip_levels; ++level) {
+            const double r = drill.radius() * (0.1 + 0.25 * static_cast<double>(level));  // short of the wall of its hole
+            points.add_ring(r, -r * p.cos / p.sin, p.cos, p.sin, stiffness);
+        }
+        points.of_tip = points.count;
+    }
+    const double corner = -drill.point_depth() - drill.corner * drill.diameter;
+    for (std::size_t level = 0; level < shank_levels; ++level) {
+        const double z = corner - drill.diameter * (0.25 + static_cast<double>(level));
+        points.add_ring(drill.radius() - tick.force[force_clearance], z, 1.0, 0.0, shank_stiffness(drill, z, stiffness));
+    }
+    return points;
+}
+
+}  // namespace
+
+void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                 double shank_force, Channels& channels) noexcept {
+    const ContactPoints c = points_of(drill, tick, turning);
+    std::array<kerf_surface_point, most_points> surface;
+    bone.nearest({c.point.data(), c.count}, {surface.data(), c.count});
+
+    // A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends:
+    // near the tip and far from it, as long as the cutting edges leave no channels for more. It lies where points are deepest.
+    constexpr std::size_t none = 16;
+    std::array<std::size_t, most_points> slot_of;
+    std::array<double, most_points> depth;  // along the tool's normal [m]
+    std::array<double, none> deepest;
+    deepest.fill(-near_contact);
+    // The cone stands on bone ahead of it; it does not climb the wall of its hole.
+    const double tip_facing = std::min(0.7, half_point_angle(drill).sin - 0.01);
+    const double rear = -drill.point_depth() - drill.diameter * (drill.corner + 0.5 * shank_levels);
+    for (std::size_t i = 0; i < c.count; ++i) {
+        slot_of[i] = none;
+        const double against = -dot(surface[i].normal, c.normal[i]);
+        if (surface[i].body < 0 || against < (i < c.of_tip ? tip_facing : facing)) continue;
+        slot_of[i] = i < c.of_tip ? i % around
+                                  : around + (c.normal[i].x >= 0.0 ? 1u : 0u) + (c.normal[i].y >= 0.0 ? 2u : 0u) +
+                                        (turning.removes() && c.point[i].z < rear ? 4u : 0u);
+        depth[i] = -surface[i].distance / against;
+        deepest[slot_of[i]] = std::max(deepest[slot_of[i]], depth[i]);
+    }
+    // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
+    struct Touch {
+        double weight = 0.0, depth = 0.0, stiffness = 0.0;
+        Vec6 d{};
+    };
+    std::array<Touch, none> touch{};
+    for (std::size_t i = 0; i < c.count; ++i) {
+        if (slot_of[i] == none) continue;
+        const double ahead = depth[i] - deepest[slot_of[i]] + nearly;
+        if (ahead <= 0.0) continue;
+        Touch& t = touch[slot_of[i]];
+        const double weight = ahead * ahead;
+        const Vec6 d = rate_at(c.point[i], c.normal[i]);
+        t.weight += weight;
+        t.depth += weight * depth[i];
+        t.stiffness += weight * c.stiffness[i];
+        for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
+    }
+    for (std::size_t slot = 0; slot < none; ++slot) {
+        const Touch& t = touch[slot];
+        if (t.weight <= 0.0 || deepest[slot] <= -near_contact) continue;
+        kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(slot));
+        if (channel == nullptr) return;
+        for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.weight;
+        channel->k = t.stiffness / t.weight;
+        channel->delta = t.depth / t.weight;
+        if (turning.removes()) channel->follow[5] = -tick.force[force_friction] * drill.radius();  // rubbing against the turn
+    }
+
+    // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
+    if (shank_force <= 0.0) return;
+    if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
+        rub->d[2] = 1.0;
+        rub->tau = tick.force[force_friction] * shank_force;
+        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.radius());
+    }
+}
+
+double shank_force_of(const Advance& advance) noexcept {
+    constexpr double across = 0.1;  // of the normal's axial part: the tip's is larger
+    double sum = 0.0;
+    for (std::size_t c = 0; c < advance.channel.size(); ++c)
+        if (advance.channel[c].kind == KERF_CONTACT && std::abs(advance.channel[c].d[2]) < across) sum += advance.lambda[c];
+    return sum;
+}
+
+}  // namespace kerf::drilling

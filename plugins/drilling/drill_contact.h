@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drill_cutting.h"
+
+/// Where the drill touches without cutting: the shank always, the tip as far as it does not cut.
+namespace kerf::drilling {
+
+/// At most eight contact channels while it cuts and twelve when it does not, and friction along the shaft for what the shank carried in the last tick [N].
+///
+/// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
+/// [haptic, nonblocking]
+void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                 double shank_force, Channels& channels) noexcept;
+
+/// What contact channels across the shaft carried together [N]: the shank's share.   [haptic, nonblocking]
+[[nodiscard]] double shank_force_of(const Advance& advance) noexcept;
+
+}  // namespace kerf::drilling

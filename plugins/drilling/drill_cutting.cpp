@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drill_cutting.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace kerf::drilling {
+
+void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, const Turning& turning, double last_feed_rate,
+                      Channels& channels) noexcept {
+    const Coefficients k = coefficients(tick.force);
+    const double reference = tick.force[force_reference_density];
+    const double least = e.least_gap();
+    const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
+
+    ChannelSum axial;
+    double engaged_width = 0.0, full_width = 0.0;
+    for (std::size_t i = 0; i < e.count; ++i) {
+        const double m = resistance(e.sample[i], tissues, reference);
+        if (i < e.lip_points) full_width += e.element(i).width;
+        if (m <= 0.0 || e.sample[i].gap > least + left_behind) continue;
+        if (i >= e.lip_points) {
+            const double width = m * e.chisel_width();
+            axial.add(width * k.chisel.edge, width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
+            continue;
+        }
+        const LipElement& el = e.element(i);
+        const double width = m * el.width, nz = el.normal_axial;
+        axial.add(width * k.thrust.edge * nz, width * k.thrust.chip * nz * nz * per_rate,
+                  k.thrust.edge_depth / (per_rate * nz));
+        engaged_width += width;
+    }
+    if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
+
+    kerf_channel* feed = channels.add(KERF_CUT, id_feed);
+    axial.write({0, 0, 1, 0, 0, 0}, turning.cut_share, least, feed);
+    if (feed != nullptr) {
+        const Side side = side_forces(e, tick, tissues, turning.n, last_feed_rate, least);
+        if (side.thrust > 0.0) {
+            const Vec6 follow = make_vec6((1.0 / side.thrust) * side.lateral,
+                                          (1.0 / side.thrust) * Vec3{side.moment.x, side.moment.y, -side.torque});
+            std::copy(follow.begin(), follow.end(), feed->follow);
+        }
+    }
+    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5).
+    if (!turning.removes()) return;
+    if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
+        const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
+        heel->d[2] = 1.0;
+        heel->eta = turning.cut_share * tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
+        heel->gap = least + tick.dt * turning.n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
+    }
+}
+
+void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, Channels& channels) noexcept {
+    struct Level {
+        double radius, z, width, normal_radial;
+    };
+    const PointAngle p = half_point_angle(drill);
+    const double r = drill.radius() - tick.force[force_clearance], flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
+    const auto on_cone = [&](double share) {
+        const double at = share * drill.radius();
+        return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};
+    };
+    const Level levels[] = {on_cone(0.5 / 3.0), on_cone(1.5 / 3.0), on_cone(2.5 / 3.0),
+                            {r, -drill.point_depth() - 0.5 * land, land, 1.0}, {r, -drill.point_depth() - 1.5 * land, land, 1.0}};
+    constexpr double c = 0.70710678118654752440;
+    constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+    constexpr std::size_t count = std::size(levels) * std::size(azimuth);
+    constexpr double share_of_turn = 1.0 / 8.0;
+
+    const Coefficients k = coefficients(tick.force);
+    std::uint32_t id = id_side;
+    for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+        const Vec3 across = cross(Vec3{0, 0, 1}, way);
+        std::array<Vec3, count> point;
+        std::array<kerf_bone_sample, count> sample;
+        std::size_t i = 0;
+        for (const Level& level : levels)
+            for (const auto& at : azimuth) {
+                const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
+                point[i++] = {radial.x, radial.y, level.z};
+            }
+        bone.sample(point, way, sample);
+        double least = 1e300;
+        for (const auto& one : sample)
+            if (one.engagement > 0.0) least = std::min(least, one.gap);
+
+        ChannelSum sum;
+        double z = 0.0, total = 0.0;
+        i = 0;
+        for (const Level& level : levels)
+            for (const auto& at : azimuth) {
+                const kerf_bone_sample& here = sample[i++];
+                const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
+                if (m <= 0.0 || here.gap > least + left_behind) continue;
+                const double width = m * lip_count * level.width * share_of_turn;
+                const double facing = at[0] * level.normal_radial, per_rate = facing / (lip_count * turning.n);
+                sum.add(width * k.thrust.edge * facing, width * k.thrust.chip * facing * per_rate, k.thrust.edge_depth / per_rate);
+                z += width * level.z;
+                total += width;
+            }
+        if (total > 0.0) sum.write(rate_at({0, 0, z / total}, way), turning.cut_share, least, channels.add(KERF_CUT, id));
+        ++id;
+    }
+}
+
+}  // namespace kerf::drilling

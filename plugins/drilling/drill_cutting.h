@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "drill_edges.h"
+
+/// What the turning edges put into the law: feed, heel, sideways.
+namespace kerf::drilling {
+
+enum ChannelId : std::uint32_t { id_feed = 1, id_heel, id_rub, id_side = 8, id_contact = 16 };
+
+/// How the drill turns, as the law takes it.
+struct Turning {
+    double n = 0.0;          ///< [1/s] for chip thickness: never below the slowest that cuts
+    double cut_share = 0.0;  ///< [–] of the cutting forces: 1 while bone is taken
+    double speed = 0.0;      ///< [1/s] as it is
+
+    [[nodiscard]] bool drags() const noexcept { return cut_share > 0.0; }     ///< the edges resist
+    [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
+};
+
+/// Lips, chisel edge and heel along the shaft.   [haptic, nonblocking]
+void add_feed_cutting(const Edges& edges, const Tick& tick, std::uint32_t tissues, const Turning& turning, double last_feed_rate,
+                      Channels& channels) noexcept;
+
+/// Cutting sideways: the cone's flank and the corner behind it, averaged over the turn.
+///
+/// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and pushes
+/// back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the turn,
+/// sums to the mean. Bone is asked for where the ring is, not where the lips are now.
+void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                      Channels& channels) noexcept;
+
+}  // namespace kerf::drilling

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "drill_parameters.h"
+#include "kerf/force.hpp"
+
+/// The cutting edges in the bone: where they are, what they meet, what they give at one feed rate.
+namespace kerf::drilling {
+
+inline constexpr double left_behind = 0.1e-3;  ///< [m] edges farther from the front than the nearest by this wait (R2)
+inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
+
+/// Share of the reference tissue's resistance at a sample, zero in air.
+[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
+
+/// Everything that cuts, sampled once.
+struct Edges {
+    TwistDrill drill;
+    Lip lip;
+    double cos_angle, sin_angle;
+    std::array<Vec3, lip_count * largest_element_count + 2 * most_chisel_points> point;
+    std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * most_chisel_points> sample;
+    std::size_t lip_points = 0, chisel_points = 0, count = 0;
+
+    [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
+
+    /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
+    void ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[i % lip.count]; }
+
+    /// The least way to the front among edges in bone; 0 when none is.
+    [[nodiscard]] double least_gap() const noexcept {
+        double least = 1e300;
+        for (std::size_t i = 0; i < count; ++i)
+            if (sample[i].engagement > 0.0) least = std::min(least, sample[i].gap);
+        return least < 1e299 ? least : 0.0;
+    }
+};
+
+/// What the edges give at one feed rate: forces that do not work against the feed, per newton of thrust.
+struct Side {
+    double thrust = 0.0, torque = 0.0;
+    Vec3 lateral{}, moment{};
+};
+
+[[nodiscard]] Side side_forces(const Edges& edges, const Tick& tick, std::uint32_t tissues, double revolutions, double feed_rate,
+                               double least_gap) noexcept;
+
+}  // namespace kerf::drilling

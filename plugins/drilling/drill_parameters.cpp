@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drill_parameters.h"
+
+namespace kerf::drilling {
+
+TwistDrill drill_of(std::span<const double> p) noexcept {
+    return {p[tool_diameter], p[tool_point_angle], p[tool_web], p[tool_length], p[tool_corner]};
+}
+
+Motor motor_of(std::span<const double> p) noexcept {
+    using namespace literals;
+    // Run-up time is counted to 1000 rpm.
+    return {p[tool_motor_torque] * p[tool_run_up] / (2.0 * pi * 1000.0_rpm), p[tool_motor_torque]};
+}
+
+Coefficients coefficients(std::span<const double> f) noexcept {
+    const double depth = f[force_edge_depth];
+    return {{f[force_thrust_edge], depth, f[force_thrust_chip]},
+            {f[force_cutting_edge], depth, f[force_cutting_chip]},
+            {f[force_chisel_edge], depth, f[force_chisel_chip]}};
+}
+
+}  // namespace kerf::drilling

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// The drill and its motor: what happens when it is slow, too weak, or switched off.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "plugins/drilling/drill_force.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using drilling::signal_drive_power;
+using drilling::signal_spindle_speed;
+
+struct Rig {
+    Body body = test::block({-5.0_mm, -5.0_mm, -12.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
+    ToolSetup setup;
+    Simulation simulation;
+    std::vector<std::string> events;
+
+    explicit Rig(const std::map<std::string, double>& set)
+        : setup(test::twist_drill(set)), simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
+
+    TickResult push(double force) {
+        const double stretch = force * test::gains().force_scale / test::gains().stiffness;
+        const TickResult r = simulation.tick({test::at_depth(depth() + stretch)});
+        simulation.after_tick();
+        for (std::size_t i = 0; i < r.event_count; ++i) events.emplace_back(r.events[i]);
+        return r;
+    }
+    [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
+    [[nodiscard]] double rpm() const { return simulation.signals()[signal_spindle_speed] * 60.0; }
+};
+
+TEST(SpindleInBone, ItRunsUpBeforeItCuts) {
+    Rig rig({{"run_up", 0.2}});
+    for (int i = 0; i < 150; ++i) (void)rig.push(0.0);
+    EXPECT_NEAR(rig.rpm(), 745.0, 15.0);
+    for (int i = 0; i < 850; ++i) (void)rig.push(150.0);
+    EXPECT_NEAR(rig.rpm(), 1000.0, 1e-9);
+    EXPECT_EQ(rig.events, (std::vector<std::string>{"drilling.spinning_up", "drilling.running"}));
+    EXPECT_GT(rig.depth(), 0.5_mm);
+}
+
+TEST(SpindleInBone, AWeakMotorBogsDownUnderAHardPushAndRecoversWhenLet) {
+    Rig rig({{"run_up", 0.1}, {"motor_torque", 100.0_Nmm}});  // full depth at 1000 rpm and 2 mm/s takes 186 N·mm
+    for (int i = 0; i < 300; ++i) (void)rig.push(0.0);
+    double slowest = 1000.0;
+    for (int i = 0; i < 4000; ++i) {
+        (void)rig.push(250.0);
+        slowest = std::min(slowest, rig.rpm());
+    }
+    EXPECT_LT(slowest, 700.0);
+    EXPECT_GE(slowest, 0.0);
+    for (int i = 0; i < 500; ++i) (void)rig.push(0.0);
+    EXPECT_NEAR(rig.rpm(), 1000.0, 1e-9);
+    EXPECT_EQ(rig.events, (std::vector<std::string>{"drilling.spinning_up", "drilling.running", "drilling.bogging", "drilling.running"}));
+}
+
+// S-19, its first half: what cut becomes what touches, without a blow.
+TEST(SpindleInBone, SwitchedOffUnderPushItStopsCuttingAndStands) {
+    Rig rig({{"run_up", 0.2}});
+    for (int i = 0; i < 2500; ++i) (void)rig.push(150.0);
+    const double at_switch = rig.depth();
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    double last = rig.push(150.0).thrust, largest_step = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        const double thrust = rig.push(150.0).thrust;
+        largest_step = std::max(largest_step, std::abs(thrust - last));
+        last = thrust;
+    }
+    EXPECT_EQ(rig.rpm(), 0.0);
+    EXPECT_NEAR(last, 150.0, 3.0) << "it stands on the bottom of its hole";
+    EXPECT_LT(largest_step, 0.07 * 150.0);
+    EXPECT_LT(rig.depth() - at_switch, 0.5_mm) << "while running down";
+    const double stands = rig.depth();
+    for (int i = 0; i < 500; ++i) (void)rig.push(150.0);
+    EXPECT_NEAR(rig.depth(), stands, 1.0_um);
+    EXPECT_EQ(rig.events.back(), "drilling.spindle_off");
+}
+
+TEST(SpindleInBone, TheMotorPaysForTheTorque) {
+    Rig rig({});
+    double torque = 0.0, power = 0.0, count = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        const TickResult r = rig.push(170.0);
+        if (i < 2000) continue;
+        torque += r.torque;
+        power += rig.simulation.signals()[signal_drive_power];
+        count += 1.0;
+    }
+    EXPECT_NEAR(power / count / (2.0 * pi * 1000.0_rpm * torque / count), 1.0, 0.05);
+}
+
+TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
+    Rig rig({{"run_up", 0.0}});
+    for (int i = 0; i < 4000; ++i) (void)rig.push(170.0);
+    ASSERT_GT(rig.depth(), 3.0_mm);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    // Pulled out by a hand that stands a millimetre aside, the shank is pressed on the wall: friction holds it back.
+    const double deep = rig.depth();
+    TickResult r;
+    for (int i = 0; i < 2000; ++i) {
+        Pose hand = test::at_depth(deep - 1.0_um * i);
+        hand.position.x += std::min(1.0_mm, 0.01_mm * i);
+        r = rig.simulation.tick({hand});
+        rig.simulation.after_tick();
+    }
+    const double pressed = std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]);
+    EXPECT_GT(pressed, 1.0);
+    // Two quadrants carry it, so that the sum of what presses is up to √2 of what presses aside.
+    EXPECT_GE(-r.thrust, 0.3 * pressed * 0.999);
+    EXPECT_LE(-r.thrust, 0.3 * pressed * std::sqrt(2.0));
+}
+
+}  // namespace
+}  // namespace kerf
