@@ -42,4 +42,20 @@ inline void material_weights(const Body& body, const BrickPlace& place, double (
     weight[last] = left;
 }
 
+/// The same for a block, material by material.
+inline void material_weights(const Body& body, const PlaceBlock& places,
+                             std::array<BlockValues, KERF_MAX_TISSUES>& weight) noexcept {
+    BlockValues left, border;
+    for (std::size_t i = 0; i < places.count; ++i) left[i] = 1.0;
+    const std::size_t last = body.materials.size() - 1;
+    for (std::size_t m = 0; m < last; ++m) {
+        body.materials[m].border.at(places, border);
+        for (std::size_t i = 0; i < places.count; ++i) {
+            weight[m][i] = left[i] * coverage(border[i], body.grid().spacing);
+            left[i] -= weight[m][i];
+        }
+    }
+    for (std::size_t i = 0; i < places.count; ++i) weight[last][i] = left[i];
+}
+
 }  // namespace kerf

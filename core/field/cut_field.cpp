@@ -51,7 +51,8 @@ int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
     const int poses = std::clamp(static_cast<int>(std::ceil(motion / (0.25 * grid().spacing))), 1, 4096);
     int touched = 0;
     for (int i = 1; i <= poses; ++i)
-        touched += stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
+        touched +=
+            stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
     return touched;
 }
 
@@ -122,6 +123,19 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
                 if (is_changed) changed_[index] = 1;
             }
     return touched;
+}
+
+void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
+    CornerBlock corners;
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            cut[i] = -clamp_;
+        else
+            corners.add(brick(slot), places, i);
+    }
+    corners.interpolate(quantum_, cut);
 }
 
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {

@@ -15,8 +15,8 @@ namespace kerf {
 struct CutRecord {
     std::uint64_t sequence = 0, tick = 0;
     std::uint16_t body = 0, solid = 0;
-    bool removes = true;     ///< false: logged only, nobody stamps it
-    Pose from{}, to{};       ///< body_from_tool
+    bool removes = true;  ///< false: logged only, nobody stamps it
+    Pose from{}, to{};    ///< body_from_tool
 };
 
 /// Bone is max(surface, cut). Stamping is max(cut, −distance to the swept solid): pure, commutative, idempotent.
@@ -39,6 +39,8 @@ public:
         const std::int32_t slot = table_[place.brick];
         return slot < 0 ? -clamp_ : quantum_ * trilinear(brick(slot), place);
     }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, BlockValues& cut) const noexcept;
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);

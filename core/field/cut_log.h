@@ -42,6 +42,13 @@ public:
     /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
 
+    /// Both for a block.   [haptic, nonblocking]
+    void gap(const PointBlock& points_in_body, Vec3 direction_in_body, BlockValues& gaps) const noexcept;
+    void depth_in_pending(const PointBlock& points_in_body, BlockValues& depths) const noexcept;
+    /// What `depth_in_pending` does not exceed: one solid asked instead of all. The pending ones lie within about a
+    /// voxel, so by as much as they have moved no point can be deeper than it is in the newest.   [haptic, nonblocking]
+    void depth_bound(const PointBlock& points_in_body, BlockValues& bounds) const noexcept;
+
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
     [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
 
@@ -62,14 +69,14 @@ private:
     const Body* body_;
     const RevolutionSolid* solid_;
     CutField* committed_;
-    Pose open_from_ = identity_pose();   ///< the last record's end
-    Pose farthest_ = identity_pose();    ///< of the open stretch
-    double farthest_motion_ = 0.0;       ///< [m] from open_from_
+    Pose open_from_ = identity_pose();  ///< the last record's end
+    Pose farthest_ = identity_pose();   ///< of the open stretch
+    double farthest_motion_ = 0.0;      ///< [m] from open_from_
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
     std::uint64_t sequence_ = 0;
-    std::uint64_t last_reversal_ = 0;   ///< sequence of the first record after the path last turned back
+    std::uint64_t last_reversal_ = 0;  ///< sequence of the first record after the path last turned back
     std::array<CutRecord, 2> closed_{};
     int closed_count_ = 0;
 

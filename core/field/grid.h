@@ -10,8 +10,8 @@
 /// The isotropic grid a body's fields share, cut into bricks of 8³ samples.
 namespace kerf {
 
-inline constexpr int brick_edge = 8;                                          ///< samples owned per axis
-inline constexpr int stored_edge = brick_edge + 1;                            ///< with the apron of one
+inline constexpr int brick_edge = 8;                                            ///< samples owned per axis
+inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
 /// Distances are kept within this many voxels of the surface.
 inline constexpr double clamp_voxels = 4.0;
@@ -46,7 +46,7 @@ struct Grid {
 struct BrickPlace {
     bool is_inside = false;
     std::size_t brick = 0;
-    int offset = 0;          ///< of the low corner within the brick's 9³ samples
+    int offset = 0;  ///< of the low corner within the brick's 9³ samples
     double fx = 0, fy = 0, fz = 0;
 };
 
@@ -55,8 +55,8 @@ struct BrickPlace {
     const double gy = (p.y - grid.origin.y) / grid.spacing;
     const double gz = (p.z - grid.origin.z) / grid.spacing;
     // Written so that NaN is outside.
-    const bool is_inside = gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) &&
-                           gz < grid.samples(2);
+    const bool is_inside =
+        gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) && gz < grid.samples(2);
     if (!is_inside) return {};
     const int i = static_cast<int>(gx), j = static_cast<int>(gy), k = static_cast<int>(gz);
     BrickPlace place;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/field/grid.h"
+#include "core/field/point_block.h"
 
 /// A signed distance in a narrow band of bricks; immutable once built, so every thread may read it.
 namespace kerf {
@@ -23,6 +24,8 @@ public:
         if (slot < 0) return slot == air ? clamp_ : -clamp_;
         return quantum_ * trilinear(brick(slot), place);
     }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, BlockValues& distances) const noexcept;
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
