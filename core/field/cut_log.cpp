@@ -58,6 +58,10 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
 
     last_removing_ = to;
     has_removed_ = true;
+    if (pending_count_ == pending_capacity) {  // nobody has come to commit: rather early than lost
+        ++early_commits_;
+        commit_oldest();
+    }
     const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
     pending_[slot] = record;
     pending_inverse_[slot] = inverse(record.to);
@@ -72,17 +76,19 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
         const bool is_passed = is_at_front && largest_motion(*solid_, pending(0).to, now) >= h;
         if (!is_passed && !is_too_many) break;
         if (!is_passed) ++early_commits_;
-        bricks += committed_->stamp(pending(0), *solid_);
-        pending_first_ = (pending_first_ + 1) % pending_capacity;
-        --pending_count_;
+        bricks += commit_oldest();
     }
 }
 
 void CutTracker::flush() {
-    for (; pending_count_ > 0; --pending_count_) {
-        committed_->stamp(pending(0), *solid_);
-        pending_first_ = (pending_first_ + 1) % pending_capacity;
-    }
+    while (pending_count_ > 0) commit_oldest();
+}
+
+int CutTracker::commit_oldest() {
+    const int bricks = committed_->stamp(pending(0), *solid_);
+    pending_first_ = (pending_first_ + 1) % pending_capacity;
+    --pending_count_;
+    return bricks;
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {

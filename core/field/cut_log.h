@@ -59,6 +59,7 @@ private:
     [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept {
         return pending_inverse_[(pending_first_ + i) % pending_capacity];
     }
+    int commit_oldest();
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
     [[nodiscard]] bool is_in_reach_of_bone(const Pose& body_from_tool) const noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
