@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/field/density_field.h"
 #include "core/field/level_set.h"
 
 /// A bone: its surface, and its materials composited front to back. Immutable after import.
@@ -11,8 +12,9 @@ namespace kerf {
 
 struct Material {
     std::string id;
-    double density = 0.0;  ///< [kg/m³]
+    double density = 0.0;  ///< [kg/m³]; of a heterogeneous material the largest, which is what limits must hold for
     LevelSet border;       ///< negative inside this material; unused for the last (base) material
+    DensityField densities = {};  ///< of a heterogeneous material; empty: `density` everywhere
 };
 
 /// Frame: LPS, metres. The last material is the base and fills what the others leave.

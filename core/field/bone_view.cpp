@@ -65,6 +65,13 @@ void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_
             s.density[m] = body_->materials[m].density;
         }
     }
+    for (std::size_t m = 0; m < body_->materials.size(); ++m) {
+        const Material& material = body_->materials[m];
+        if (material.densities.is_empty()) continue;
+        BlockValues density;
+        material.densities.at(engaged_places, material.density, density);
+        for (std::size_t i = 0; i < engaged.count; ++i) out[lane[i]].density[m] = density[i];
+    }
 }
 
 double BoneView::present_distance(Vec3 p) const noexcept {

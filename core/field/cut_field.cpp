@@ -126,7 +126,7 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
 }
 
 void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
-    CornerBlock corners;
+    CornerBlock<std::int16_t> corners;
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
             places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];

@@ -69,10 +69,11 @@ struct BrickPlace {
     return place;
 }
 
-/// Trilinear value of one brick's stored samples, in quanta.
-[[nodiscard]] inline double trilinear(const std::int16_t* brick, const BrickPlace& at) noexcept {
+/// Trilinear value of one brick's stored samples, as they are stored.
+template <class Sample>
+[[nodiscard]] inline double trilinear(const Sample* brick, const BrickPlace& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;
-    const std::int16_t* v = brick + at.offset;
+    const Sample* v = brick + at.offset;
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const double c00 = lerp(v[0], v[1], at.fx), c10 = lerp(v[y], v[y + 1], at.fx);
     const double c01 = lerp(v[z], v[z + 1], at.fx), c11 = lerp(v[z + y], v[z + y + 1], at.fx);

@@ -39,7 +39,7 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
 }
 
 void LevelSet::at(const PlaceBlock& places, BlockValues& distances) const noexcept {
-    CornerBlock corners;
+    CornerBlock<std::int16_t> corners;
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
             places.brick[i] == PlaceBlock::outside ? air : table_[static_cast<std::size_t>(places.brick[i])];

@@ -30,6 +30,7 @@ public:
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
     [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return table_[brick_index] == air; }
+    [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return table_[brick_index] == solid; }
     [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept { return table_[brick_index] >= 0; }
     /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {

@@ -44,7 +44,8 @@ void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noex
     }
 }
 
-void CornerBlock::interpolate(double quantum, BlockValues& values) const noexcept {
+template <class Sample>
+void CornerBlock<Sample>::interpolate(double quantum, BlockValues& values) const noexcept {
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const auto& c = corner_;
     BlockValues result;
@@ -55,5 +56,8 @@ void CornerBlock::interpolate(double quantum, BlockValues& values) const noexcep
     }
     for (std::size_t i = 0; i < count_; ++i) values[lane_[i]] = result[i];
 }
+
+template class CornerBlock<std::int16_t>;
+template class CornerBlock<float>;
 
 }  // namespace kerf

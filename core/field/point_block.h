@@ -51,12 +51,13 @@ struct PlaceBlock {
 void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noexcept;
 
 /// The eight samples around those points of a block that lie in a stored brick; the others cost nothing more.
+template <class Sample>
 class CornerBlock {
 public:
     /// `brick`: its 9³ samples.
-    void add(const std::int16_t* brick, const PlaceBlock& places, std::size_t i) noexcept {
+    void add(const Sample* brick, const PlaceBlock& places, std::size_t i) noexcept {
         constexpr int y = stored_edge, z = stored_edge * stored_edge;
-        const std::int16_t* v = brick + places.offset[i];
+        const Sample* v = brick + places.offset[i];
         corner_[0][count_] = v[0];
         corner_[1][count_] = v[1];
         corner_[2][count_] = v[y];
@@ -75,7 +76,7 @@ public:
 
 private:
     std::size_t count_ = 0;
-    std::array<std::array<std::int16_t, block_capacity>, 8> corner_;
+    std::array<std::array<Sample, block_capacity>, 8> corner_;
     BlockValues fx_, fy_, fz_;
     std::array<std::uint8_t, block_capacity> lane_;
 };

@@ -293,6 +293,60 @@ VoxelImage distances(const Mask& mask, double threshold) {
     return result;
 }
 
+// ---- the density ----------------------------------------------------------------------------------------------------
+
+/// Gives every voxel that is not `known` the mean of its known neighbours, layer by layer from the known ones outwards.
+void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
+    std::vector<std::array<int, 3>> front, next;
+    const auto has_unknown_neighbour = [&](int i, int j, int k, const auto& visit) {
+        for (const auto& [x, y, z] : neighbours)
+            if (image.has(i + x, j + y, k + z) && known[image.offset(i + x, j + y, k + z)] == 0)
+                visit(i + x, j + y, k + z);
+    };
+    constexpr std::uint8_t is_known = 1, is_next = 2;
+    const auto look_from = [&](int i, int j, int k) {
+        has_unknown_neighbour(i, j, k, [&](int x, int y, int z) {
+            known[image.offset(x, y, z)] = is_next;
+            next.push_back({x, y, z});
+        });
+    };
+    for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
+        if (known[at] == is_known) look_from(i, j, k);
+    });
+    while (!next.empty()) {
+        front.swap(next);
+        next.clear();
+        for (const auto& [i, j, k] : front) {
+            double sum = 0.0, count = 0.0;
+            for (const auto& [x, y, z] : neighbours) {
+                if (!image.has(i + x, j + y, k + z) || known[image.offset(i + x, j + y, k + z)] != is_known) continue;
+                sum += static_cast<double>(image.at(i + x, j + y, k + z));
+                count += 1.0;
+            }
+            image.values[image.offset(i, j, k)] = static_cast<float>(sum / count);
+        }
+        for (const auto& [i, j, k] : front) known[image.offset(i, j, k)] = is_known;
+        for (const auto& [i, j, k] : front) look_from(i, j, k);
+    }
+}
+
+/// Densities of the voxels that are deeper in bone than `cortex` [m], extended to all; none if there are no such
+/// voxels.
+std::optional<VoxelImage> densities(const VoxelImage& part, const VoxelImage& distance, double cortex,
+                                    const DensityLine& line) {
+    VoxelImage density = part;
+    std::vector<std::uint8_t> known(part.values.size(), 0);
+    for (std::size_t at = 0; at < part.values.size(); ++at) {
+        if (static_cast<double>(distance.values[at]) >= -cortex) continue;
+        known[at] = 1;
+        const double by_line = line.at_zero + line.per_unit * static_cast<double>(part.values[at]);
+        density.values[at] = static_cast<float>(std::max(line.floor, by_line));
+    }
+    if (std::find(known.begin(), known.end(), std::uint8_t{1}) == known.end()) return std::nullopt;
+    extend(density, std::move(known));
+    return density;
+}
+
 // ---- files ----------------------------------------------------------------------------------------------------------
 
 /// In the document's folder, or else in KERF_DATA.
@@ -359,6 +413,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
             ++deep;
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
+    if (ct.density) bone.density = densities(part, bone.distance, cortex, *ct.density);
     return bone;
 }
 

@@ -40,14 +40,23 @@ Box phantom_bounds(const PhantomSource& phantom) {
     for (const auto& part : phantom.parts) {
         if (part.subtract) continue;
         const Box box = bounds_of(part.solid);
-        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y), std::min(bounds.low.z, box.low.z)};
-        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y), std::max(bounds.high.z, box.high.z)};
+        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y),
+                      std::min(bounds.low.z, box.low.z)};
+        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y),
+                       std::max(bounds.high.z, box.high.z)};
     }
     return bounds;
 }
 
 double distance_to_box(const Box& box, Vec3 p) {
     return distance_to(BoxSolid{0.5 * (box.low + box.high), box.high - box.low}, p);
+}
+
+/// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
+bool may_hold_base(const Body& body, std::size_t brick) {
+    return !body.surface.is_all_air(brick) &&
+           std::none_of(body.materials.begin(), body.materials.end(),
+                        [&](const Material& shell) { return shell.border.is_all_solid(brick); });
 }
 
 }  // namespace
@@ -68,8 +77,9 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     const double edge = spacing * brick_edge;
     if (!(extent.x / edge * (extent.y / edge) * (extent.z / edge) < static_cast<double>(most_bricks))) {
         diagnostics.push_back(error("E0602", anatomy.file,
-                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
-                                        rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) + " mm is too large.",
+                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) +
+                                        " × " + rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) +
+                                        " mm is too large.",
                                     "Use a coarser `accuracy.spacing` or a smaller bone."));
         return std::nullopt;
     }
@@ -90,6 +100,13 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         if (is_base && ct && anatomy.ct->density) {
             const DensityLine& line = *anatomy.ct->density;
             material.density = std::max(line.floor, line.at_zero + line.per_unit * ct->mean_value);
+            if (ct->density) {
+                const double elsewhere = material.density;
+                material.densities = DensityField::build(
+                    grid, [&](std::size_t brick) { return may_hold_base(body, brick); },
+                    [&](Vec3 p) { return ct->density->sample_trilinear(p, elsewhere); });
+                if (!material.densities.is_empty()) material.density = material.densities.largest();
+            }
         }
         // A shell lies between the surface and its own thickness below it.
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
@@ -121,7 +138,8 @@ void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::st
                                     "Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.share < least_share)
         diagnostics.push_back(error("E0611", file,
-                                    "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                                    "the axis `" + axis.id + "` lies in bone for only " +
+                                        rounded(100.0 * found.share, 0) +
                                         " % of its length behind the entry, need 80 %.",
                                     "Check its points, or the tissues of the anatomy."));
 }

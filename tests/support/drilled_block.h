@@ -8,10 +8,14 @@
 /// all that a query can meet.
 namespace kerf::test {
 
+/// The core is heterogeneous.
 inline Body shelled_block(Vec3 low, Vec3 high, double shell, double spacing) {
     Body body = block(low, high, spacing, {0.31, 0.17, 0.73});
     const LevelSet border = LevelSet::build(body.grid(), [=](Vec3 p) { return -box_distance(p, low, high) - shell; });
     body.materials = {{"cortical", 1850.0, border}, {"cancellous", 250.0, {}}};
+    body.materials[1].densities = DensityField::build(
+        body.grid(), [&](std::size_t brick) { return !body.surface.is_all_air(brick); },
+        [](Vec3 p) { return 250.0 + 1e4 * p.x - 2e4 * p.z; });
     return body;
 }
 

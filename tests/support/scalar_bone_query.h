@@ -22,7 +22,8 @@ struct ScalarBoneQuery {
         s.body = 0;
         s.gap = tracker.gap(p, rotate(body_from_tool.rotation, direction));
         material_weights(body, place, s.weight);
-        for (std::size_t m = 0; m < body.materials.size(); ++m) s.density[m] = body.materials[m].density;
+        for (std::size_t m = 0; m < body.materials.size(); ++m)
+            s.density[m] = body.materials[m].densities.at(place, body.materials[m].density);
         return s;
     }
 
