@@ -6,6 +6,7 @@
 
 #include "core/field/density_field.h"
 #include "core/field/level_set.h"
+#include "core/field/region.h"
 
 /// A bone: its surface, and its materials composited front to back. Immutable after import.
 namespace kerf {
@@ -22,9 +23,26 @@ struct Body {
     std::string id;
     LevelSet surface;                 ///< negative inside bone, before any cut
     std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
+    Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid holds all of the bone
 
     [[nodiscard]] const Grid& grid() const noexcept { return surface.grid(); }
 };
+
+/// How far a point of the body frame is outside the body's region [m]; 0 inside, 0 without one, 0 for NaN. There bone
+/// is solid and nothing can be cut: the haptic loop stops the tool.   [any] pure, nonblocking.
+[[nodiscard]] inline double outside_region(const Body& body, Vec3 point_in_body) noexcept {
+    return body.region.distance_outside(point_in_body);
+}
+
+/// Where to look for the bone at a point: beyond the region, where it ends.   [any] pure, nonblocking.
+[[nodiscard]] inline BrickPlace locate(const Body& body, Vec3 point_in_body) noexcept {
+    return locate(body.grid(), body.region.nearest(point_in_body));
+}
+inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBlock& places) noexcept {
+    PointBlock within;
+    clamp(points_in_body, body.region.low, body.region.high, within);
+    locate(body.grid(), within, places);
+}
 
 /// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.
 [[nodiscard]] inline double coverage(double d, double spacing) noexcept {

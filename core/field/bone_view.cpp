@@ -32,7 +32,7 @@ void BoneView::committed_distance(const PlaceBlock& places, BlockValues& distanc
 void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_sample* out) const noexcept {
     PlaceBlock places;
     BlockValues engagement;
-    locate(body_->grid(), points, places);
+    locate(*body_, points, places);
     committed_distance(places, engagement);
     const double h = body_->grid().spacing;
     for (std::size_t i = 0; i < points.count; ++i) engagement[i] = coverage(engagement[i], h);
@@ -59,7 +59,7 @@ void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_
     for (std::size_t i = 0; i < engaged.count; ++i) {
         kerf_bone_sample& s = out[lane[i]];
         s.body = 0;
-        s.gap = gap[i];
+        s.gap = body_->region.contains(engaged[i]) ? gap[i] : 0.0;
         for (std::size_t m = 0; m < body_->materials.size(); ++m) {
             s.weight[m] = weight[m][i];
             s.density[m] = body_->materials[m].density;
@@ -75,10 +75,10 @@ void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_
 }
 
 double BoneView::present_distance(Vec3 p) const noexcept {
-    const BrickPlace place = locate(body_->grid(), p);
+    const BrickPlace place = locate(*body_, p);
     const double bone = std::max(body_->surface.at(place), committed_->at(place));
     if (bone >= body_->grid().clamp()) return bone;
-    return std::max(bone, tracker_->depth_in_pending(p));
+    return std::max(bone, body_->region.contains(p) ? tracker_->depth_in_pending(p) : -body_->grid().clamp());
 }
 
 void BoneView::raise_to_present(const PointBlock& points, const BlockValues& bounds,
@@ -88,7 +88,7 @@ void BoneView::raise_to_present(const PointBlock& points, const BlockValues& bou
     PointBlock concerned;
     for (std::size_t i = 0; i < points.count; ++i) {
         if (distances[i] >= clamp) continue;
-        if (bounds[i] < distances[i]) {
+        if (bounds[i] < distances[i] || !body_->region.contains(points[i])) {
             distances[i] = std::max(distances[i], -clamp);
             continue;
         }
@@ -105,7 +105,7 @@ void BoneView::nearest_block(const PointBlock& points, kerf_surface_point* out) 
     const double clamp = body_->grid().clamp();
     PlaceBlock places;
     BlockValues distance;
-    locate(body_->grid(), points, places);
+    locate(*body_, points, places);
     committed_distance(places, distance);
 
     // Far outside there is nothing to raise.
@@ -148,7 +148,7 @@ void BoneView::nearest_block(const PointBlock& points, kerf_surface_point* out) 
         BlockValues after, before;
         const auto present_at = [&](Vec3 by, BlockValues& d) {
             shift(at_surface, by, beside);
-            locate(body_->grid(), beside, places);
+            locate(*body_, beside, places);
             committed_distance(places, d);
             raise_to_present(beside, surface_bound, d);
         };

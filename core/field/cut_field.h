@@ -25,8 +25,9 @@ public:
     /// `reserve` bricks are ready before the first stamp, so that stamping does not allocate.   [main]
     CutField(const Body& body, std::size_t reserve);
 
-    /// Stamps one record. Sub-poses at most a quarter voxel apart are a function of (record, spacing) alone.
-    /// Returns the bricks touched.   [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
+    /// Stamps one record, within the body's region. Sub-poses at most a quarter voxel apart are a function of (record,
+    /// spacing) alone. Returns the bricks touched.   [haptic, nonblocking] while `free_bricks()` suffices, else it
+    /// allocates.
     int stamp(const CutRecord& record, const RevolutionSolid& solid);
 
     /// Makes room for at least `count` further bricks.   [main, worker]
@@ -68,6 +69,7 @@ private:
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;
+    std::array<int, 3> first_ = {}, last_ = {};  ///< samples that may be cut: those within the body's region
     std::vector<std::int32_t> table_;
     std::vector<std::uint8_t> changed_;
     std::vector<std::unique_ptr<std::int16_t[]>> chunks_;

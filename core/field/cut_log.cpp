@@ -197,6 +197,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
             for (const auto& direction : ring) {
                 const Vec3 p = at * Vec3{r * direction[0], r * direction[1], z};
+                if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);
                 if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)
                     return true;
@@ -210,6 +211,13 @@ bool CutTracker::is_in_reach_of_bone(const Pose& body_from_tool) const noexcept 
     const Vec3 tip = body_from_tool * Vec3{0, 0, solid_->tip_z()};
     const Vec3 end = body_from_tool * Vec3{0, 0, solid_->end_z()};
     const double margin = solid_->largest_radius() + g.clamp();
+    const auto is_beyond = [&](double a, double b, double low, double high) {
+        return std::max(a, b) + margin < low || std::min(a, b) - margin > high;
+    };
+    const Region& region = body_->region;
+    if (is_beyond(tip.x, end.x, region.low.x, region.high.x) || is_beyond(tip.y, end.y, region.low.y, region.high.y) ||
+        is_beyond(tip.z, end.z, region.low.z, region.high.z))
+        return false;
     const double edge = brick_edge * g.spacing;
     const auto first = [&](double a, double b, double o) {
         return std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - o) / edge)));

@@ -22,6 +22,16 @@ void shift(const PointBlock& points, Vec3 by, PointBlock& shifted) noexcept {
     }
 }
 
+void clamp(const PointBlock& points, Vec3 low, Vec3 high, PointBlock& clamped) noexcept {
+    const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
+    clamped.count = points.count;
+    for (std::size_t i = 0; i < points.count; ++i) {
+        clamped.x[i] = kept(points.x[i], low.x, high.x);
+        clamped.y[i] = kept(points.y[i], low.y, high.y);
+        clamped.z[i] = kept(points.z[i], low.z, high.z);
+    }
+}
+
 void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noexcept {
     const double nx = grid.samples(0), ny = grid.samples(1), nz = grid.samples(2);
     const std::int32_t row = grid.bricks[0], column = grid.bricks[1];

@@ -31,6 +31,9 @@ void transform(const Pose& a_from_b, const Vec3* points_in_b, std::size_t count,
 /// All points moved by the same vector.   [any] pure, nonblocking.
 void shift(const PointBlock& points, Vec3 by, PointBlock& shifted) noexcept;
 
+/// Every coordinate kept between `low` and `high`; NaN stays.   [any] pure, nonblocking.
+void clamp(const PointBlock& points, Vec3 low, Vec3 high, PointBlock& clamped) noexcept;
+
 /// As `BrickPlace`, for a block.
 struct PlaceBlock {
     static constexpr std::int32_t outside = -1;

@@ -48,8 +48,18 @@ Box phantom_bounds(const PhantomSource& phantom) {
     return bounds;
 }
 
-double distance_to_box(const Box& box, Vec3 p) {
-    return distance_to(BoxSolid{0.5 * (box.low + box.high), box.high - box.low}, p);
+/// The largest box whose faces lie on samples of the grid.
+Region region_on(const Grid& grid, const Box& box) {
+    const auto up = [&](double at, double origin) {
+        return static_cast<int>(std::ceil((at - origin) / grid.spacing - 1e-6));
+    };
+    const auto down = [&](double at, double origin) {
+        return static_cast<int>(std::floor((at - origin) / grid.spacing + 1e-6));
+    };
+    return {
+        grid.sample_position(up(box.low.x, grid.origin.x), up(box.low.y, grid.origin.y), up(box.low.z, grid.origin.z)),
+        grid.sample_position(down(box.high.x, grid.origin.x), down(box.high.y, grid.origin.y),
+                             down(box.high.z, grid.origin.z))};
 }
 
 /// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
@@ -84,16 +94,16 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         return std::nullopt;
     }
 
-    // A CT is cut off at its region: a face of bone, but no cortex.
-    const auto depth = [&](Vec3 p) {
-        return ct ? ct->distance.sample_trilinear(p, spacing * 1e3) : distance_to(anatomy.phantom, p);
-    };
-    const auto surface = [&](Vec3 p) { return ct ? std::max(depth(p), distance_to_box(ct->region, p)) : depth(p); };
-
     Body body;
     body.id = anatomy.id;
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    body.surface = LevelSet::build(grid, surface);
+    if (ct) body.region = region_on(grid, bounds);
+    // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
+    const auto depth = [&](Vec3 p) {
+        return ct ? ct->distance.sample_trilinear(body.region.nearest(p), spacing * 1e3)
+                  : distance_to(anatomy.phantom, p);
+    };
+    body.surface = LevelSet::build(grid, depth);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -104,7 +114,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
                 const double elsewhere = material.density;
                 material.densities = DensityField::build(
                     grid, [&](std::size_t brick) { return may_hold_base(body, brick); },
-                    [&](Vec3 p) { return ct->density->sample_trilinear(p, elsewhere); });
+                    [&](Vec3 p) { return ct->density->sample_trilinear(body.region.nearest(p), elsewhere); });
                 if (!material.densities.is_empty()) material.density = material.densities.largest();
             }
         }

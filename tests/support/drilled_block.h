@@ -19,6 +19,17 @@ inline Body shelled_block(Vec3 low, Vec3 high, double shell, double spacing) {
     return body;
 }
 
+/// The box from `low` to `high`, its faces moved to samples of the grid that `DrilledBlock` has.
+inline Region nearest_samples(double spacing, Vec3 low, Vec3 high) {
+    const Grid grid = shelled_block({-6e-3, -6e-3, -14e-3}, {6e-3, 6e-3, 0}, 1e-3, spacing).grid();
+    const auto sample = [&](Vec3 p) {
+        const Vec3 at = (1.0 / spacing) * (p - grid.origin);
+        return grid.sample_position(static_cast<int>(at.x + 0.5), static_cast<int>(at.y + 0.5),
+                                    static_cast<int>(at.z + 0.5));
+    };
+    return {sample(low), sample(high)};
+}
+
 struct DrilledBlock {
     double h;
     Body body = shelled_block({-6e-3, -6e-3, -14e-3}, {6e-3, 6e-3, 0}, 1e-3, h);
@@ -29,7 +40,9 @@ struct DrilledBlock {
     Pose at = pose(-1e-3, 0.0);
     std::uint64_t tick = 0;
 
-    explicit DrilledBlock(double spacing) : h(spacing) {
+    explicit DrilledBlock(double spacing, const Region& region = {}) : h(spacing) {
+        body.region = region;
+        committed = CutField(body, 1024);
         tracker.restart(at);
         view.place(at);
     }

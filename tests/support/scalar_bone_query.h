@@ -14,13 +14,13 @@ struct ScalarBoneQuery {
 
     [[nodiscard]] kerf_bone_sample sample(Vec3 point, Vec3 direction) const {
         const Vec3 p = body_from_tool * point;
-        const BrickPlace place = locate(body.grid(), p);
+        const BrickPlace place = locate(body, p);
         kerf_bone_sample s{};
         s.body = -1;
         s.engagement = coverage(std::max(body.surface.at(place), committed.at(place)), body.grid().spacing);
         if (s.engagement <= 0.0) return s;
         s.body = 0;
-        s.gap = tracker.gap(p, rotate(body_from_tool.rotation, direction));
+        if (body.region.contains(p)) s.gap = tracker.gap(p, rotate(body_from_tool.rotation, direction));
         material_weights(body, place, s.weight);
         for (std::size_t m = 0; m < body.materials.size(); ++m)
             s.density[m] = body.materials[m].densities.at(place, body.materials[m].density);
@@ -44,10 +44,10 @@ struct ScalarBoneQuery {
 
 private:
     [[nodiscard]] double present(Vec3 p) const {
-        const BrickPlace place = locate(body.grid(), p);
+        const BrickPlace place = locate(body, p);
         const double bone = std::max(body.surface.at(place), committed.at(place));
         if (bone >= body.grid().clamp()) return bone;
-        return std::max(bone, tracker.depth_in_pending(p));
+        return std::max(bone, body.region.contains(p) ? tracker.depth_in_pending(p) : -body.grid().clamp());
     }
 };
 

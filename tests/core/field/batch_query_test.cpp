@@ -89,7 +89,7 @@ void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
         seen.mixed += sample.weight[0] > 0.0 && sample.weight[1] > 0.0;
         seen.normals += dot(surface.normal, surface.normal) > 0.5;
         seen.air += sample.engagement == 0.0;
-        const BrickPlace place = locate(hole.body.grid(), in_body);
+        const BrickPlace place = locate(hole.body, in_body);
         seen.pending += surface.distance > std::max(hole.body.surface.at(place), hole.committed.at(place));
     }
 }
@@ -118,6 +118,17 @@ TEST(BatchQuery, GivesTheScalarBitsWhileCuttingAndAfterTurningBack) {
     EXPECT_GT(seen.normals, 2000);
     EXPECT_GT(seen.pending, 200);
     EXPECT_GT(seen.air, 3000);
+}
+
+TEST(BatchQuery, GivesTheScalarBitsWithinAndBeyondARegion) {
+    Seen seen;
+    test::DrilledBlock hole(h, test::nearest_samples(h, {-3.0_mm, -1.0_mm, -4.0_mm}, {0.5_mm, 4.0_mm, 3.0_mm}));
+    hole.move(3.6_mm, 0.02, 3000, true);
+    compare(hole, 6000, seen);
+    hole.move(6.0_mm, 0.03, 2000, true);  // on, beyond the region's lower face
+    compare(hole, 6000, seen);
+    EXPECT_GT(seen.pending, 50);
+    EXPECT_GT(seen.normals, 500);
 }
 
 TEST(BatchQuery, GivesTheScalarBitsForAnyNumberOfPoints) {

@@ -213,6 +213,30 @@ std::optional<Body> labelled_ball(const VoxelImage& values, Diagnostics& diagnos
     return make_body(one, 0.5_mm, diagnostics);
 }
 
+TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {
+    // Given a bar that goes through the whole image, and an axis in its middle third
+    const test::TemporaryFolder folder;
+    write_image(folder, "bar.mha",
+                image_of([](Vec3 p) { return blurred(std::max(std::abs(p.y), std::abs(p.z)) - 6.0_mm); }));
+    Anatomy one = anatomy();
+    one.file = folder / "bone.yaml";
+    one.ct->image = "bar.mha";
+    one.axes = {{"axis", {-(1.0_mm), 0.0, 0.0}, {1.0_mm, 0.0, 0.0}, 0.0}};
+
+    Diagnostics diagnostics;
+    const auto body = make_body(one, 0.5_mm, diagnostics);
+
+    // Then it is bone as far as the box goes, 15 mm, and beyond
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    EXPECT_NEAR(body->region.high.x, 16.0_mm, 0.5_mm);
+    EXPECT_NEAR(body->region.low.x, -16.0_mm, 0.5_mm);
+    for (const double x : {0.0_mm, 15.9_mm, 16.1_mm, 40.0_mm, -40.0_mm}) {
+        EXPECT_LT(body->surface.at(locate(*body, {x, 0.0, 0.0})), -1.5_mm) << x;
+        EXPECT_GT(body->surface.at(locate(*body, {x, 9.0_mm, 0.0})), 1.5_mm) << x;
+    }
+    EXPECT_NEAR(outside_region(*body, {40.0_mm, 0.0, 0.0}), 24.0_mm, 0.5_mm);
+}
+
 TEST(CtBody, ReproducesALinearDensity) {
     // P7
     const auto linear = [](Vec3 p) { return 500.0 + 1e4 * p.x - 2e4 * p.y + 5e3 * p.z; };
