@@ -40,7 +40,7 @@ Pose without_negative_zeros(const Pose& p) {
 std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
     // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
     const Vec3 ahead = tip + scene.procedure.spacing * rotate(simulation.world_from_tool().rotation, {0, 0, 1});
-    const BrickPlace place = locate(scene.body.grid(), ahead);
+    const BrickPlace place = locate(scene.body, ahead);
     if (std::max(scene.body.surface.at(place), simulation.exact().at(place)) > 0.0) return -1;
     double weight[KERF_MAX_TISSUES];
     material_weights(scene.body, place, weight);

@@ -4,15 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "core/field/density_field.h"
 #include "core/field/level_set.h"
+#include "core/field/region.h"
 
 /// A bone: its surface, and its materials composited front to back. Immutable after import.
 namespace kerf {
 
 struct Material {
     std::string id;
-    double density = 0.0;  ///< [kg/m³]
+    double density = 0.0;  ///< [kg/m³]; of a heterogeneous material the largest, which is what limits must hold for
     LevelSet border;       ///< negative inside this material; unused for the last (base) material
+    DensityField densities = {};  ///< of a heterogeneous material; empty: `density` everywhere
 };
 
 /// Frame: LPS, metres. The last material is the base and fills what the others leave.
@@ -20,9 +23,26 @@ struct Body {
     std::string id;
     LevelSet surface;                 ///< negative inside bone, before any cut
     std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
+    Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid holds all of the bone
 
     [[nodiscard]] const Grid& grid() const noexcept { return surface.grid(); }
 };
+
+/// How far a point of the body frame is outside the body's region [m]; 0 inside, 0 without one, 0 for NaN. There bone
+/// is solid and nothing can be cut: the haptic loop stops the tool.   [any] pure, nonblocking.
+[[nodiscard]] inline double outside_region(const Body& body, Vec3 point_in_body) noexcept {
+    return body.region.distance_outside(point_in_body);
+}
+
+/// Where to look for the bone at a point: beyond the region, where it ends.   [any] pure, nonblocking.
+[[nodiscard]] inline BrickPlace locate(const Body& body, Vec3 point_in_body) noexcept {
+    return locate(body.grid(), body.region.nearest(point_in_body));
+}
+inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBlock& places) noexcept {
+    PointBlock within;
+    clamp(points_in_body, body.region.low, body.region.high, within);
+    locate(body.grid(), within, places);
+}
 
 /// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.
 [[nodiscard]] inline double coverage(double d, double spacing) noexcept {
@@ -40,6 +60,22 @@ inline void material_weights(const Body& body, const BrickPlace& place, double (
         left -= weight[m];
     }
     weight[last] = left;
+}
+
+/// The same for a block, material by material.
+inline void material_weights(const Body& body, const PlaceBlock& places,
+                             std::array<BlockValues, KERF_MAX_TISSUES>& weight) noexcept {
+    BlockValues left, border;
+    for (std::size_t i = 0; i < places.count; ++i) left[i] = 1.0;
+    const std::size_t last = body.materials.size() - 1;
+    for (std::size_t m = 0; m < last; ++m) {
+        body.materials[m].border.at(places, border);
+        for (std::size_t i = 0; i < places.count; ++i) {
+            weight[m][i] = left[i] * coverage(border[i], body.grid().spacing);
+            left[i] -= weight[m][i];
+        }
+    }
+    for (std::size_t i = 0; i < places.count; ++i) weight[last][i] = left[i];
 }
 
 }  // namespace kerf

@@ -7,6 +7,14 @@
 
 namespace kerf {
 
+namespace {
+/// How far beyond the nearest face of the region [m]; negative within.
+double beyond_faces(const Region& region, Vec3 p) noexcept {
+    return std::max({region.low.x - p.x, p.x - region.high.x, region.low.y - p.y, p.y - region.high.y,
+                     region.low.z - p.z, p.z - region.high.z});
+}
+}  // namespace
+
 Mesh bone_surface(const Body& body, const CutField& cut, int stride) {
     const Grid& g = body.grid();
     SampleGrid samples;
@@ -14,12 +22,23 @@ Mesh bone_surface(const Body& body, const CutField& cut, int stride) {
     samples.spacing = g.spacing * stride;
     samples.origin = g.origin;
     const double voxels = g.quantum() / g.spacing;
-    samples.value = [&body, &cut, stride, voxels](int i, int j, int k) {
+    const bool has_faces = body.region.is_bounded();
+    samples.value = [&body, &cut, &g, stride, voxels, has_faces](int i, int j, int k) {
         const int bone = body.surface.sample(i * stride, j * stride, k * stride);
-        return static_cast<float>(voxels * std::max(bone, int{cut.sample(i * stride, j * stride, k * stride)}));
+        const double left = voxels * std::max(bone, int{cut.sample(i * stride, j * stride, k * stride)});
+        if (!has_faces) return static_cast<float>(left);
+        const Vec3 p = g.sample_position(i * stride, j * stride, k * stride);
+        return static_cast<float>(std::max(left, beyond_faces(body.region, p) / g.spacing));
     };
     if (stride == 1)
-        samples.may_cross = [&body, &cut, &g](int i, int j, int k) {
+        samples.may_cross = [&body, &cut, &g, has_faces](int i, int j, int k) {
+            if (has_faces) {
+                const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
+                const double half = 0.5 * brick_edge * g.spacing;
+                const double at_centre = beyond_faces(body.region, low + Vec3{half, half, half});
+                if (at_centre > half + g.spacing) return false;
+                if (at_centre > -half - g.spacing) return true;
+            }
             // A block of cells also reads the first samples of its upper neighbours: look at all eight.
             bool has_solid = false, has_air = false;
             for (int c = 0; c < 8; ++c) {

@@ -4,6 +4,9 @@
 #include "core/field/cut_log.h"
 
 /// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
+///
+/// Questions are answered in blocks, stage by stage: transform, locate, interpolate surface and cut, then tissues or
+/// pending cuts only for those points whom they concern. Every point gets the bits it would get alone.
 namespace kerf {
 
 class BoneView {
@@ -31,6 +34,13 @@ public:
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:
+    void sample_block(const PointBlock& points, Vec3 direction_in_body, kerf_bone_sample* out) const noexcept;
+    void nearest_block(const PointBlock& points, kerf_surface_point* out) const noexcept;
+    /// Surface and committed cut.
+    void committed_distance(const PlaceBlock& places, BlockValues& distances) const noexcept;
+    /// Raises committed distances to present ones. No pending solid is deeper at a point than its `bound`.
+    void raise_to_present(const PointBlock& points, const BlockValues& bounds, BlockValues& distances) const noexcept;
+
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction,
                              kerf_bone_sample* out) {
         reinterpret_cast<const BoneView*>(bone)->sample(points, count, direction, out);

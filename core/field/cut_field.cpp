@@ -37,6 +37,18 @@ CutField::CutField(const Body& body, std::size_t reserve_bricks)
       changed_(body.grid().brick_count(), 0) {
     chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
     reserve(reserve_bricks);
+    for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
+    if (!body.region.is_bounded()) return;
+    const std::array<double, 3> low{body.region.low.x, body.region.low.y, body.region.low.z};
+    const std::array<double, 3> high{body.region.high.x, body.region.high.y, body.region.high.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto at = [&](int i) {
+            const Vec3 p = body.grid().sample_position(i, i, i);
+            return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+        };
+        while (first_[axis] <= last_[axis] && !(at(first_[axis]) > low[axis])) ++first_[axis];
+        while (last_[axis] >= first_[axis] && !(at(last_[axis]) < high[axis])) --last_[axis];
+    }
 }
 
 void CutField::reserve(std::size_t count) {
@@ -51,7 +63,8 @@ int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
     const int poses = std::clamp(static_cast<int>(std::ceil(motion / (0.25 * grid().spacing))), 1, 4096);
     int touched = 0;
     for (int i = 1; i <= poses; ++i)
-        touched += stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
+        touched +=
+            stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
     return touched;
 }
 
@@ -98,23 +111,24 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
                 // its value in the middle tells whether a row can be left out; that never changes a bit.
                 const Vec3 step = rotate(tool_from_body.rotation, Vec3{g.spacing, 0, 0});
                 bool is_changed = false;
+                const int x_first = std::max(0, first_[0] - i * brick_edge);
+                const int x_last = std::min(stored_edge - 1, last_[0] - i * brick_edge);
                 for (int z = 0; z < stored_edge; ++z)
-                    for (int y = 0; y < stored_edge; ++y) {
+                    for (int y = 0; y < stored_edge; ++y, v += stored_edge) {
+                        const int at_y = j * brick_edge + y, at_z = k * brick_edge + z;
+                        if (at_y < first_[1] || at_y > last_[1] || at_z < first_[2] || at_z > last_[2]) continue;
                         // From global integer coordinates, so that shared apron samples get equal bits.
-                        const Vec3 row = tool_from_body * g.sample_position(0, j * brick_edge + y, k * brick_edge + z);
+                        const Vec3 row = tool_from_body * g.sample_position(0, at_y, at_z);
                         const Vec3 middle = row + (static_cast<double>(i * brick_edge) + 0.5 * brick_edge) * step;
-                        if (solid.distance(middle) > band + half_row * (1.0 + 1e-9)) {
-                            v += stored_edge;
-                            continue;
-                        }
-                        for (int x = 0; x < stored_edge; ++x, ++v) {
-                            if (*v == 32767) continue;
+                        if (solid.distance(middle) > band + half_row * (1.0 + 1e-9)) continue;
+                        for (int x = x_first; x <= x_last; ++x) {
+                            if (v[x] == 32767) continue;
                             const Vec3 p = row + static_cast<double>(i * brick_edge + x) * step;
                             const double d = solid.distance(p);
                             if (d > band) continue;
                             const std::int16_t cut = quantised(-d, quantum_);
-                            if (cut > *v) {
-                                *v = cut;
+                            if (cut > v[x]) {
+                                v[x] = cut;
                                 is_changed = true;
                             }
                         }
@@ -122,6 +136,19 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
                 if (is_changed) changed_[index] = 1;
             }
     return touched;
+}
+
+void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
+    CornerBlock<std::int16_t> corners;
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            cut[i] = -clamp_;
+        else
+            corners.add(brick(slot), places, i);
+    }
+    corners.interpolate(quantum_, cut);
 }
 
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {

@@ -15,8 +15,8 @@ namespace kerf {
 struct CutRecord {
     std::uint64_t sequence = 0, tick = 0;
     std::uint16_t body = 0, solid = 0;
-    bool removes = true;     ///< false: logged only, nobody stamps it
-    Pose from{}, to{};       ///< body_from_tool
+    bool removes = true;  ///< false: logged only, nobody stamps it
+    Pose from{}, to{};    ///< body_from_tool
 };
 
 /// Bone is max(surface, cut). Stamping is max(cut, −distance to the swept solid): pure, commutative, idempotent.
@@ -25,8 +25,9 @@ public:
     /// `reserve` bricks are ready before the first stamp, so that stamping does not allocate.   [main]
     CutField(const Body& body, std::size_t reserve);
 
-    /// Stamps one record. Sub-poses at most a quarter voxel apart are a function of (record, spacing) alone.
-    /// Returns the bricks touched.   [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
+    /// Stamps one record, within the body's region. Sub-poses at most a quarter voxel apart are a function of (record,
+    /// spacing) alone. Returns the bricks touched.   [haptic, nonblocking] while `free_bricks()` suffices, else it
+    /// allocates.
     int stamp(const CutRecord& record, const RevolutionSolid& solid);
 
     /// Makes room for at least `count` further bricks.   [main, worker]
@@ -39,6 +40,8 @@ public:
         const std::int32_t slot = table_[place.brick];
         return slot < 0 ? -clamp_ : quantum_ * trilinear(brick(slot), place);
     }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, BlockValues& cut) const noexcept;
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);
@@ -66,6 +69,7 @@ private:
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;
+    std::array<int, 3> first_ = {}, last_ = {};  ///< samples that may be cut: those within the body's region
     std::vector<std::int32_t> table_;
     std::vector<std::uint8_t> changed_;
     std::vector<std::unique_ptr<std::int16_t[]>> chunks_;

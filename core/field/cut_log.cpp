@@ -60,6 +60,10 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
 
     last_removing_ = to;
     has_removed_ = true;
+    if (pending_count_ == pending_capacity) {  // nobody has come to commit: rather early than lost
+        ++early_commits_;
+        commit_oldest();
+    }
     const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
     pending_[slot] = record;
     pending_inverse_[slot] = inverse(record.to);
@@ -74,17 +78,19 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
         const bool is_passed = is_at_front && largest_motion(*solid_, pending(0).to, now) >= h;
         if (!is_passed && !is_too_many) break;
         if (!is_passed) ++early_commits_;
-        bricks += committed_->stamp(pending(0), *solid_);
-        pending_first_ = (pending_first_ + 1) % pending_capacity;
-        --pending_count_;
+        bricks += commit_oldest();
     }
 }
 
 void CutTracker::flush() {
-    for (; pending_count_ > 0; --pending_count_) {
-        committed_->stamp(pending(0), *solid_);
-        pending_first_ = (pending_first_ + 1) % pending_capacity;
-    }
+    while (pending_count_ > 0) commit_oldest();
+}
+
+int CutTracker::commit_oldest() {
+    const int bricks = committed_->stamp(pending(0), *solid_);
+    pending_first_ = (pending_first_ + 1) % pending_capacity;
+    --pending_count_;
+    return bricks;
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {
@@ -109,8 +115,72 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
     return depth;
 }
 
+void CutTracker::gap(const PointBlock& points, Vec3 direction, BlockValues& gaps) const noexcept {
+    for (std::size_t p = 0; p < points.count; ++p) gaps[p] = 0.0;
+    // A point that is outside a convex solid after the gap found so far leaves it earlier, by far more than rounding.
+    constexpr double outside = -1e-9;  // [m]
+    const double known = solid_->is_convex() ? 1.0 : 0.0;
+    PointBlock ahead;
+    BlockValues depth;
+    ahead.count = points.count;
+    for (std::size_t i = pending_count_, first = first_that_matters(); i-- > first;) {
+        for (std::size_t p = 0; p < points.count; ++p) {
+            ahead.x[p] = points.x[p] + known * gaps[p] * direction.x;
+            ahead.y[p] = points.y[p] + known * gaps[p] * direction.y;
+            ahead.z[p] = points.z[p] + known * gaps[p] * direction.z;
+        }
+        const Pose& tool_from = tool_from_body(i);
+        solid_->depths(tool_from, ahead, depth);
+        const Vec3 direction_in_tool = rotate(tool_from.rotation, direction);
+        for (std::size_t p = 0; p < points.count; ++p)
+            if (depth[p] >= outside)
+                gaps[p] = std::max(gaps[p], solid_->travel_to_leave(tool_from * points[p], direction_in_tool));
+    }
+}
+
+void CutTracker::depth_in_pending(const PointBlock& points, BlockValues& depths) const noexcept {
+    for (std::size_t p = 0; p < points.count; ++p) depths[p] = -body_->grid().clamp();
+    BlockValues one;
+    for (std::size_t i = 0; i < pending_count_; ++i) {
+        solid_->depths(tool_from_body(i), points, one);
+        for (std::size_t p = 0; p < points.count; ++p) depths[p] = depths[p] < one[p] ? one[p] : depths[p];
+    }
+}
+
+void CutTracker::depth_bound(const PointBlock& points, BlockValues& bounds) const noexcept {
+    if (pending_count_ == 0) {
+        for (std::size_t p = 0; p < points.count; ++p) bounds[p] = -body_->grid().clamp();
+        return;
+    }
+    // The distance is 1-Lipschitz: how far apart can two pending poses put the same point? As far as the middle of all
+    // points, and by the turn, 2 sin(½θ) ≤ 2 |q − q'|, times how far the others lie from there.
+    Vec3 middle{0, 0, 0};
+    for (std::size_t p = 0; p < points.count; ++p) middle = middle + points[p];
+    middle = (1.0 / static_cast<double>(std::max<std::size_t>(points.count, 1))) * middle;
+    double radius2 = 0.0;
+    for (std::size_t p = 0; p < points.count; ++p)
+        radius2 = std::max(radius2, dot(points[p] - middle, points[p] - middle));
+    const double radius = std::sqrt(radius2);
+    const Pose& newest = tool_from_body(pending_count_ - 1);
+    double motion = 0.0;
+    for (std::size_t i = 0; i + 1 < pending_count_; ++i) {
+        const Pose& other = tool_from_body(i);
+        const auto difference2 = [&](double sign) {
+            const auto squared = [](double v) { return v * v; };
+            const Quat &a = newest.rotation, &b = other.rotation;
+            return squared(a.w - sign * b.w) + squared(a.x - sign * b.x) + squared(a.y - sign * b.y) +
+                   squared(a.z - sign * b.z);
+        };
+        const double turn = 2.0 * std::sqrt(std::min(difference2(1.0), difference2(-1.0)));
+        motion = std::max(motion, length(newest * middle - other * middle) + turn * radius);
+    }
+    constexpr double rounding = 1e-9;  // [m]
+    solid_->depths(newest, points, bounds);
+    for (std::size_t p = 0; p < points.count; ++p) bounds[p] += motion + rounding;
+}
+
 bool CutTracker::removes_bone(const Pose& at) const noexcept {
-    if (!is_in_reach_of_bone(*body_, *solid_, at, body_->grid().clamp())) return false;
+    if (!is_in_reach_of_bone(*body_, *solid_, at, body_->grid().clamp(), CutOnly::yes)) return false;
     if (!has_removed_) return true;
 
     // Past the deepest front so far: new bone for certain, however thin the slice.
@@ -129,6 +199,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
             for (const auto& direction : ring) {
                 const Vec3 p = at * Vec3{r * direction[0], r * direction[1], z};
+                if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);
                 if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)
                     return true;

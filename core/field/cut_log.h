@@ -42,6 +42,13 @@ public:
     /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
 
+    /// Both for a block.   [haptic, nonblocking]
+    void gap(const PointBlock& points_in_body, Vec3 direction_in_body, BlockValues& gaps) const noexcept;
+    void depth_in_pending(const PointBlock& points_in_body, BlockValues& depths) const noexcept;
+    /// What `depth_in_pending` does not exceed: one solid asked instead of all. The pending ones lie within about a
+    /// voxel, so by as much as they have moved no point can be deeper than it is in the newest.   [haptic, nonblocking]
+    void depth_bound(const PointBlock& points_in_body, BlockValues& bounds) const noexcept;
+
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
     [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
 
@@ -52,6 +59,7 @@ private:
     [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept {
         return pending_inverse_[(pending_first_ + i) % pending_capacity];
     }
+    int commit_oldest();
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
     /// nothing is logged, and nobody stamps it.

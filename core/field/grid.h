@@ -10,8 +10,8 @@
 /// The isotropic grid a body's fields share, cut into bricks of 8³ samples.
 namespace kerf {
 
-inline constexpr int brick_edge = 8;                                          ///< samples owned per axis
-inline constexpr int stored_edge = brick_edge + 1;                            ///< with the apron of one
+inline constexpr int brick_edge = 8;                                            ///< samples owned per axis
+inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
 /// Distances are kept within this many voxels of the surface.
 inline constexpr double clamp_voxels = 4.0;
@@ -46,7 +46,7 @@ struct Grid {
 struct BrickPlace {
     bool is_inside = false;
     std::size_t brick = 0;
-    int offset = 0;          ///< of the low corner within the brick's 9³ samples
+    int offset = 0;  ///< of the low corner within the brick's 9³ samples
     double fx = 0, fy = 0, fz = 0;
 };
 
@@ -55,8 +55,8 @@ struct BrickPlace {
     const double gy = (p.y - grid.origin.y) / grid.spacing;
     const double gz = (p.z - grid.origin.z) / grid.spacing;
     // Written so that NaN is outside.
-    const bool is_inside = gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) &&
-                           gz < grid.samples(2);
+    const bool is_inside =
+        gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) && gz < grid.samples(2);
     if (!is_inside) return {};
     const int i = static_cast<int>(gx), j = static_cast<int>(gy), k = static_cast<int>(gz);
     BrickPlace place;
@@ -69,10 +69,11 @@ struct BrickPlace {
     return place;
 }
 
-/// Trilinear value of one brick's stored samples, in quanta.
-[[nodiscard]] inline double trilinear(const std::int16_t* brick, const BrickPlace& at) noexcept {
+/// Trilinear value of one brick's stored samples, as they are stored.
+template <class Sample>
+[[nodiscard]] inline double trilinear(const Sample* brick, const BrickPlace& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;
-    const std::int16_t* v = brick + at.offset;
+    const Sample* v = brick + at.offset;
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const double c00 = lerp(v[0], v[1], at.fx), c10 = lerp(v[y], v[y + 1], at.fx);
     const double c01 = lerp(v[z], v[z + 1], at.fx), c11 = lerp(v[z + y], v[z + y + 1], at.fx);

@@ -29,7 +29,8 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
                 for (int z = 0; z < stored_edge; ++z)
                     for (int y = 0; y < stored_edge; ++y)
                         for (int x = 0; x < stored_edge; ++x) {
-                            const Vec3 p = grid.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z);
+                            const Vec3 p =
+                                grid.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z);
                             set.pool_.push_back(quantised(distance(p), set.quantum_));
                         }
             }
@@ -37,8 +38,22 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
     return set;
 }
 
+void LevelSet::at(const PlaceBlock& places, BlockValues& distances) const noexcept {
+    CornerBlock<std::int16_t> corners;
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? air : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            distances[i] = slot == air ? clamp_ : -clamp_;
+        else
+            corners.add(brick(slot), places, i);
+    }
+    corners.interpolate(quantum_, distances);
+}
+
 std::int16_t LevelSet::sample(int i, int j, int k) const noexcept {
-    if (i < 0 || j < 0 || k < 0 || i >= grid_.samples(0) || j >= grid_.samples(1) || k >= grid_.samples(2)) return 32767;
+    if (i < 0 || j < 0 || k < 0 || i >= grid_.samples(0) || j >= grid_.samples(1) || k >= grid_.samples(2))
+        return 32767;
     const std::size_t b = grid_.brick_index(i / brick_edge, j / brick_edge, k / brick_edge);
     if (table_[b] < 0) return uniform_value(b);
     return brick(table_[b])[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];

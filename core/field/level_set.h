@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/field/grid.h"
+#include "core/field/point_block.h"
 
 /// A signed distance in a narrow band of bricks; immutable once built, so every thread may read it.
 namespace kerf {
@@ -23,10 +24,13 @@ public:
         if (slot < 0) return slot == air ? clamp_ : -clamp_;
         return quantum_ * trilinear(brick(slot), place);
     }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, BlockValues& distances) const noexcept;
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
     [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return table_[brick_index] == air; }
+    [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return table_[brick_index] == solid; }
     [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept { return table_[brick_index] >= 0; }
     /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {

@@ -6,22 +6,25 @@
 
 namespace kerf {
 
-bool is_in_reach_of_bone(const Body& body, const RevolutionSolid& solid, const Pose& body_from_tool,
-                         double margin) noexcept {
+bool is_in_reach_of_bone(const Body& body, const RevolutionSolid& solid, const Pose& body_from_tool, double margin,
+                         CutOnly cut_only) noexcept {
     const Grid& g = body.grid();
     const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
     const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
-    const double around = solid.largest_radius() + margin;
+    const double reach = solid.largest_radius() + margin;
+    const Vec3 around{reach, reach, reach};
+    Vec3 low = Vec3{std::min(tip.x, end.x), std::min(tip.y, end.y), std::min(tip.z, end.z)} - around;
+    Vec3 high = Vec3{std::max(tip.x, end.x), std::max(tip.y, end.y), std::max(tip.z, end.z)} + around;
+    if (cut_only == CutOnly::yes && !body.region.meets(low, high)) return false;
+    low = body.region.nearest(low);  // beyond it, bone is as at its nearest face
+    high = body.region.nearest(high);
+
     const double edge = brick_edge * g.spacing;
-    const auto first = [&](double a, double b, double o) {
-        return std::max(0, static_cast<int>(std::floor((std::min(a, b) - around - o) / edge)));
-    };
-    const auto last = [&](double a, double b, double o, int n) {
-        return std::min(n - 1, static_cast<int>(std::floor((std::max(a, b) + around - o) / edge)));
-    };
-    for (int k = first(tip.z, end.z, g.origin.z); k <= last(tip.z, end.z, g.origin.z, g.bricks[2]); ++k)
-        for (int j = first(tip.y, end.y, g.origin.y); j <= last(tip.y, end.y, g.origin.y, g.bricks[1]); ++j)
-            for (int i = first(tip.x, end.x, g.origin.x); i <= last(tip.x, end.x, g.origin.x, g.bricks[0]); ++i)
+    const auto first = [&](double from, double origin) { return std::max(0, static_cast<int>(std::floor((from - origin) / edge))); };
+    const auto last = [&](double to, double origin, int n) { return std::min(n - 1, static_cast<int>(std::floor((to - origin) / edge))); };
+    for (int k = first(low.z, g.origin.z); k <= last(high.z, g.origin.z, g.bricks[2]); ++k)
+        for (int j = first(low.y, g.origin.y); j <= last(high.y, g.origin.y, g.bricks[1]); ++j)
+            for (int i = first(low.x, g.origin.x); i <= last(high.x, g.origin.x, g.bricks[0]); ++i)
                 if (!body.surface.is_all_air(g.brick_index(i, j, k))) return true;
     return false;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/field/point_block.h"
 #include "kerf/math.hpp"
 
 /// A solid of revolution about the tool's z axis.
@@ -19,10 +20,15 @@ public:
     /// Exact signed distance [m], negative inside.   [any] pure.
     [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
 
+    /// Minus the distance of a block [m], with the points given in another frame.   [any] pure, nonblocking.
+    void depths(const Pose& tool_from_other, const PointBlock& points_in_other, BlockValues& depths) const noexcept;
+
     /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
     /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
     [[nodiscard]] double travel_to_leave(Vec3 point_in_tool, Vec3 direction, double tolerance = 1e-9) const noexcept;
 
+    /// Whether a straight line that has left the solid stays outside.
+    [[nodiscard]] bool is_convex() const noexcept { return is_convex_; }
     [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
     [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
@@ -36,6 +42,7 @@ private:
     std::vector<kerf_profile_point> outline_;
     std::vector<Segment> segments_;
     double largest_radius_ = 0.0;
+    bool is_convex_ = true;
 };
 
 }  // namespace kerf

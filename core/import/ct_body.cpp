@@ -49,7 +49,9 @@ void for_each_voxel(const VoxelImage& image, const Visit& visit) {
 
 // ---- the part that matters ------------------------------------------------------------------------------------------
 
-Box region_of(const std::vector<LandmarkAxis>& axes) {
+/// The box around the axes, as far as the image goes. (An image that is turned against LPS has corners that are not in
+/// its box: there is air.)
+Box region_of(const std::vector<LandmarkAxis>& axes, const VoxelImage& image) {
     Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (const auto& axis : axes)
         for (const Vec3 end : {axis.from, axis.to}) {
@@ -57,7 +59,18 @@ Box region_of(const std::vector<LandmarkAxis>& axes) {
             box.high = {std::max(box.high.x, end.x), std::max(box.high.y, end.y), std::max(box.high.z, end.z)};
         }
     const Vec3 around{around_axes, around_axes, around_axes};
-    return {box.low - around, box.high + around};
+    Box ends{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto end = [&](std::size_t axis) {
+            return corner >> axis & 1 ? static_cast<double>(image.size[axis] - 1) : 0.0;
+        };
+        const Vec3 p = image.lps({end(0), end(1), end(2)});
+        ends.low = {std::min(ends.low.x, p.x), std::min(ends.low.y, p.y), std::min(ends.low.z, p.z)};
+        ends.high = {std::max(ends.high.x, p.x), std::max(ends.high.y, p.y), std::max(ends.high.z, p.z)};
+    }
+    const Vec3 low = box.low - around, high = box.high + around;
+    return {{std::max(low.x, ends.low.x), std::max(low.y, ends.low.y), std::max(low.z, ends.low.z)},
+            {std::min(high.x, ends.high.x), std::min(high.y, ends.high.y), std::min(high.z, ends.high.z)}};
 }
 
 /// The box's voxels and `margin` [m] around them; an image without voxels if they miss each other.
@@ -293,6 +306,60 @@ VoxelImage distances(const Mask& mask, double threshold) {
     return result;
 }
 
+// ---- the density ----------------------------------------------------------------------------------------------------
+
+/// Gives every voxel that is not `known` the mean of its known neighbours, layer by layer from the known ones outwards.
+void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
+    std::vector<std::array<int, 3>> front, next;
+    const auto has_unknown_neighbour = [&](int i, int j, int k, const auto& visit) {
+        for (const auto& [x, y, z] : neighbours)
+            if (image.has(i + x, j + y, k + z) && known[image.offset(i + x, j + y, k + z)] == 0)
+                visit(i + x, j + y, k + z);
+    };
+    constexpr std::uint8_t is_known = 1, is_next = 2;
+    const auto look_from = [&](int i, int j, int k) {
+        has_unknown_neighbour(i, j, k, [&](int x, int y, int z) {
+            known[image.offset(x, y, z)] = is_next;
+            next.push_back({x, y, z});
+        });
+    };
+    for_each_voxel(image, [&](int i, int j, int k, std::size_t at) {
+        if (known[at] == is_known) look_from(i, j, k);
+    });
+    while (!next.empty()) {
+        front.swap(next);
+        next.clear();
+        for (const auto& [i, j, k] : front) {
+            double sum = 0.0, count = 0.0;
+            for (const auto& [x, y, z] : neighbours) {
+                if (!image.has(i + x, j + y, k + z) || known[image.offset(i + x, j + y, k + z)] != is_known) continue;
+                sum += static_cast<double>(image.at(i + x, j + y, k + z));
+                count += 1.0;
+            }
+            image.values[image.offset(i, j, k)] = static_cast<float>(sum / count);
+        }
+        for (const auto& [i, j, k] : front) known[image.offset(i, j, k)] = is_known;
+        for (const auto& [i, j, k] : front) look_from(i, j, k);
+    }
+}
+
+/// Densities of the voxels that are deeper in bone than `cortex` [m], extended to all; none if there are no such
+/// voxels.
+std::optional<VoxelImage> densities(const VoxelImage& part, const VoxelImage& distance, double cortex,
+                                    const DensityLine& line) {
+    VoxelImage density = part;
+    std::vector<std::uint8_t> known(part.values.size(), 0);
+    for (std::size_t at = 0; at < part.values.size(); ++at) {
+        if (static_cast<double>(distance.values[at]) >= -cortex) continue;
+        known[at] = 1;
+        const double by_line = line.at_zero + line.per_unit * static_cast<double>(part.values[at]);
+        density.values[at] = static_cast<float>(std::max(line.floor, by_line));
+    }
+    if (std::find(known.begin(), known.end(), std::uint8_t{1}) == known.end()) return std::nullopt;
+    extend(density, std::move(known));
+    return density;
+}
+
 // ---- files ----------------------------------------------------------------------------------------------------------
 
 /// In the document's folder, or else in KERF_DATA.
@@ -322,11 +389,13 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
                       "Resample the image onto a straight grid.");
 
     CtBone bone;
-    bone.region = region_of(anatomy.axes);
+    bone.region = region_of(anatomy.axes, image);
     const double coarsest = std::max({image.spacing(0), image.spacing(1), image.spacing(2)});
     const double margin =
         ct.closing + 3.0 * coarsest;  // so that closing and distance see both sides of the region's faces
-    const VoxelImage part = anatomy.axes.empty() ? VoxelImage{} : cropped(image, bone.region, margin);
+    const Vec3 extent = bone.region.high - bone.region.low;
+    const bool has_region = !anatomy.axes.empty() && extent.x > 0.0 && extent.y > 0.0 && extent.z > 0.0;
+    const VoxelImage part = has_region ? cropped(image, bone.region, margin) : VoxelImage{};
     if (part.values.empty())
         return refuse("E0631", "the landmarks' axes lie outside the image.",
                       "Check that the axes are LPS, and the image is theirs.");
@@ -359,6 +428,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
             ++deep;
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
+    if (ct.density) bone.density = densities(part, bone.distance, cortex, *ct.density);
     return bone;
 }
 

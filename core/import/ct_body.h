@@ -18,10 +18,13 @@ namespace kerf {
 
 /// A bone on the grid of its CT, cut out around the planned axes.
 struct CtBone {
-    VoxelImage distance;      ///< [m] to the border, negative in bone; grows as fast as the way to it
-    Box region{};             ///< [m] LPS; what lies outside was not looked at
+    VoxelImage distance;  ///< [m] to the border, negative in bone; grows as fast as the way to it
+    Box region{};         ///< [m] LPS: around the axes, as far as the image goes; what lies outside was not looked at
     double mean_value = 0.0;  ///< [HU or grey] of the voxels deeper in bone than the cortex
-    std::size_t voxels = 0;   ///< that are bone, in the region
+    /// [kg/m³] of the base tissue, if `ct.density` says how: by their own values in the voxels deeper in bone than the
+    /// cortex, from there extended to all others, so that nothing brighter or darker beside the tissue is mixed in.
+    std::optional<VoxelImage> density;
+    std::size_t voxels = 0;  ///< that are bone, in the region
 };
 
 /// Reads the files that `anatomy.ct` names and makes the bone.

@@ -40,14 +40,33 @@ Box phantom_bounds(const PhantomSource& phantom) {
     for (const auto& part : phantom.parts) {
         if (part.subtract) continue;
         const Box box = bounds_of(part.solid);
-        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y), std::min(bounds.low.z, box.low.z)};
-        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y), std::max(bounds.high.z, box.high.z)};
+        bounds.low = {std::min(bounds.low.x, box.low.x), std::min(bounds.low.y, box.low.y),
+                      std::min(bounds.low.z, box.low.z)};
+        bounds.high = {std::max(bounds.high.x, box.high.x), std::max(bounds.high.y, box.high.y),
+                       std::max(bounds.high.z, box.high.z)};
     }
     return bounds;
 }
 
-double distance_to_box(const Box& box, Vec3 p) {
-    return distance_to(BoxSolid{0.5 * (box.low + box.high), box.high - box.low}, p);
+/// The largest box whose faces lie on samples of the grid.
+Region region_on(const Grid& grid, const Box& box) {
+    const auto up = [&](double at, double origin) {
+        return static_cast<int>(std::ceil((at - origin) / grid.spacing - 1e-6));
+    };
+    const auto down = [&](double at, double origin) {
+        return static_cast<int>(std::floor((at - origin) / grid.spacing + 1e-6));
+    };
+    return {
+        grid.sample_position(up(box.low.x, grid.origin.x), up(box.low.y, grid.origin.y), up(box.low.z, grid.origin.z)),
+        grid.sample_position(down(box.high.x, grid.origin.x), down(box.high.y, grid.origin.y),
+                             down(box.high.z, grid.origin.z))};
+}
+
+/// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
+bool may_hold_base(const Body& body, std::size_t brick) {
+    return !body.surface.is_all_air(brick) &&
+           std::none_of(body.materials.begin(), body.materials.end(),
+                        [&](const Material& shell) { return shell.border.is_all_solid(brick); });
 }
 
 }  // namespace
@@ -68,28 +87,36 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     const double edge = spacing * brick_edge;
     if (!(extent.x / edge * (extent.y / edge) * (extent.z / edge) < static_cast<double>(most_bricks))) {
         diagnostics.push_back(error("E0602", anatomy.file,
-                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
-                                        rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) + " mm is too large.",
+                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) +
+                                        " × " + rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) +
+                                        " mm is too large.",
                                     "Use a coarser `accuracy.spacing` or a smaller bone."));
         return std::nullopt;
     }
 
-    // A CT is cut off at its region: a face of bone, but no cortex.
-    const auto depth = [&](Vec3 p) {
-        return ct ? ct->distance.sample_trilinear(p, spacing * 1e3) : distance_to(anatomy.phantom, p);
-    };
-    const auto surface = [&](Vec3 p) { return ct ? std::max(depth(p), distance_to_box(ct->region, p)) : depth(p); };
-
     Body body;
     body.id = anatomy.id;
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    body.surface = LevelSet::build(grid, surface);
+    if (ct) body.region = region_on(grid, bounds);
+    // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
+    const auto depth = [&](Vec3 p) {
+        return ct ? ct->distance.sample_trilinear(body.region.nearest(p), spacing * 1e3)
+                  : distance_to(anatomy.phantom, p);
+    };
+    body.surface = LevelSet::build(grid, depth);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
         if (is_base && ct && anatomy.ct->density) {
             const DensityLine& line = *anatomy.ct->density;
             material.density = std::max(line.floor, line.at_zero + line.per_unit * ct->mean_value);
+            if (ct->density) {
+                const double elsewhere = material.density;
+                material.densities = DensityField::build(
+                    grid, [&](std::size_t brick) { return may_hold_base(body, brick); },
+                    [&](Vec3 p) { return ct->density->sample_trilinear(body.region.nearest(p), elsewhere); });
+                if (!material.densities.is_empty()) material.density = material.densities.largest();
+            }
         }
         // A shell lies between the surface and its own thickness below it.
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
@@ -121,7 +148,8 @@ void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::st
                                     "Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.share < least_share)
         diagnostics.push_back(error("E0611", file,
-                                    "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                                    "the axis `" + axis.id + "` lies in bone for only " +
+                                        rounded(100.0 * found.share, 0) +
                                         " % of its length behind the entry, need 80 %.",
                                     "Check its points, or the tissues of the anatomy."));
 }

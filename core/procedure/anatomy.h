@@ -58,7 +58,7 @@ struct CtSource {
     double threshold = 0.0;  ///< [HU or grey] the border of bone, between voxels; without labels also what is bone
     double closing = 0.0;    ///< [m] radius: narrower gaps in the mask are closed
     bool fill = false;       ///< cavities without a way out count as bone
-    std::optional<DensityLine> density;  ///< the base tissue takes the mean of its voxels
+    std::optional<DensityLine> density;  ///< of the base tissue, voxel by voxel
     std::string source;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
@@ -158,14 +159,18 @@ TEST(CtBody, RefusesWhatCannotBeABone) {
     expect_refused("E0633", anatomy(), image_of([](Vec3) { return 0.0; }), nullptr);
 }
 
-/// The ball as a file, and a document beside it.
-std::string write_ball(const test::TemporaryFolder& folder) {
-    const VoxelImage image = ball();
-    std::ofstream file(folder / "ball.mha", std::ios::binary);
+/// An image as a file.
+void write_image(const test::TemporaryFolder& folder, const std::string& name, const VoxelImage& image) {
+    std::ofstream file(folder / name, std::ios::binary);
     file << "ObjectType = Image\nNDims = 3\nBinaryData = True\nOffset = -18 -18 -18\nElementSpacing = 1.5 1.5 1.5\n"
             "DimSize = 25 25 25\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n";
     file.write(reinterpret_cast<const char*>(image.values.data()),
                static_cast<std::streamsize>(image.values.size() * sizeof(float)));
+}
+
+/// The ball as a file, and a document beside it.
+std::string write_ball(const test::TemporaryFolder& folder) {
+    write_image(folder, "ball.mha", ball());
     return folder / "bone.yaml";
 }
 
@@ -184,10 +189,108 @@ TEST(CtBody, BecomesABodyWithAPrescribedCortexAndTheDensityOfItsVoxels) {
     EXPECT_NEAR(body->surface.at(place(radius)), 0.0, 0.1 * spacing);
     EXPECT_NEAR(body->materials[0].border.at(place(radius - 1.0_mm)), 0.0, 0.1 * spacing);
     EXPECT_LT(body->materials[0].border.at(place(radius - 0.5_mm)), 0.0);
-    EXPECT_NEAR(body->materials[1].density, 50.0 + 0.5 * bright, 0.05 * bright /* the ramp reaches inside */);
+    EXPECT_NEAR(body->materials[1].densities.at(place(0.0), -1.0), 50.0 + 0.5 * bright, 1e-3);
+    EXPECT_NEAR(body->materials[1].density, 50.0 + 0.5 * bright, 1e-3) << "the largest";
+    EXPECT_TRUE(body->materials[0].densities.is_empty()) << "the cortex's is prescribed";
     const AxisInBone found = axis_in_bone(*body, {"axis", {-(15.0_mm), 0.0, 0.0}, {8.0_mm, 0.0, 0.0}, 0.0});
     EXPECT_NEAR(found.entry, 5.0_mm, 0.2_mm);
     EXPECT_EQ(found.share, 1.0);
+}
+
+/// A ball by its labels in a CT of any grey values; density [kg/m³] = value, not under 100.
+std::optional<Body> labelled_ball(const VoxelImage& values, Diagnostics& diagnostics, double cortex = 1.0_mm) {
+    const test::TemporaryFolder folder;
+    write_image(folder, "values.mha", values);
+    write_image(folder, "labels.mha", image_of([](Vec3 p) { return length(p) < radius ? 1.0 : 0.0; }));
+    Anatomy one = anatomy();
+    one.file = folder / "bone.yaml";
+    one.ct->image = "values.mha";
+    one.ct->labels = "labels.mha";
+    one.ct->keep = {1};
+    one.ct->threshold = -4000.0;
+    one.ct->density = DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
+    one.tissues[0].thickness = cortex;
+    return make_body(one, 0.5_mm, diagnostics);
+}
+
+TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {
+    // Given a bar that goes through the whole image, and an axis in its middle third
+    const test::TemporaryFolder folder;
+    write_image(folder, "bar.mha",
+                image_of([](Vec3 p) { return blurred(std::max(std::abs(p.y), std::abs(p.z)) - 6.0_mm); }));
+    Anatomy one = anatomy();
+    one.file = folder / "bone.yaml";
+    one.ct->image = "bar.mha";
+    one.axes = {{"axis", {-(1.0_mm), 0.0, 0.0}, {1.0_mm, 0.0, 0.0}, 0.0}};
+
+    Diagnostics diagnostics;
+    const auto body = make_body(one, 0.5_mm, diagnostics);
+
+    // Then it is bone as far as the box goes, 15 mm, and beyond
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    EXPECT_NEAR(body->region.high.x, 16.0_mm, 0.5_mm);
+    EXPECT_NEAR(body->region.low.x, -16.0_mm, 0.5_mm);
+    for (const double x : {0.0_mm, 15.9_mm, 16.1_mm, 40.0_mm, -40.0_mm}) {
+        EXPECT_LT(body->surface.at(locate(*body, {x, 0.0, 0.0})), -1.5_mm) << x;
+        EXPECT_GT(body->surface.at(locate(*body, {x, 9.0_mm, 0.0})), 1.5_mm) << x;
+    }
+    EXPECT_NEAR(outside_region(*body, {40.0_mm, 0.0, 0.0}), 24.0_mm, 0.5_mm);
+}
+
+TEST(CtBody, ReproducesALinearDensity) {
+    // P7
+    const auto linear = [](Vec3 p) { return 500.0 + 1e4 * p.x - 2e4 * p.y + 5e3 * p.z; };
+    Diagnostics diagnostics;
+    const auto body = labelled_ball(image_of(linear), diagnostics);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+
+    // Inside by two voxels' diagonals, of the CT and of the field: there every value that is mixed in is its own
+    const double inside = radius - 1.0_mm - 2.0 * std::sqrt(3.0) * spacing;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> at(-inside, inside);
+    int asked = 0;
+    for (int n = 0; n < 5000; ++n) {
+        const Vec3 p{at(random), at(random), at(random)};
+        if (length(p) > inside) continue;
+        ASSERT_NEAR(body->materials[1].densities.at(locate(body->grid(), p), -1.0) / linear(p), 1.0, 1e-6);
+        ++asked;
+    }
+    EXPECT_GT(asked, 2000);
+}
+
+TEST(CtBody, ExtendsTheDensityFromInsideItsTissue) {
+    // Given a core of 400 in a rim of 3000, and air of −1000 around
+    const auto step = [](Vec3 p) { return length(p) < 7.0_mm ? 400.0 : length(p) < 12.0_mm ? 3000.0 : -1000.0; };
+    Diagnostics diagnostics;
+    const auto body = labelled_ball(image_of(step), diagnostics, 6.0_mm);  // the core is well inside its cortex
+    ASSERT_TRUE(body) << to_text(diagnostics);
+
+    // Then wherever the base has a share, up to its border and over it, its density is the core's and nothing else's
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> at(-radius, radius);
+    int at_border = 0;
+    for (int n = 0; n < 20000; ++n) {
+        const Vec3 p{at(random), at(random), at(random)};
+        const BrickPlace place = locate(body->grid(), p);
+        double weight[KERF_MAX_TISSUES];
+        material_weights(*body, place, weight);
+        if (body->surface.at(place) >= 0.0 || weight[1] <= 0.0) continue;
+        ASSERT_EQ(body->materials[1].densities.at(place, -1.0), 400.0) << length(p);
+        at_border += weight[1] < 1.0;
+    }
+    EXPECT_GT(at_border, 20);
+    EXPECT_EQ(body->materials[1].density, 400.0);
+}
+
+TEST(CtBody, HasNoDensityUnderTheFloor) {
+    Diagnostics diagnostics;
+    const auto body = labelled_ball(image_of([](Vec3 p) { return p.x > 0.0 ? 300.0 : -50.0; }), diagnostics);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    const auto density = [&](double x) {
+        return body->materials[1].densities.at(locate(body->grid(), {x, 0, 0}), -1.0);
+    };
+    EXPECT_EQ(density(-4.0_mm), 100.0);
+    EXPECT_EQ(density(4.0_mm), 300.0);
 }
 
 TEST(CtBody, RefusesAMissingImageByName) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/field/point_block.h"
+
+/// The density of a material that is not the same everywhere; immutable once built, so every thread may read it.
+namespace kerf {
+
+/// Stored as float only in the bricks where the material is. What lies beyond the material's border is for the maker to
+/// extend from inside, so that interpolation at the border mixes in nothing of the neighbour.
+class DensityField {
+public:
+    DensityField() = default;  ///< empty: stored nowhere
+
+    /// Samples `density` (body frame [m] → [kg/m³]) at the nodes of every brick for which `is_needed`.   [main]
+    static DensityField build(const Grid& grid, const std::function<bool(std::size_t)>& is_needed,
+                              const std::function<double(Vec3)>& density);
+
+    [[nodiscard]] bool is_empty() const noexcept { return pool_.empty(); }
+    /// Trilinear [kg/m³]; `elsewhere` where nothing is stored.   [any] pure, nonblocking.
+    [[nodiscard]] double at(const BrickPlace& place, double elsewhere) const noexcept {
+        if (is_empty() || !place.is_inside) return elsewhere;
+        const std::int32_t slot = table_[place.brick];
+        return slot < 0 ? elsewhere : trilinear(brick(slot), place);
+    }
+    /// The same for a block.   [any] pure, nonblocking.
+    void at(const PlaceBlock& places, double elsewhere, BlockValues& densities) const noexcept;
+
+    /// [kg/m³] of all that is stored; 0 when empty.
+    [[nodiscard]] double largest() const noexcept { return largest_; }
+    [[nodiscard]] std::size_t memory_bytes() const noexcept {
+        return table_.size() * sizeof(std::int32_t) + pool_.size() * sizeof(float);
+    }
+
+private:
+    [[nodiscard]] const float* brick(std::int32_t slot) const noexcept {
+        return pool_.data() + static_cast<std::size_t>(slot) * stored_samples;
+    }
+
+    std::vector<std::int32_t> table_;  ///< −1: nothing stored
+    std::vector<float> pool_;
+    double largest_ = 0.0;
+};
+
+}  // namespace kerf

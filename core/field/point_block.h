@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/field/grid.h"
+
+/// Points asked about together. Coordinate by coordinate, so that the same step is taken for many of them at once.
+///
+/// Each stage does for every point what its scalar namesake does for one, operation by operation: the same bits.
+namespace kerf {
+
+inline constexpr std::size_t block_capacity = 64;
+using BlockValues = std::array<double, block_capacity>;
+
+/// At most `block_capacity` points. Frame: as the function that takes it says; any double, also NaN.
+struct PointBlock {
+    std::size_t count = 0;
+    BlockValues x, y, z;
+
+    void add(Vec3 p) noexcept {
+        x[count] = p.x;
+        y[count] = p.y;
+        z[count] = p.z;
+        ++count;
+    }
+    [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return {x[i], y[i], z[i]}; }
+};
+
+/// `count` ≤ `block_capacity` points, taken from frame b to frame a.   [any] pure, nonblocking.
+void transform(const Pose& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
+
+/// All points moved by the same vector.   [any] pure, nonblocking.
+void shift(const PointBlock& points, Vec3 by, PointBlock& shifted) noexcept;
+
+/// Every coordinate kept between `low` and `high`; NaN stays.   [any] pure, nonblocking.
+void clamp(const PointBlock& points, Vec3 low, Vec3 high, PointBlock& clamped) noexcept;
+
+/// As `BrickPlace`, for a block.
+struct PlaceBlock {
+    static constexpr std::int32_t outside = -1;
+    std::size_t count = 0;
+    std::array<std::int32_t, block_capacity> brick, offset;
+    BlockValues fx, fy, fz;
+
+    void add(const PlaceBlock& from, std::size_t i) noexcept {
+        brick[count] = from.brick[i];
+        offset[count] = from.offset[i];
+        fx[count] = from.fx[i];
+        fy[count] = from.fy[i];
+        fz[count] = from.fz[i];
+        ++count;
+    }
+};
+/// As `locate` of one point.   [any] pure, nonblocking.
+void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noexcept;
+
+/// The eight samples around those points of a block that lie in a stored brick; the others cost nothing more.
+template <class Sample>
+class CornerBlock {
+public:
+    /// `brick`: its 9³ samples.
+    void add(const Sample* brick, const PlaceBlock& places, std::size_t i) noexcept {
+        constexpr int y = stored_edge, z = stored_edge * stored_edge;
+        const Sample* v = brick + places.offset[i];
+        corner_[0][count_] = v[0];
+        corner_[1][count_] = v[1];
+        corner_[2][count_] = v[y];
+        corner_[3][count_] = v[y + 1];
+        corner_[4][count_] = v[z];
+        corner_[5][count_] = v[z + 1];
+        corner_[6][count_] = v[z + y];
+        corner_[7][count_] = v[z + y + 1];
+        fx_[count_] = places.fx[i];
+        fy_[count_] = places.fy[i];
+        fz_[count_] = places.fz[i];
+        lane_[count_++] = static_cast<std::uint8_t>(i);
+    }
+    /// Trilinear values times `quantum`, each to where its point stood in the block.
+    void interpolate(double quantum, BlockValues& values) const noexcept;
+
+private:
+    std::size_t count_ = 0;
+    std::array<std::array<Sample, block_capacity>, 8> corner_;
+    BlockValues fx_, fy_, fz_;
+    std::array<std::uint8_t, block_capacity> lane_;
+};
+
+}  // namespace kerf

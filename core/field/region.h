@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/field/point_block.h"
+
+namespace kerf {
+
+/// The box in which a body was looked at, body frame [m]. Beyond it bone goes on as at its nearest face, solid, and
+/// cannot be cut. Without bounds there is no beyond: the body lies wholly in its grid.
+struct Region {
+    static constexpr double nowhere = std::numeric_limits<double>::infinity();
+    Vec3 low{-nowhere, -nowhere, -nowhere}, high{nowhere, nowhere, nowhere};
+
+    [[nodiscard]] bool is_bounded() const noexcept { return is_finite(low) && is_finite(high); }
+    /// Strictly: on a face nothing is cut any more.
+    [[nodiscard]] bool contains(Vec3 p) const noexcept {
+        return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
+    }
+    /// Whether a box has a point in it.
+    [[nodiscard]] bool meets(Vec3 box_low, Vec3 box_high) const noexcept {
+        return box_high.x >= low.x && box_high.y >= low.y && box_high.z >= low.z && box_low.x <= high.x && box_low.y <= high.y &&
+               box_low.z <= high.z;
+    }
+    /// The nearest point of the region. NaN stays.   [any] pure, nonblocking.
+    [[nodiscard]] Vec3 nearest(Vec3 p) const noexcept {
+        return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y), std::clamp(p.z, low.z, high.z)};
+    }
+    /// How far outside a point is [m]: 0 within, and for NaN, so that nothing is pushed by it.   [any] pure,
+    /// nonblocking.
+    [[nodiscard]] double distance_outside(Vec3 p) const noexcept {
+        // In this order of arguments NaN counts as 0.
+        const auto beyond = [](double a, double from, double to) { return std::max(std::max(0.0, from - a), a - to); };
+        return length({beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y), beyond(p.z, low.z, high.z)});
+    }
+};
+
+}  // namespace kerf

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The batch kernel gives every point the bits it would get alone.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "tests/support/drilled_block.h"
+#include "tests/support/scalar_bone_query.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr double h = 0.25_mm;
+
+/// Points of the tool frame: about the tip, all over the block, on brick and sample borders, at the surface, nowhere.
+std::vector<Vec3> questions(const test::DrilledBlock& hole, std::size_t count) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const Pose tool_from_body = inverse(hole.at);
+    const Grid& g = hole.body.grid();
+    constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const double odd[] = {nan, inf, -inf, 1e300, -1e300, 1e-310, 0.0, -0.0, 3e9};
+    std::vector<Vec3> points;
+    for (std::size_t n = 0; n < count; ++n) switch (n % 6) {
+            case 0:
+                points.push_back({2.5_mm * unit(random), 2.5_mm * unit(random), 4.0_mm * unit(random)});
+                break;
+            case 1:
+                points.push_back(tool_from_body *
+                                 Vec3{9.0_mm * unit(random), 9.0_mm * unit(random), -7.0_mm + 11.0_mm * unit(random)});
+                break;
+            case 2: {
+                const auto border = [&](std::size_t axis) {
+                    return brick_edge * static_cast<int>(0.5 * (1.0 + unit(random)) * g.bricks[axis]);
+                };
+                const double beside = n % 4 == 0 ? 0.0 : 1e-15 * unit(random);
+                points.push_back(tool_from_body *
+                                 (g.sample_position(border(0), border(1), border(2)) + Vec3{beside, 0, beside}));
+                break;
+            }
+            case 3: {
+                const double angle = 3.2 * unit(random);
+                points.push_back(
+                    {1.55_mm * std::cos(angle), 1.55_mm * std::sin(angle), -6.0_mm + 7.0_mm * unit(random)});
+                break;
+            }
+            case 4:
+                points.push_back(tool_from_body * Vec3{6.0_mm * unit(random), 6.0_mm * unit(random),
+                                                       (n % 4 == 0 ? 0.0_mm : -1.0_mm) + 0.3_mm * unit(random)});
+                break;
+            default: {
+                Vec3 p{1.0_mm * unit(random), 1.0_mm * unit(random), 1.0_mm * unit(random)};
+                (n % 3 == 0 ? p.x : n % 3 == 1 ? p.y : p.z) = odd[random() % std::size(odd)];
+                points.push_back(p);
+            }
+        }
+    return points;
+}
+
+/// What the answers had in them, so that a comparison of nothing with nothing is noticed.
+struct Seen {
+    int engaged = 0, behind = 0, mixed = 0, normals = 0, pending = 0, air = 0;
+};
+
+void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
+    const test::ScalarBoneQuery scalar{hole.body, hole.committed, hole.tracker, hole.at};
+    const std::vector<Vec3> points = questions(hole, count);
+    const Vec3 direction = normalized(Vec3{0.1, 0.2, 1.0});
+    std::vector<kerf_bone_sample> samples(count);
+    std::vector<kerf_surface_point> nearest(count);
+    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), direction, samples.data());
+    hole.view.nearest(points.data(), static_cast<std::uint32_t>(count), nearest.data());
+    for (std::size_t i = 0; i < count; ++i) {
+        const kerf_bone_sample sample = scalar.sample(points[i], direction);
+        ASSERT_EQ(std::memcmp(&sample, &samples[i], sizeof sample), 0)
+            << i << ": engagement " << sample.engagement << " and " << samples[i].engagement << ", gap " << sample.gap
+            << " and " << samples[i].gap;
+        const kerf_surface_point surface = scalar.nearest(points[i]);
+        ASSERT_EQ(std::memcmp(&surface, &nearest[i], sizeof surface), 0)
+            << i << ": distance " << surface.distance << " and " << nearest[i].distance;
+        const Vec3 in_body = hole.at * points[i];
+        seen.engaged += sample.engagement > 0.0;
+        seen.behind += sample.gap > 0.0;
+        seen.mixed += sample.weight[0] > 0.0 && sample.weight[1] > 0.0;
+        seen.normals += dot(surface.normal, surface.normal) > 0.5;
+        seen.air += sample.engagement == 0.0;
+        const BrickPlace place = locate(hole.body, in_body);
+        seen.pending += surface.distance > std::max(hole.body.surface.at(place), hole.committed.at(place));
+    }
+}
+
+TEST(BatchQuery, GivesTheScalarBitsWhileCuttingAndAfterTurningBack) {
+    Seen seen;
+    test::DrilledBlock hole(h);
+    compare(hole, 1200, seen);  // nothing cut, nothing pending
+
+    hole.move(6.0_mm, 0.0, 4000, true);
+    ASSERT_GT(hole.tracker.pending_count(), 10u);
+    compare(hole, 6000, seen);
+
+    hole.move(6.1_mm, 0.04, 200, true);  // turning: the pending poses are not parallel
+    compare(hole, 6000, seen);
+
+    hole.move(5.7_mm, 0.02, 100, false);  // back: the gap is that to the deepest of them
+    compare(hole, 6000, seen);
+
+    hole.tracker.flush();
+    compare(hole, 1200, seen);
+
+    EXPECT_GT(seen.engaged, 5000);
+    EXPECT_GT(seen.behind, 100);
+    EXPECT_GT(seen.mixed, 100);
+    EXPECT_GT(seen.normals, 2000);
+    EXPECT_GT(seen.pending, 200);
+    EXPECT_GT(seen.air, 3000);
+}
+
+TEST(BatchQuery, GivesTheScalarBitsWithinAndBeyondARegion) {
+    Seen seen;
+    test::DrilledBlock hole(h, test::nearest_samples(h, {-3.0_mm, -1.0_mm, -4.0_mm}, {0.5_mm, 4.0_mm, 3.0_mm}));
+    hole.move(3.6_mm, 0.02, 3000, true);
+    compare(hole, 6000, seen);
+    hole.move(6.0_mm, 0.03, 2000, true);  // on, beyond the region's lower face
+    compare(hole, 6000, seen);
+    EXPECT_GT(seen.pending, 50);
+    EXPECT_GT(seen.normals, 500);
+}
+
+TEST(BatchQuery, GivesTheScalarBitsForAnyNumberOfPoints) {
+    test::DrilledBlock hole(h);
+    hole.move(4.0_mm, 0.01, 2000, true);
+    Seen seen;
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 5u, 15u, 60u, 63u, 64u, 65u, 127u, 128u, 200u})
+        compare(hole, count, seen);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Resolutions R2: who stamps when, and how much waits.
+#include "core/field/cut_log.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "tests/support/block.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// A drill in a block, moved by hand; its log, and the field that a worker stamps at once.
+struct Cutting {
+    double h;
+    Body body = test::block({-5.0_mm, -5.0_mm, -10.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.4, 0.2, 0.7});
+    RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
+    CutField committed{body, 512}, exact{body, 512};
+    CutTracker tracker{body, tool, committed};
+    std::vector<CutRecord> log;
+    std::uint64_t tick = 0;
+    bool has_worker = true;  ///< stamps the exact field
+
+    explicit Cutting(double spacing, const Pose& start) : h(spacing) { tracker.restart(start); }
+
+    void move_to(const Pose& to) { keep(tracker.advance(to, tick++)); }
+    void end() {
+        keep(tracker.close(tick));
+        tracker.flush();
+    }
+
+private:
+    void keep(int closed) {
+        for (int i = 0; i < closed; ++i) {
+            log.push_back(tracker.closed(i));
+            if (log.back().removes && has_worker) exact.stamp(log.back(), tool);
+        }
+    }
+};
+
+/// Down into the block, with turns, withdrawals and tilts, at speeds from creeping to 0.3 m/s.
+std::vector<Pose> winding_path(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    std::vector<Pose> path;
+    Vec3 tip{0, 0, 1.5_mm}, tilt{0, 0, 0}, velocity{0, 0, -5.0_mm_per_s};
+    for (int i = 0; i < 600; ++i) {
+        if (i % 60 == 0) {
+            const double fast = i % 240 == 180 ? 0.3 : 0.02;  // [m/s]
+            const bool is_down = tip.z > -3.0_mm || unit(random) > 0.3;
+            velocity = fast * normalized(Vec3{0.3 * unit(random), 0.3 * unit(random), is_down ? -1.0 : 1.0});
+        }
+        const Vec3 next = tip + 1e-3 * velocity;
+        if (next.z > -7.0_mm && next.z < 2.0_mm && std::abs(next.x) < 2.0_mm && std::abs(next.y) < 2.0_mm) tip = next;
+        tilt = 0.98 * tilt + 0.004 * Vec3{unit(random), unit(random), 0};
+        path.push_back(test::pointing(tip, Vec3{tilt.x, tilt.y, -1.0}));
+    }
+    return path;
+}
+
+TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
+    const std::vector<Pose> path = winding_path(5);
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        // Given a haptic side that comes to commit only now and then, even later than its list can hold, and a worker
+        // that stamps what has piled up, whenever
+        std::mt19937 random(seed);
+        Cutting cutting(0.4_mm, path.front());
+        CutField worker(cutting.body, 1);
+        std::size_t applied = 0, largest_batch = 0, most_pending = 0;
+        const auto stamp = [&](std::size_t count) {
+            count = std::min(count, cutting.log.size() - applied);
+            largest_batch = std::max(largest_batch, count);
+            for (const std::size_t end = applied + count; applied < end; ++applied)
+                if (cutting.log[applied].removes) worker.stamp(cutting.log[applied], cutting.tool);
+        };
+        unsigned idle = 0;
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const Pose& pose = path[i];
+            cutting.move_to(pose);
+            if (++idle > 200 || random() % (i / 150 == 2 ? 400 : 3) == 0) {
+                cutting.tracker.commit_passed(pose, random() % 2 == 0);
+                idle = 0;
+            }
+            most_pending = std::max(most_pending, cutting.tracker.pending_count());
+            if (random() % 17 == 0) stamp(random() % 50);
+        }
+        cutting.end();
+        stamp(cutting.log.size());
+
+        // Then all fields are equal, and so are those of whoever stamps the log again, in whatever order
+        ASSERT_TRUE(cutting.committed.same_bits(cutting.exact)) << seed;
+        ASSERT_TRUE(worker.same_bits(cutting.exact)) << seed;
+        std::shuffle(cutting.log.begin(), cutting.log.end(), random);
+        CutField replayed(cutting.body, 1);
+        for (const CutRecord& record : cutting.log)
+            if (record.removes) replayed.stamp(record, cutting.tool);
+        ASSERT_TRUE(replayed.same_bits(cutting.exact)) << seed;
+        EXPECT_EQ(replayed.hash(), cutting.exact.hash());
+
+        EXPECT_GT(largest_batch, 20u);
+        EXPECT_GT(most_pending, CutTracker::pending_limit) << "there was a lag";
+        EXPECT_FALSE(replayed.same_bits(CutField(cutting.body, 1)));
+    }
+}
+
+TEST(CutLog, ScribblingOnTheSpotKeepsThePendingListShort) {
+    // Ten seconds within 0.3 voxels of one place: along the axis, across it, round and round, and while creeping deeper
+    struct Scribble {
+        const char* name;
+        Vec3 reach;    // [voxels]
+        double tilt;   // [rad]
+        double creep;  // [voxels] in all
+    };
+    const Scribble scribbles[] = {{"along", {0, 0, 0.3}, 0.0, 0.0},
+                                  {"across", {0.3, 0, 0}, 0.0, 0.0},
+                                  {"tilting", {0.2, 0.2, 0.2}, 0.02, 0.0},
+                                  {"creeping", {0.3, 0.3, 0.3}, 0.0, 0.9}};
+    constexpr double h = 0.5_mm;
+    for (const auto& [name, reach, tilt, creep] : scribbles) {
+        std::mt19937 random(9);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        const auto pose_at = [&](Vec3 voxels, double depth, Vec3 lean) {
+            return test::pointing(h * voxels + Vec3{0, 0, -depth}, Vec3{lean.x, lean.y, -1.0});
+        };
+        Cutting cutting(h, pose_at({0, 0, 0}, -1.0_mm, {0, 0, 0}));
+        for (int i = 1; i <= 100; ++i) {
+            const Pose pose = pose_at({0, 0, 0}, -1.0_mm + 0.04_mm * i, {0, 0, 0});
+            cutting.move_to(pose);
+            cutting.tracker.commit_passed(pose, true);
+        }
+        std::size_t most = 0;
+        const std::size_t before = cutting.log.size();
+        cutting.has_worker = false;
+        for (int i = 0; i < 10000; ++i) {
+            const Vec3 at{reach.x * unit(random), reach.y * unit(random), reach.z * unit(random)};
+            const Vec3 lean{tilt * unit(random), tilt * unit(random), 0};
+            const Pose pose = pose_at(at, 3.0_mm + h * creep * i / 10000, lean);
+            cutting.move_to(pose);
+            cutting.tracker.commit_passed(pose, i % 2 == 0);
+            most = std::max(most, cutting.tracker.pending_count());
+            ASSERT_LE(most, CutTracker::pending_limit) << name << ", spacing " << h << ", tick " << i;
+        }
+        EXPECT_GT(cutting.log.size() - before, 5000u) << name << ": the scribble is in the log";
+    }
+}
+
+}  // namespace
+}  // namespace kerf
