@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shipped procedure, run whole.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -22,20 +20,6 @@ const Scene& pedicle() {
         return std::move(*made);
     }();
     return scene;
-}
-
-/// A folder of this process, gone when it ends.
-std::string temporary() {
-    struct Folder {
-        std::string path = testing::TempDir() + "kerf-test-" + std::to_string(getpid()) + "/";
-        Folder() { std::filesystem::create_directories(path); }
-        ~Folder() {
-            std::error_code error;
-            std::filesystem::remove_all(path, error);
-        }
-    };
-    static const Folder folder;
-    return folder.path;
 }
 
 const RunOutcome& outcome_of(const std::string& rehearsal) {
@@ -134,43 +118,42 @@ TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
 INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
                          [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
 
+using test::contents_of;
+using test::TemporaryFolder;
+
 TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
-    const std::string folder = temporary() + "kerf-run";
-    const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + folder +
-                                " > " + temporary() + "kerf-run.txt 2>&1";
+    const TemporaryFolder folder;
+    const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + (folder / "run") +
+                                " > " + (folder / "log.txt") + " 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
-        std::ifstream file(folder + "/" + name, std::ios::binary);
-        ASSERT_TRUE(file) << name;
-        std::stringstream bytes;
-        bytes << file.rdbuf();
-        EXPECT_GT(bytes.str().size(), 500u) << name;
-        EXPECT_EQ(bytes.str().find(KERF_SOURCE_DIR), std::string::npos) << name;
-        EXPECT_EQ(bytes.str().find(folder), std::string::npos) << name;
-        EXPECT_NE(bytes.str().find("not for diagnosis"), std::string::npos) << name;
+        const std::string bytes = contents_of(folder / "run/" + name);
+        EXPECT_GT(bytes.size(), 500u) << name;
+        EXPECT_EQ(bytes.find(KERF_SOURCE_DIR), std::string::npos) << name;
+        EXPECT_EQ(bytes.find(folder.path()), std::string::npos) << name;
+        EXPECT_NE(bytes.find("not for diagnosis"), std::string::npos) << name;
     }
-    EXPECT_FALSE(std::filesystem::exists(folder + "/session.db-wal"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "run/session.db-wal"));
 }
 
 TEST(Program, AReplayEndsInTheSameBits) {
-    const std::string folder = temporary() + "kerf-record", again = temporary() + "kerf-replay";
+    const TemporaryFolder folder;
     const std::string run = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml ";
-    ASSERT_EQ(std::system((run + "--out " + folder + " > /dev/null").c_str()), 0);
-    const std::string log = temporary() + "kerf-replay.txt";
-    ASSERT_EQ(std::system((run + "--replay " + folder + "/session.db --out " + again + " > " + log).c_str()), 0);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    EXPECT_NE(text.str().find("replay: the same bits"), std::string::npos) << text.str();
+    ASSERT_EQ(std::system((run + "--out " + (folder / "record") + " > /dev/null").c_str()), 0);
+    const std::string log = folder / "replay.txt";
+    ASSERT_EQ(std::system((run + "--replay " + (folder / "record/session.db") + " --out " + (folder / "again") + " > " + log).c_str()), 0);
+    EXPECT_NE(contents_of(log).find("replay: the same bits"), std::string::npos) << contents_of(log);
 }
 
 TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
-    const std::string folder = temporary() + "kerf-bad";
+    const TemporaryFolder folder;
+    const std::string out = folder / "bad";
     for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
                                    "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody",
                                    "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --replay " KERF_SOURCE_DIR "/README.md", "fly", "run"}) {
-        const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + folder + " > /dev/null 2>&1";
+        const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + out + " > /dev/null 2>&1";
         EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << what;
-        EXPECT_FALSE(std::filesystem::exists(folder)) << what;
+        EXPECT_FALSE(std::filesystem::exists(out)) << what;
     }
 }
 

@@ -15,7 +15,7 @@
 #include "core/session/content_hash.h"
 #include "tests/support/count_allocations.h"
 #include "synthetic_run.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/session/recorder.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
