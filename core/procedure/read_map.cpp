@@ -52,7 +52,11 @@ bool is_id(std::string_view text) {
 }  // namespace
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
-    if (word.size() > longest_word || report.is_full()) return {};
+    return report.is_full() ? std::string() : closest(word, candidates);
+}
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
+    if (word.size() > longest_word) return {};
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 
 #include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -117,45 +115,6 @@ TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
                          [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
-
-using test::contents_of;
-using test::TemporaryFolder;
-
-TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
-    const TemporaryFolder folder;
-    const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + (folder / "run") +
-                                " > " + (folder / "log.txt") + " 2>&1";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
-        const std::string bytes = contents_of(folder / "run/" + name);
-        EXPECT_GT(bytes.size(), 500u) << name;
-        EXPECT_EQ(bytes.find(KERF_SOURCE_DIR), std::string::npos) << name;
-        EXPECT_EQ(bytes.find(folder.path()), std::string::npos) << name;
-        EXPECT_NE(bytes.find("not for diagnosis"), std::string::npos) << name;
-    }
-    EXPECT_FALSE(std::filesystem::exists(folder / "run/session.db-wal"));
-}
-
-TEST(Program, AReplayEndsInTheSameBits) {
-    const TemporaryFolder folder;
-    const std::string run = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml ";
-    ASSERT_EQ(std::system((run + "--out " + (folder / "record") + " > /dev/null").c_str()), 0);
-    const std::string log = folder / "replay.txt";
-    ASSERT_EQ(std::system((run + "--replay " + (folder / "record/session.db") + " --out " + (folder / "again") + " > " + log).c_str()), 0);
-    EXPECT_NE(contents_of(log).find("replay: the same bits"), std::string::npos) << contents_of(log);
-}
-
-TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
-    const TemporaryFolder folder;
-    const std::string out = folder / "bad";
-    for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
-                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody",
-                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --replay " KERF_SOURCE_DIR "/README.md", "fly", "run"}) {
-        const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + out + " > /dev/null 2>&1";
-        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << what;
-        EXPECT_FALSE(std::filesystem::exists(out)) << what;
-    }
-}
 
 }  // namespace
 }  // namespace kerf

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user or a script sees it: exit codes, what it says and what it leaves behind.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::contents_of;
+using test::TemporaryFolder;
+
+const std::string pedicle_screw = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
+
+/// What one call of the program came to.
+struct Ended {
+    int exit_code = -1;
+    std::string out, err;
+};
+
+/// `environment` stands before the program, as in a shell.
+Ended kerf(const std::string& arguments, const std::string& environment = "") {
+    const TemporaryFolder folder;
+    const std::string command = environment + " " KERF_BUILD_DIR "/bin/kerf " + arguments + " > " + (folder / "out") +
+                                " 2> " + (folder / "err");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(folder / "out"), contents_of(folder / "err")};
+}
+
+/// The shipped procedure with `from` replaced, on a coarser grid, which is faster and as good for what is tested here.
+std::string variant(const TemporaryFolder& folder, const std::string& from, const std::string& to) {
+    std::filesystem::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder / "anatomy",
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+    std::string text = contents_of(pedicle_screw);
+    for (const auto& [before, after] :
+         {std::pair<std::string, std::string>{"spacing: 0.25 mm", "spacing: 0.5 mm"}, {from, to}}) {
+        const std::size_t at = text.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        if (at != std::string::npos) text.replace(at, before.size(), after);
+    }
+    std::ofstream(folder / "variant.yaml") << text;
+    return folder / "variant.yaml";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
+    const TemporaryFolder folder;
+    const Ended run = kerf("run " + pedicle_screw + " --out " + (folder / "run"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
+        const std::string bytes = contents_of(folder / "run/" + name);
+        EXPECT_GT(bytes.size(), 500u) << name;
+        EXPECT_FALSE(has(bytes, KERF_SOURCE_DIR)) << name;
+        EXPECT_FALSE(has(bytes, folder.path())) << name;
+        EXPECT_TRUE(has(bytes, "not for diagnosis")) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "run/session.db-wal"));
+}
+
+TEST(Program, AReplayEndsInTheSameBits) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(kerf("run " + pedicle_screw + " --out " + (folder / "record")).exit_code, 0);
+    const Ended replay =
+        kerf("run " + pedicle_screw + " --replay " + (folder / "record/session.db") + " --out " + (folder / "again"));
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    EXPECT_TRUE(has(replay.out, "replay: the same bits")) << replay.out;
+}
+
+TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "bad";
+    for (const std::string& what :
+         {std::string("run /nowhere.yaml"),
+          std::string("run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"),
+          "run " + pedicle_screw + " --hand nobody", "run " + pedicle_screw + " --replay " KERF_SOURCE_DIR "/README.md",
+          std::string("fly"), std::string("run")}) {
+        const Ended bad = kerf(what + " --out " + out);
+        EXPECT_EQ(bad.exit_code, 2) << what;
+        EXPECT_NE(bad.err, "") << what;
+        EXPECT_FALSE(std::filesystem::exists(out)) << what;
+    }
+}
+
+TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
+    const Ended good = kerf("validate " + pedicle_screw);
+    EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+    EXPECT_EQ(good.out, pedicle_screw + ": no errors\n");
+
+    const Ended one_bad = kerf("validate /nowhere.yaml " + pedicle_screw + " --format github");
+    EXPECT_EQ(one_bad.exit_code, 2);
+    EXPECT_EQ(one_bad.out, "::error file=/nowhere.yaml,title=E0101::There is no such file.\n");
+}
+
+TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
+    const Ended rehearsed = kerf("rehearse " + pedicle_screw);
+    EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
+    EXPECT_TRUE(has(rehearsed.out, "expert: ended as it says\n  expected  pass\n  ended     pass\n")) << rehearsed.out;
+    EXPECT_TRUE(
+        has(rehearsed.out,
+            "expected  fail, because of the limit `canal` alone\n  ended     fail\n            The drill entered"))
+        << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "2 of 2 rehearsals ended as they say")) << rehearsed.out;
+}
+
+TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
+    const TemporaryFolder folder;
+    const Ended rehearsed = kerf("rehearse " + variant(folder, "expect: pass", "expect: {fail: canal}"));
+    EXPECT_EQ(rehearsed.exit_code, 1) << rehearsed.err;
+    EXPECT_TRUE(has(rehearsed.out, "expert: DID NOT END AS IT SAYS")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "1 of 2")) << rehearsed.out;
+}
+
+TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {
+    const TemporaryFolder folder;
+    const std::string text = contents_of(pedicle_screw);
+    const Ended rehearsed = kerf("rehearse " + variant(folder, text.substr(text.find("rehearsals:")), ""));
+    EXPECT_EQ(rehearsed.exit_code, 2);
+    EXPECT_TRUE(has(rehearsed.err, "has no rehearsals. Add one under `rehearsals:`.")) << rehearsed.err;
+}
+
+}  // namespace
+}  // namespace kerf
