@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include "app/describe.h"
 #include "app/findings.h"
+#include "app/progress.h"
 #include "app/run_procedure.h"
 #include "core/session/content_hash.h"
 #include "core/session/read_session.h"
@@ -15,12 +14,6 @@
 namespace kerf {
 
 namespace {
-
-void show_progress(double share, const std::string& what) {
-    if (isatty(STDERR_FILENO) == 0) return;
-    std::fprintf(stderr, "\r%3.0f %%  %s\033[K", 100.0 * share, what.c_str());
-    if (share >= 1.0) std::fputc('\n', stderr);
-}
 
 ExitCode complain(const std::string& error, ExitCode code) {
     std::fprintf(stderr, "kerf: %s\n", error.c_str());
@@ -36,10 +29,17 @@ void print(const RunSummary& s) {
                 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash));
 }
 
+/// Reading the documents is quick; making the bone may take a minute.
+std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
+                                Diagnostics& diagnostics) {
+    const StillWorking sign_of_life("reading " + file + " and making the bone");
+    return make_scene(file, line.anatomy, plugins, diagnostics);
+}
+
 /// The scene, or nothing and all that is wrong on stderr.
 std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
-    auto scene = make_scene(file, line.anatomy, plugins, diagnostics);
+    auto scene = make_scene(file, line, plugins, diagnostics);
     if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
     return scene;
 }
@@ -50,7 +50,7 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
     std::vector<Findings> all;
     for (const auto& file : line.files) {
         Findings& one = all.emplace_back(Findings{file, {}});
-        static_cast<void>(make_scene(file, line.anatomy, plugins, one.diagnostics));
+        static_cast<void>(make_scene(file, line, plugins, one.diagnostics));
     }
     std::fputs(findings_text(all, line.format).c_str(), stdout);
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })

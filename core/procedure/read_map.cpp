@@ -180,7 +180,10 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
         }
     if (const Node* node = document.required("kind"))
         if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
-            report.error(Code::wrong_kind, node->span, "A document of kind " + kind + " is needed here.", kind);
+            // Only a slip of the pen is mended here; another document needs another file.
+            report.error(Code::wrong_kind, node->span,
+                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind + " is needed here.",
+                         closest(*text, {kind}, report));
             is_right = false;
         }
     return is_right;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program as a user or a script sees it: exit codes, what it says and what it leaves behind.
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -96,6 +98,35 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
     const Ended one_bad = kerf("validate /nowhere.yaml " + pedicle_screw + " --format github");
     EXPECT_EQ(one_bad.exit_code, 2);
     EXPECT_EQ(one_bad.out, "::error file=/nowhere.yaml,title=E0101::There is no such file.\n");
+}
+
+TEST(Program, APluginFolderThatDoesNotExistIsSaidOnceAndHindersNobody) {
+    const Ended listed = kerf("list", "KERF_PLUGIN_PATH=/nowhere:/nowhere");
+    EXPECT_EQ(listed.exit_code, 0);
+    EXPECT_TRUE(has(listed.out, "kerf.drilling/twist_drill"));
+    EXPECT_TRUE(has(listed.err, "KERF_PLUGIN_PATH names `/nowhere`, which does not exist")) << listed.err;
+    EXPECT_EQ(listed.err.find("/nowhere"), listed.err.rfind("/nowhere")) << listed.err;
+}
+
+TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
+    // Given a terminal of its own
+    int terminal = -1;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "validate", pedicle_screw.c_str(), nullptr);
+        _exit(127);
+    }
+    std::string seen;
+    char some[512];
+    for (ssize_t count = 0; (count = read(terminal, some, sizeof some)) > 0;) seen.append(some, static_cast<std::size_t>(count));
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(terminal);
+
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_TRUE(has(seen, "and making the bone")) << seen;
+    EXPECT_TRUE(has(seen, ": no errors")) << seen;
 }
 
 TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
