@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/describe.h"
 #include "app/findings.h"
+#include "app/interruption.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
 #include "core/session/content_hash.h"
@@ -83,7 +85,10 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
         RunRequest request;
         request.rehearsal = rehearsal.id;
         request.progress = show_progress;
+        const Interruption interruption;
+        request.is_interrupted = [&] { return interruption.has_come(); };
         const RunOutcome outcome = run_procedure(*scene, plugins, request);
+        if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
         std::printf("%s: %s\n  expected  %s\n  ended     %s\n", rehearsal.id.c_str(),
                     outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS",
@@ -119,11 +124,17 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         recorded_hash = recorded->hash;
     }
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
+    std::error_code ignored;
+    if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
+        return complain("the replay would take the place of its recording. Give another folder with `--out`.", exit_bad_input);
+    const Interruption interruption;
+    request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print(outcome.summary);
     std::printf("  %s/report.html\n", request.out.c_str());
+    if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
     if (!recorded_hash.empty()) {
         const bool is_same = recorded_hash == hex16(outcome.summary.hash);
         std::printf("  replay: %s\n", is_same ? "the same bits" : "NOT the same bits");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `kerf` program. Exit codes: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault.
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include "app/plugin_folders.h"
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a name, not an end
     const kerf::CommandLine line = kerf::read_command_line(argc, argv);
     if (!line.answer.empty()) {
         std::fputs(line.answer.c_str(), line.exit_code == kerf::exit_pass ? stdout : stderr);

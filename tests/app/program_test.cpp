@@ -2,13 +2,18 @@
 // The program as a user or a script sees it: exit codes, what it says and what it leaves behind.
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <signal.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "tests/support/temporary_folder.h"
 
@@ -90,6 +95,106 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     }
 }
 
+/// A run in a process of its own, seen from the moment it has a session.
+pid_t started(const std::string& out, const std::string& log) {
+    const pid_t child = fork();
+    if (child == 0) {
+        if (std::freopen(log.c_str(), "w", stdout) == nullptr ||
+            std::freopen((log + ".err").c_str(), "w", stderr) == nullptr)
+            _exit(127);
+        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "run", pedicle_screw.c_str(), "--out", out.c_str(), nullptr);
+        _exit(127);
+    }
+    for (int i = 0; i < 12'000 && !std::filesystem::exists(out + "/session.db-wal"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return child;
+}
+
+int exit_code_of(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// One value of a session's table of keys and values.
+std::string stored(const std::string& session, const std::string& table, const std::string& key) {
+    sqlite3* database = nullptr;
+    sqlite3_stmt* statement = nullptr;
+    std::string value = "none";
+    const std::string sql = "SELECT value FROM " + table + " WHERE key='" + key + "'";
+    if (sqlite3_open_v2(session.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+        sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK &&
+        sqlite3_step(statement) == SQLITE_ROW)
+        value = reinterpret_cast<const char*>(sqlite3_column_text(statement, 0));
+    sqlite3_finalize(statement);
+    sqlite3_close(database);
+    return value;
+}
+
+TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhile) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "run";
+    const pid_t child = started(out, folder / "log");
+    ASSERT_TRUE(std::filesystem::exists(out + "/session.db-wal"));
+
+    const Ended second = kerf("run " + variant(folder, "1 mm/s", "1 mm/s") + " --out " + out);
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_TRUE(has(second.err, "is being written by another run")) << second.err;
+
+    kill(child, SIGINT);
+    EXPECT_EQ(exit_code_of(child), 3);
+    EXPECT_TRUE(has(contents_of(folder / "log.err"), "interrupted")) << contents_of(folder / "log.err");
+    const std::string summary = contents_of(out + "/summary.json");
+    EXPECT_TRUE(has(summary, "\"verdict\": \"incomplete\"")) << summary;
+    EXPECT_TRUE(has(summary, "The run was interrupted.")) << summary;
+    EXPECT_EQ(stored(out + "/session.db", "session", "state"), "finished");
+    for (const char* name : {"report.html", "bone.stl"}) EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator()), 4);
+}
+
+TEST(Program, TheSameRunTwiceDiffersInItsEnvelopeOnly) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm");
+    for (const char* out : {"a", "b"})
+        ASSERT_EQ(kerf("run " + file + " --learner L17 --out " + (folder / out)).exit_code, 1);
+    for (const char* name : {"summary.json", "report.html", "bone.stl"})
+        EXPECT_EQ(contents_of(folder / "a/" + name), contents_of(folder / "b/" + name)) << name;
+
+    const std::string a = folder / "a/session.db", b = folder / "b/session.db";
+    EXPECT_EQ(stored(a, "session", "hash"), stored(b, "session", "hash"));
+    EXPECT_NE(stored(a, "envelope", "uuid"), stored(b, "envelope", "uuid"));
+    EXPECT_TRUE(stored(a, "envelope", "start").ends_with('Z')) << stored(a, "envelope", "start");
+    EXPECT_EQ(stored(a, "envelope", "station"), "");
+    EXPECT_EQ(stored(a, "envelope", "learner"), "L17");
+}
+
+TEST(Program, WhatDoesNotFitIsSaidTheRestIsWrittenAndNothingIsHalf) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "run";
+    const Ended full =
+        kerf("run " + variant(folder, "depth: 32 mm", "depth: 3 mm") + " --out " + out, "ulimit -f 800;");
+    EXPECT_EQ(full.exit_code, 3) << full.err;
+    EXPECT_TRUE(has(full.err, "session.db is incomplete")) << full.err;
+    EXPECT_TRUE(has(full.err, "bone.stl could not be written")) << full.err;
+    EXPECT_TRUE(has(contents_of(out + "/summary.json"), "could not be recorded any more"))
+        << contents_of(out + "/summary.json");
+    EXPECT_EQ(stored(out + "/session.db", "session", "state"), "incomplete");
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+    EXPECT_FALSE(std::filesystem::exists(out + "/bone.stl"));
+}
+
+TEST(Program, AReplayDoesNotTakeThePlaceOfItsRecording) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm"), out = folder / "run";
+    ASSERT_EQ(kerf("run " + file + " --out " + out).exit_code, 1);
+    const std::string before = contents_of(out + "/session.db");
+    const Ended replay = kerf("run " + file + " --replay " + out + "/session.db --out " + out);
+    EXPECT_EQ(replay.exit_code, 2);
+    EXPECT_TRUE(has(replay.err, "would take the place of its recording")) << replay.err;
+    EXPECT_EQ(contents_of(out + "/session.db"), before);
+}
+
 TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
     const Ended good = kerf("validate " + pedicle_screw);
     EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
@@ -119,7 +224,8 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
     }
     std::string seen;
     char some[512];
-    for (ssize_t count = 0; (count = read(terminal, some, sizeof some)) > 0;) seen.append(some, static_cast<std::size_t>(count));
+    for (ssize_t count = 0; (count = read(terminal, some, sizeof some)) > 0;)
+        seen.append(some, static_cast<std::size_t>(count));
     int status = 0;
     waitpid(child, &status, 0);
     close(terminal);

@@ -20,12 +20,16 @@ const Scene& pedicle() {
     return scene;
 }
 
+RunRequest following(const std::string& rehearsal) {
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return request;
+}
+
 const RunOutcome& outcome_of(const std::string& rehearsal) {
     static std::map<std::string, RunOutcome> outcomes;
     if (!outcomes.contains(rehearsal)) {
-        RunRequest request;
-        request.rehearsal = rehearsal;
-        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), request));
+        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), following(rehearsal)));
     }
     return outcomes.at(rehearsal);
 }
@@ -54,9 +58,7 @@ TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
-    RunRequest request;
-    request.rehearsal = "expert";
-    const RunOutcome again = run_procedure(pedicle(), test::plugins(), request);
+    const RunOutcome again = run_procedure(pedicle(), test::plugins(), following("expert"));
     EXPECT_EQ(again.summary.hash, outcome_of("expert").summary.hash);
     EXPECT_NE(again.summary.hash, outcome_of("medial-breach").summary.hash);
 }
@@ -100,7 +102,7 @@ protected:
 TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "expert", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    const RunOutcome run = run_procedure(*made, test::plugins(), following("expert"));
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_GT(metric(run.summary, "pilot-hole.axis-in-bone"), 0.95);
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
@@ -109,7 +111,7 @@ TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
 TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "medial-breach", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    const RunOutcome run = run_procedure(*made, test::plugins(), following("medial-breach"));
     EXPECT_TRUE(run.is_as_expected);
 }
 
