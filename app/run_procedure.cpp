@@ -8,6 +8,7 @@
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "core/session/content_hash.h"
+#include "core/session/envelope.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/stl.h"
@@ -104,9 +105,10 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.signals = signal_columns(*scene.setup.force);
 
     // The record is open before the first tick, so that whatever happens leaves something to read.
+    OutputLock lock;
     std::unique_ptr<Recorder> recorder;
     if (!request.out.empty()) {
-        if (outcome.error = prepare_output(request.out); !outcome.error.empty()) {
+        if (outcome.error = prepare_output(request.out, lock); !outcome.error.empty()) {
             outcome.is_bad_input = true;
             return outcome;
         }
@@ -114,6 +116,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         header.procedure_text = scene.procedure.text;
         header.anatomy_text = scene.anatomy.text;
         header.versions = summary.versions;
+        header.envelope.uuid = random_uuid();
+        header.envelope.start = utc_now();
         header.envelope.learner = request.learner;
         header.envelope.mode = request.mode;
         header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness};
@@ -169,7 +173,10 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
                 const CutRecord& record = simulation.closed_record(i);
                 recorder->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
             }
-            if (!recorder->wait_for_room()) break;
+            if (!recorder->wait_for_room()) {
+                end = RunEnd::unrecorded;
+                break;
+            }
         }
         if (request.progress && simulation.ticks() % 250 == 0)
             request.progress(is_replay ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
@@ -181,6 +188,11 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         }
         if (monitor.current() >= scene.procedure.steps.size()) {
             end = RunEnd::steps_done;
+            break;
+        }
+        if (request.is_interrupted && request.is_interrupted()) {
+            end = RunEnd::interrupted;
+            outcome.was_interrupted = true;
             break;
         }
         if (is_replay ? simulation.ticks() >= request.replay.size() : hand.is_done()) {
@@ -211,7 +223,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
          {recorder->finish(summary), write_file(request.out + "/summary.json", summary_json(summary)),
           write_file(request.out + "/bone.stl", stl_bytes(bone)),
           write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
-        if (!error.empty() && outcome.error.empty()) outcome.error = error;
+        if (!error.empty()) outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
     return outcome;
 }
 

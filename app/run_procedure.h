@@ -15,6 +15,7 @@ struct RunRequest {
     std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl; empty: nothing is written
     std::string learner, mode = "practice";
     std::vector<Pose> replay;  ///< device poses of a recorded run: the hand does what it did then
+    std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };
 
@@ -23,6 +24,7 @@ struct RunOutcome {
     bool is_as_expected = false;
     std::vector<TickRow> ticks;
     std::vector<EventRow> events;
+    bool was_interrupted = false;  ///< outputs are written all the same
     std::string error;       ///< for people; not empty: the run could not be made or written
     bool is_bad_input = false;  ///< the error is the user's input
 };

@@ -110,6 +110,9 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
         summary.steps.push_back(std::move(row));
     }
     if (end == RunEnd::time_over) summary.reasons.push_back("The time of the procedure was over.");
+    if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
+    if (end == RunEnd::unrecorded) summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
+    is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded;
     summary.verdict = end == RunEnd::fault ? Verdict::invalid
                       : is_broken          ? Verdict::fail
                       : is_missing         ? Verdict::incomplete

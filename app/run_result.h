@@ -7,7 +7,7 @@
 namespace kerf {
 
 /// How a run ended.
-enum class RunEnd { path_ended, steps_done, time_over, fault };
+enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrecorded };
 
 /// The metric rows of the steps: depth, clearance to each limited zone, entry offset, time.   [any] pure.
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
@@ -16,7 +16,7 @@ enum class RunEnd { path_ended, steps_done, time_over, fault };
 [[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
 
 /// Step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
-/// Incomplete: goals missing. Invalid: a fault.   [any] pure.
+/// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.
 void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary);
 
 /// Whether the run ended as its rehearsal says it must: "pass", or "fail" because of one limit and that alone.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/bone_memory.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
@@ -57,6 +58,7 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
         else if (rehearsal.path.front().depth >= 0.0)
             diagnostics.push_back(fault("E0705", procedure_file, "rehearsal `" + rehearsal.id + "` starts inside the bone: its first waypoint needs a depth below 0 mm."));
     }
+    if (!has_error(diagnostics)) check_bone_memory(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics);

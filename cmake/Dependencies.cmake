@@ -3,6 +3,7 @@
 find_package(PkgConfig REQUIRED)
 find_package(yaml-cpp 0.7 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+find_package(CLI11 2.1 CONFIG REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 # Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
@@ -24,6 +25,7 @@ endfunction()
 
 dep_wrap(yaml yaml-cpp::yaml-cpp yaml-cpp)
 dep_wrap(json nlohmann_json::nlohmann_json)
+dep_wrap(cli11 CLI11::CLI11)
 dep_wrap(sqlite SQLite::SQLite3)
 dep_wrap(zlib ZLIB::ZLIB)
 add_library(dep_itk INTERFACE)   # without its use-file, which changes flags for everybody

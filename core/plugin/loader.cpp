@@ -4,8 +4,12 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+
+#include "core/plugin/loading_note.h"
 
 namespace kerf {
 
@@ -53,6 +57,13 @@ std::string fault_of(const kerf_component& c) {
     return {};
 }
 
+/// By its first bytes: "\x7fELF".
+bool is_shared_library(const std::string& path) {
+    std::array<char, 4> head{};
+    std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+    return head == std::array<char, 4>{'\x7f', 'E', 'L', 'F'};
+}
+
 template <class D>
 ParameterInfo parameter_info(const D& d, const char* source) {
     return {d.id, d.help, d.dimension, d.display_unit, d.min, d.max, d.def, source};
@@ -79,19 +90,30 @@ std::string refusal_of(const kerf_entry& entry, const std::string& path) {
 Plugin::~Plugin() { dlclose(handle_); }
 
 PluginLoad load_plugin(const std::string& path) {
+    const auto refused = [&](const std::string& why) {
+        return PluginLoad{nullptr, "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): " + why};
+    };
+    // Opening a pipe could keep us waiting for ever.
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return refused("there is no such file.");
+    if (!std::filesystem::is_regular_file(path, error)) return refused("is not a file, so it is no Kerf plugin. Remove it from the folder.");
+    if (!is_shared_library(path)) return refused("is not a shared library, so it is no Kerf plugin. Remove it from the folder, or build it again.");
+
+    const LoadingNote note(path);
     dlerror();
     void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {
-        const char* why = dlerror();
-        return {nullptr, "plugin " + path + " cannot be loaded: " + (why != nullptr ? why : "unknown reason") + "."};
+        const char* reason = dlerror();
+        std::string why = reason != nullptr ? reason : "unknown reason";
+        if (why.starts_with(path + ": ")) why.erase(0, path.size() + 2);
+        return refused("cannot be loaded: " + why + ". Build it again on this system, and against this Kerf.");
     }
     const auto* entry = static_cast<const kerf_entry*>(dlsym(handle, KERF_ENTRY_SYMBOL));
-    std::string refusal = entry == nullptr
-                              ? "plugin " + path + ": exports no `" KERF_ENTRY_SYMBOL "`: is it a Kerf plugin?"
-                              : refusal_of(*entry, path);
-    if (!refusal.empty()) {
+    PluginLoad load = entry == nullptr ? refused("exports no `" KERF_ENTRY_SYMBOL "`, so it is no Kerf plugin. Remove it from the folder.")
+                                       : PluginLoad{nullptr, refusal_of(*entry, path)};
+    if (!load.refusal.empty()) {
         dlclose(handle);
-        return {nullptr, std::move(refusal)};
+        return load;
     }
     return {std::shared_ptr<Plugin>(new Plugin(handle, entry, path)), {}};
 }

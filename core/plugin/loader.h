@@ -37,7 +37,8 @@ struct PluginLoad {
     std::string refusal;             ///< plugin, path, field, got, wanted, remedy
 };
 
-/// Loads one shared library.   [main]
+/// Loads one shared library. That runs its static constructors; see `LoadingNote` for what happens when they end the
+/// process.   [main]
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
 /// Why an entry cannot be used by this host; empty when it can.   [any]

@@ -12,6 +12,9 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include "core/procedure/explain_syntax.h"
+#include "core/procedure/quantity.h"
+
 namespace kerf {
 namespace {
 
@@ -134,6 +137,10 @@ private:
         node.span = {at(mark), 1};
         node.span.size = shown_size(node.span.begin, value);
         refuse_tag(node.span.begin, tag);
+        if (const auto unclosed = find_unclosed_quote(document_.text(), node.span.begin)) {  // else the rest of the file is its text
+            report_.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
+            throw StopReading{};
+        }
         add(std::move(node));
     }
 
@@ -172,6 +179,22 @@ private:
         }
     }
 
+    /// `{diameter: 3,2 mm}`: YAML sees a diameter of 3 and a key `2 mm`. Says so, once, in place of both.
+    bool is_behind_decimal_comma(Node& map, const Node& key) {
+        if (map.children.empty() || key.text.size() > 40 || key.text[0] < '0' || key.text[0] > '9') return false;
+        Node& number = map.children.back();
+        const std::size_t comma = number.span.begin + number.span.size;
+        const bool is_joined = key.span.begin == comma + 1 && document_.text()[comma] == ',';
+        const std::size_t figures = number.text.starts_with('-') ? 1 : 0;
+        const bool is_whole = number.text.size() > figures && number.text.find_first_not_of("0123456789", figures) == std::string::npos;
+        if (!is_joined || !is_whole || number.kind != Node::Kind::scalar) return false;
+
+        const QuantityProblem problem = decimal_comma(number.key, number.text, key.text);
+        report_.error(problem.code, {number.span.begin, key.span.begin + key.span.size - number.span.begin}, problem.message, problem.write);
+        number.is_refused = true;
+        return true;
+    }
+
     void add_entry(Open& parent, Node value) {
         const Node key = std::move(*parent.key);
         parent.key.reset();
@@ -187,6 +210,7 @@ private:
         }
         // yaml-cpp places an absent value at the next token, often on another line.
         const bool is_absent = value.kind == Node::Kind::scalar && value.text.empty() && !value.is_refused;
+        if (is_absent && is_behind_decimal_comma(parent.node, key)) return;
         if (is_absent) value.span = key.span;
         value.key = key.text;
         value.key_span = key.span;
@@ -271,6 +295,11 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
         message = "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown.";
         write.clear();
     }
+    // What is missing may have been lost with the end of the file.
+    if (code == Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
+        is_end_told_ = true;
+        message += " The file ends in the middle of line " + std::to_string(document_.place({document_.text().size()}).line) + ": is it cut off?";
+    }
     Diagnostic diagnostic;
     diagnostic.level = level;
     diagnostic.code = code_text(code, level == Diagnostic::Level::error ? 'E' : 'W');
@@ -331,9 +360,14 @@ std::optional<Document> parse_document(const std::string& file, std::string text
     } catch (const StopReading&) {
         return std::nullopt;
     } catch (const YAML::Exception& failure) {
+        const std::optional<Unclosed> unclosed = is_about_an_end(failure.msg) ? find_unclosed(document->text()) : std::nullopt;
+        if (unclosed) {
+            report.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document->text()[unclosed->at]));
+            return std::nullopt;
+        }
         const std::size_t begin = document->line_begin(failure.mark.line);
         const std::size_t at = begin + static_cast<std::size_t>(std::max(0, failure.mark.column));
-        report.error(Code::syntax, {at, 1}, "This is not YAML: " + failure.msg + ".");
+        report.error(Code::syntax, {at, 1}, "This is not YAML: " + explain_syntax(failure.msg, document->source_line({at})) + ".");
         return std::nullopt;
     } catch (const std::exception& failure) {  // yaml-cpp on input that its authors did not think of
         report_file(Code::syntax, file, std::string("This is not YAML: ") + failure.what() + ".", diagnostics);

@@ -71,6 +71,7 @@ private:
     Diagnostics& diagnostics_;
     int shown_ = 0;
     int errors_ = 0;
+    bool is_end_told_ = false;
 };
 
 /// Reads a file of at most 1 MB as UTF-8 text. Empty when it cannot be read; says why.   [main]

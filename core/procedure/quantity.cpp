@@ -119,9 +119,10 @@ QuantityProblem not_a_number(std::string_view text, const std::string& name, con
     std::string with_point(text.substr(0, 40));
     std::replace(with_point.begin(), with_point.end(), ',', '.');
     std::string_view rest = with_point;
+    const std::size_t comma = with_point.find('.');
     if (std::count(text.begin(), text.end(), ',') == 1 && take_number(rest) &&
         (need.unit.empty() ? trimmed(rest).empty() : parse_unit(rest).has_value()))
-        problem.write = with_point;
+        return decimal_comma(name, with_point.substr(0, comma), with_point.substr(comma + 1));
     return problem;
 }
 
@@ -143,25 +144,42 @@ Parsed<double> factor_of(std::string_view unit_text, std::string_view number, st
     return {unit->factor, {}};
 }
 
-/// What somebody meant who wrote a value out of range: the decimal point slipped, or else the nearest end.
+bool in_range(double value, const QuantityNeed& need) {
+    // 0.1 mm must not fail against a limit of 0.1e-3 m for its last bit.
+    const double slack = 1e-12 * std::max(std::abs(need.min), std::abs(need.max));
+    return value >= need.min - slack && value <= need.max + slack;
+}
+
+/// What somebody meant who wrote a value out of range: the sign or the decimal point slipped, or else the nearest end.
 double likely_meant(double value, const QuantityNeed& need) {
     const auto fits = [&](double v) { return v >= need.min && v <= need.max; };
+    if (fits(-value)) return -value;
     if (value > 2.0 * need.max && fits(value / 10.0)) return value / 10.0;
     if (value < 0.5 * need.min && value > 0.0 && fits(value * 10.0)) return value * 10.0;
     return std::clamp(value, need.min, need.max);
 }
 
-QuantityProblem out_of_range(double value, const std::string& name, const QuantityNeed& need) {
-    return {Code::out_of_range,
-            name + " is " + quantity_text(value, need.unit) + ", must be " + quantity_text(need.min, need.unit) + " … " +
-                quantity_text(need.max, need.unit) + ".",
-            quantity_text(likely_meant(value, need), need.unit)};
+/// All in the unit the value was written in; empty for the one of `need`.
+QuantityProblem out_of_range(double value, std::string_view unit, const std::string& name, const QuantityNeed& need) {
+    const std::string shown_in(unit.empty() ? std::string_view(need.unit) : unit);
+    const std::string message = name + " is " + quantity_text(value, shown_in) + ", must be " + quantity_text(need.min, shown_in) +
+                                " … " + quantity_text(need.max, shown_in) + ".";
+    // The end of a range in another unit may round to just outside of it.
+    const double meant = likely_meant(value, need);
+    const std::string write = quantity_text(meant, shown_in);
+    const std::optional<double> read_again = parse_quantity(write, name, {need.dimension, need.unit, -HUGE_VAL, HUGE_VAL}).value;
+    return {Code::out_of_range, message, read_again && in_range(*read_again, need) ? write : quantity_text(meant, need.unit)};
 }
 
-bool in_range(double value, const QuantityNeed& need) {
-    // 0.1 mm must not fail against a limit of 0.1e-3 m for its last bit.
-    const double slack = 1e-12 * std::max(std::abs(need.min), std::abs(need.max));
-    return value >= need.min - slack && value <= need.max + slack;
+/// "1, 2, 3 mm" and "0,5 0 0 mm" as they would be read; else an example.
+std::string without_commas(std::string_view text, const std::string& name, const QuantityNeed& need) {
+    std::string meant;
+    for (std::size_t i = 0; i < std::min<std::size_t>(text.size(), 80); ++i) {
+        const bool is_between = text[i] == ',' && i + 1 < text.size() && text[i + 1] == ' ';
+        if (!is_between) meant += text[i] == ',' ? '.' : text[i];
+    }
+    const bool has_comma = text.find(',') != std::string_view::npos;
+    return has_comma && parse_vector(meant, name, need).value ? meant : with_unit("0 0 0", need.unit);
 }
 
 }  // namespace
@@ -197,6 +215,14 @@ std::optional<Unit> parse_unit(std::string_view text) {
     return unit;
 }
 
+QuantityProblem decimal_comma(const std::string& name, const std::string& before, const std::string& behind) {
+    const std::string is = name + " is `" + before + "," + behind + "`, but a number has a decimal point, not a comma.";
+    const std::string with_point = before + "." + behind;
+    const std::size_t digits = std::min(behind.find_first_not_of("0123456789"), behind.size());
+    if (digits != 3) return {Code::not_a_number, is, with_point};
+    return {Code::not_a_number, is + " Write `" + before + behind + "` for thousands, or `" + with_point + "`.", {}};
+}
+
 std::string quantity_text(double value, std::string_view unit) {
     const std::optional<Unit> known = parse_unit(unit);
     return with_unit(number_text(known ? value / known->factor : value), unit);
@@ -223,7 +249,7 @@ Parsed<double> parse_quantity(std::string_view text, const std::string& name, co
     if (!factor.value) return factor;
     value *= *factor.value;
     if (!std::isfinite(value)) return {std::nullopt, not_a_number(text, name, need)};
-    if (!in_range(value, need)) return {std::nullopt, out_of_range(value, name, need)};
+    if (!in_range(value, need)) return {std::nullopt, out_of_range(value, rest, name, need)};
     return {value, {}};
 }
 
@@ -238,7 +264,7 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
                     {Code::not_three_numbers,
                      name + " is " + quoted(text) + ", must be three numbers" +
                          (need.unit.empty() ? "." : " and one unit."),
-                     with_unit("0 0 0", need.unit)}};
+                     without_commas(text, name, need)}};
         component = *taken;
     }
     const std::string_view number_part = text.substr(0, text.size() - rest.size());
@@ -249,7 +275,7 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
     if (!factor.value) return {std::nullopt, factor.problem};
     for (double& component : number) {
         component *= *factor.value;
-        if (!in_range(component, need)) return {std::nullopt, out_of_range(component, name, need)};
+        if (!in_range(component, need)) return {std::nullopt, out_of_range(component, rest, name, need)};
     }
     return {Vec3{number[0], number[1], number[2]}, {}};
 }

@@ -57,6 +57,7 @@ enum class Code {
     empty_bound = 406,  ///< neither at_least nor at_most, or at_least above at_most
     degenerate = 407,   ///< a solid or axis without extent, a shell that is not one
     out_of_range = 412,
+    too_fine = 413,     ///< the bone would take too much memory
 
     // What the procedure needs of the anatomy
     missing_landmark = 501,

@@ -52,7 +52,11 @@ bool is_id(std::string_view text) {
 }  // namespace
 
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report) {
-    if (word.size() > longest_word || report.is_full()) return {};
+    return report.is_full() ? std::string() : closest(word, candidates);
+}
+
+std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
+    if (word.size() > longest_word) return {};
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
@@ -176,7 +180,10 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
         }
     if (const Node* node = document.required("kind"))
         if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
-            report.error(Code::wrong_kind, node->span, "A document of kind " + kind + " is needed here.", kind);
+            // Only a slip of the pen is mended here; another document needs another file.
+            report.error(Code::wrong_kind, node->span,
+                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind + " is needed here.",
+                         closest(*text, {kind}, report));
             is_right = false;
         }
     return is_right;

@@ -14,8 +14,10 @@
 /// Each function that returns nothing has said why.
 namespace kerf {
 
-/// The candidate that `word` was probably meant to be; empty if none is near, or if nobody will see it.
+/// The candidate that `word` was probably meant to be; empty if none is near, or if the report is full and nobody will
+/// see it.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
+std::string closest(std::string_view word, const std::vector<std::string>& candidates);   // [any]
 
 /// "`a`, `b` or `c`"; shortened when there are many.   [any]
 std::string listed(const std::vector<std::string>& words);

@@ -68,6 +68,12 @@ std::string text_of(double value) {
     return text;
 }
 
+/// What SQLite says of a disk, with what to do.
+std::string for_people(const std::string& error) {
+    const bool is_full = error.find("disk is full") != std::string::npos;
+    return is_full ? "the disk is full. Free some space, or give a folder on another disk." : error + ".";
+}
+
 const Table& find_table(const std::vector<Table>& tables, std::string_view name) {
     return *std::find_if(tables.begin(), tables.end(), [&](const Table& table) { return table.name == name; });
 }
@@ -96,6 +102,7 @@ struct Recorder::Impl {
     std::atomic<bool> is_stopping{false};
     std::atomic<bool> is_failed{false};
     bool is_closed = false;
+    std::string error;  ///< the first, once closed
 
     void create(const SessionHeader& header);
     void start();
@@ -181,14 +188,15 @@ void Recorder::Impl::write_tick(const TickRow& row) {
 
 /// One transaction with up to 250 rows of each kind. After a disk error it only empties the queues: the loop runs on.
 bool Recorder::Impl::write_batch() {
+    std::uint64_t tick_count = 0, cut_count = 0, event_count = 0;
     begin.run();
-    for (std::size_t i = 0; i < batch_rows; ++i) {
+    for (std::size_t i = 0; i < batch_rows; ++i, ++tick_count) {
         const TickRow* row = ticks.front();
         if (row == nullptr) break;
         write_tick(*row);
         ticks.pop();
     }
-    for (std::size_t i = 0; i < batch_rows; ++i) {
+    for (std::size_t i = 0; i < batch_rows; ++i, ++cut_count) {
         const CutRow* cut = cuts.front();
         if (cut == nullptr) break;
         insert_cut << integer(cut->sequence) << integer(cut->tick) << std::int64_t{cut->body} << std::int64_t{cut->solid}
@@ -196,7 +204,7 @@ bool Recorder::Impl::write_batch() {
         insert_cut.run();
         cuts.pop();
     }
-    for (std::size_t i = 0; i < batch_rows; ++i) {
+    for (std::size_t i = 0; i < batch_rows; ++i, ++event_count) {
         const EventSlot* event = events.front();
         if (event == nullptr) break;
         insert_event << integer(event->tick) << event->time << std::string_view(event->id) << std::string_view(event->detail);
@@ -204,7 +212,11 @@ bool Recorder::Impl::write_batch() {
         events.pop();
     }
     commit.run();
-    return database.is_good();
+    if (database.is_good()) return true;
+    lost_ticks += tick_count;
+    lost_cuts += cut_count;
+    lost_events += event_count;
+    return false;
 }
 
 void Recorder::Impl::write_until_stopped() {
@@ -276,14 +288,19 @@ void Recorder::Impl::write_results(const RunSummary& summary) {
 
 /// Says how the session ended, folds the -wal in and closes.
 void Recorder::Impl::close(const char* state) {
+    for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event}) statement->finalize();
+    // A transaction that did not fit may leave room for these few bytes.
+    if (!database.is_good()) {
+        error = database.recover();
+        state = "incomplete";
+    }
     SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
     set("session", "lost_ticks", std::to_string(lost_ticks.load()));
     set("session", "lost_events", std::to_string(lost_events.load()));
     set("session", "lost_cuts", std::to_string(lost_cuts.load()));
-
-    for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event}) statement->finalize();
     database.run("PRAGMA wal_checkpoint(TRUNCATE)");
     database.run("PRAGMA journal_mode=DELETE");
+    if (error.empty()) error = database.error();
     database.close();
     is_closed = true;
 }
@@ -307,7 +324,7 @@ Recorder::Created Recorder::create(const std::string& path, const SessionHeader&
     auto impl = std::make_unique<Impl>();
     impl->path = path;
     if (impl->database.open(path)) impl->create(header);
-    if (!impl->database.is_good()) return {nullptr, path + " could not be made: " + impl->database.error()};
+    if (!impl->database.is_good()) return {nullptr, path + " could not be made: " + for_people(impl->database.error())};
     impl->start();
     return {std::unique_ptr<Recorder>(new Recorder(std::move(impl))), {}};
 }
@@ -351,8 +368,7 @@ std::string Recorder::finish(const RunSummary& summary) {
     impl_->write_results(summary);
     impl_->database.run("COMMIT");
     impl_->close(losses().any() ? "incomplete" : "finished");
-    const std::string& error = impl_->database.error();
-    return error.empty() ? std::string() : impl_->path + " is incomplete: " + error;
+    return impl_->error.empty() ? std::string() : impl_->path + " is incomplete: " + for_people(impl_->error);
 }
 
 }  // namespace kerf

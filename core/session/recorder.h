@@ -23,7 +23,7 @@ struct SessionEnvelope {
     std::string learner, cohort;   ///< codes the teacher gave
     std::string mode = "practice"; ///< practice | exam | demo
     std::string station;
-    std::string start;             ///< ISO 8601; may be empty
+    std::string start;             ///< UTC, ISO 8601; may be empty
     std::string consent;
 };
 
@@ -56,7 +56,8 @@ struct RecorderLosses {
 ///
 /// The loop pushes rows into queues of 8 s; a thread of the recorder takes them out and commits at least every
 /// 100 ms, so `kill -9` loses at most 0.25 s and the file still opens. While it is open the file has a -wal beside
-/// it; `finish` (or the destructor, as "incomplete") folds that in. Disk errors are kept and told by `finish`.
+/// it; `finish` (or the destructor, as "incomplete") folds that in. Disk errors are kept and told by `finish`; what a
+/// full disk did not take counts as lost, and the session says that it is incomplete if there is room for that word.
 class Recorder {
 public:
     struct Created;

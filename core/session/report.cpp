@@ -54,6 +54,21 @@ std::string header_html(const RunSummary& summary) {
     return html + "</ul>\n";
 }
 
+/// 1/128 says more than 0.00782.
+std::string force_scale_text(double scale) {
+    const bool is_reduced = scale > 0.0 && scale < 0.5;
+    return is_reduced ? "1/" + sensible_number(1.0 / scale) : sensible_number(scale);
+}
+
+/// The colours of the tissues, and what they stand for here.
+std::string legend_html(const RunSummary& summary, const char* title) {
+    if (summary.tissues.empty()) return {};
+    std::string html = std::string("<div class=\"legend\"><span>") + title + ":</span>";
+    for (std::size_t i = 0; i < summary.tissues.size(); ++i)
+        html += "<span><i style=\"background:" + std::string(tissue_colour(i)) + "\"></i>" + html_escaped(summary.tissues[i]) + "</span>";
+    return html + "</div>";
+}
+
 std::string facts_html(const RunSummary& summary) {
     std::string html = "<section><h2>The run</h2><dl class=\"facts\">";
     const auto add = [&](const char* name, const std::string& safe_value) {
@@ -65,7 +80,7 @@ std::string facts_html(const RunSummary& summary) {
         add(("of it " + html_escaped(tissue)).c_str(), sensible_number(volume * 1e9) + " mm³");
     add("Hand", html_escaped(summary.hand));
     add("Device", html_escaped(summary.device));
-    add("Force scale", sensible_number(summary.force_scale) + " device newton per bone newton");
+    add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
     if (summary.coupling_stiffness > 0.0)
         add("Coupling", sensible_number(summary.coupling_stiffness * 1e-3) + " N/mm at the device");
     add("Ticks", std::to_string(summary.ticks) + ", " + std::to_string(summary.late_ticks) + " late");
@@ -124,17 +139,15 @@ std::string plots_html(const RunSummary& summary, const std::vector<TickRow>& ro
             "<figcaption class=\"soft small\">Scripts are off: the other plots and the bone in 3D are not shown.</figcaption></figure></noscript>";
     html += "<div class=\"script\"><p class=\"soft small hint\">Drag to zoom, double-click to see everything again.</p>"
             "<div class=\"readout\" id=\"readout\" aria-live=\"off\"></div>"
-            "<canvas class=\"plot tall\" id=\"plot-depth\" role=\"img\" aria-label=\"Thrust over depth\"></canvas>"
-            "<h3>Over time</h3>";
+            "<canvas class=\"plot tall\" id=\"plot-depth\" role=\"img\" aria-label=\"Thrust over depth\"></canvas>";
+    html += legend_html(summary, "Tissue first met at each depth");
+    html += "<h3>Over time</h3>";
     constexpr std::array<const char*, 4> names{"Thrust over time", "Torque over time", "Lateral force over time", "Depth over time"};
     for (std::size_t i = 0; i < names.size(); ++i)
         html += std::string("<canvas class=\"plot") + (i == 0 ? " named" : "") + "\" id=\"plot-" + std::to_string(i + 1) + "\" role=\"img\" aria-label=\"" + names[i] + "\"></canvas>";
     html += "<canvas class=\"plot strip\" id=\"plot-strip\" role=\"img\" aria-label=\"Tissue under the tip over time\"></canvas>";
 
-    html += "<div class=\"legend\"><span>Tissue under the tip:</span>";
-    for (std::size_t i = 0; i < summary.tissues.size(); ++i)
-        html += "<span><i style=\"background:" + std::string(tissue_colour(i)) + "\"></i>" + html_escaped(summary.tissues[i]) + "</span>";
-    html += "</div>";
+    html += legend_html(summary, "Tissue under the tip");
 
     if (!summary.signals.empty()) {
         html += "<h3><label>Signal of the force model <select id=\"signal\">";

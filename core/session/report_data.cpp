@@ -57,7 +57,7 @@ Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<Ti
 }
 
 bool is_bad_news(const std::string& event_id) {
-    return std::ranges::any_of(std::array{"limit", "fault", "breach", "quarantine"},
+    return std::ranges::any_of(std::array{"limit", "fault", "breach", "quarantine", "zone_entered"},
                                [&](const char* word) { return event_id.find(word) != std::string::npos; });
 }
 

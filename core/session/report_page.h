@@ -237,12 +237,12 @@ class Plot {
       g.setLineDash(event.isBad ? [] : [3, 3]);
       g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, this.height - margin.bottom); g.stroke();
       g.setLineDash([]);
-      const width = g.measureText(event.id).width;
+      const name = event.id.replaceAll("_", " "), width = g.measureText(name).width;
       if (!this.namesEvents || px < freeFrom) continue;
       const isTight = px + width + 4 > this.width - margin.right;
       if (isTight && px - width - 4 < freeFrom) continue;
       g.textAlign = isTight ? "right" : "left"; g.textBaseline = "bottom";
-      g.fillText(event.id, px, this.top - 3);
+      g.fillText(name, px, this.top - 3);
       freeFrom = px + width + 12;
     }
   }
@@ -303,7 +303,7 @@ function drawReadout() {
     add("lateral", sensible(rows.lateral[i]) + " N");
     add("tissue", rows.tissue[i] < 0 ? "none" : (data.tissues[rows.tissue[i]] || { name: "?" }).name);
     const [a, b] = timeAxis.view, near = data.events.find(e => Math.abs(e.time - rows.time[i]) < (b - a) * 0.006);
-    if (near) add("event", near.id + (near.detail ? ": " + near.detail : ""));
+    if (near) add("event", near.id.replaceAll("_", " ") + (near.detail ? ": " + near.detail : ""));
   }
   byId("readout").replaceChildren(...parts.flatMap(([name, text]) => {
     const value = document.createElement("b");
@@ -320,7 +320,7 @@ const timeAxis = new Axis(count ? rows.time[0] : 0, count ? rows.time[count - 1]
 if (count) {
   const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
   const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
-  const time = { x: rows.time, xUnit: "s", isTime: true };
+  const time = { x: rows.time, xUnit: "time in s", isTime: true };
   new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xUnit: "depth in mm", label: "thrust in N" });
   new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, label: "thrust in N", namesEvents: true });
   new Plot("plot-2", timeAxis, { ...time, y: rows.torque, label: "torque about the shaft in N·mm" });
@@ -400,7 +400,15 @@ function showBone() {
   gl.uniform1f(uniform("unit"), mesh.unit);
 
   const half = mesh.halfSize, radius = Math.hypot(...half);
-  const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius / Math.sin(0.24) };
+  const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius };
+  {  // near enough to fill the picture: every corner of the box around the bone lies within it
+    const back = towards(start), right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
+    const tall = 0.92 * Math.tan(0.26), wide = tall * canvas.clientWidth / Math.max(1, canvas.clientHeight);
+    for (let i = 0; i < 8; ++i) {
+      const corner = half.map((h, axis) => (i >> axis) & 1 ? h : -h);
+      start.distance = Math.max(start.distance, dot(corner, back) + Math.abs(dot(corner, right)) / wide, dot(corner, back) + Math.abs(dot(corner, up)) / tall);
+    }
+  }
   let view = { ...start, shift: [0, 0] };
   const toFirstEye = towards(start);  // the half nearer to the first view goes, so that one sees into the rest
   const axisChoice = byId("cut-axis"), slider = byId("cut-at"), flip = byId("cut-flip");

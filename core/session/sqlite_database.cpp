@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <utility>
+
 namespace kerf {
 
 bool SqliteDatabase::check(int code) {
@@ -21,6 +23,14 @@ bool SqliteDatabase::open(const std::string& path) {
 void SqliteDatabase::close() noexcept {
     sqlite3_close(handle_);
     handle_ = nullptr;
+}
+
+std::string SqliteDatabase::recover() {
+    std::string error = std::move(error_);
+    error_.clear();
+    if (handle_ != nullptr && sqlite3_get_autocommit(handle_) == 0) run("ROLLBACK");
+    error_.clear();  // a transaction that the error has ended already cannot be undone again
+    return error;
 }
 
 bool SqliteDatabase::run(const std::string& sql) {
@@ -64,7 +74,7 @@ SqliteStatement& SqliteStatement::null() {
 }
 
 bool SqliteStatement::run() {
-    if (statement_ == nullptr) return false;
+    if (statement_ == nullptr || !database_->is_good()) return false;  // a row after a lost one would leave a gap
     const int step_code = sqlite3_step(statement_);
     const bool is_done = database_->check(step_code);
     sqlite3_reset(statement_);

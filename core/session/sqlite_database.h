@@ -23,6 +23,9 @@ public:
     void close() noexcept;
     bool run(const std::string& sql);
 
+    /// Undoes an open transaction and forgets the error, for one more try. Returns what the error was.
+    std::string recover();
+
     [[nodiscard]] bool is_good() const noexcept { return handle_ != nullptr && error_.empty(); }
     [[nodiscard]] const std::string& error() const noexcept { return error_; }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/write_file.h"
 
-#include <array>
-#include <bit>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -29,7 +32,28 @@ bool is_session(const fs::path& file) {
     return id == static_cast<std::uint32_t>(session_application_id);
 }
 
+std::string reason(int error) {
+    return error == ENOSPC || error == EDQUOT ? "the disk is full. Free some space, or give a folder on another disk" : std::strerror(error);
+}
+
 }  // namespace
+
+OutputLock::~OutputLock() {
+    if (folder_ >= 0) close(folder_);
+}
+
+std::string OutputLock::take(const std::string& folder) {
+    const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return folder + " could not be opened: " + std::strerror(errno) + ".";
+    const bool is_taken = flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (is_taken) {
+        close(opened);
+        return folder + " is being written by another run. Wait until that has ended, or give another folder.";
+    }
+    if (folder_ >= 0) close(folder_);
+    folder_ = opened;
+    return {};
+}
 
 std::string write_file(const std::string& path, std::string_view contents) {
     const fs::path target(path);
@@ -38,15 +62,15 @@ std::string write_file(const std::string& path, std::string_view contents) {
     const auto failed = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        return path + " could not be written: " + why;
+        return path + " could not be written: " + why + ".";
     };
 
     errno = 0;
     std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (file == nullptr) return failed(std::strerror(errno));
+    if (file == nullptr) return failed(reason(errno));
     const bool is_whole = std::fwrite(contents.data(), 1, contents.size(), file) == contents.size();
     const int write_error = errno;
-    if (std::fclose(file) != 0 || !is_whole) return failed(std::strerror(is_whole ? errno : write_error));
+    if (std::fclose(file) != 0 || !is_whole) return failed(reason(is_whole ? errno : write_error));
 
     std::error_code error;
     fs::rename(temporary, target, error);
@@ -57,7 +81,7 @@ std::string write_file(const std::string& path, std::span<const unsigned char> c
     return write_file(path, std::string_view(reinterpret_cast<const char*>(contents.data()), contents.size()));
 }
 
-std::string prepare_output(const std::string& folder) {
+std::string prepare_output(const std::string& folder, OutputLock& lock) {
     std::error_code error;
     const fs::path path(folder);
     const fs::file_status status = fs::status(path, error);
@@ -65,10 +89,12 @@ std::string prepare_output(const std::string& folder) {
     if (!fs::exists(status)) {
         error.clear();
         fs::create_directories(path, error);
-        return error ? folder + " could not be made: " + error.message() : std::string();
+        return error ? folder + " could not be made: " + error.message() + "." : lock.take(folder);
     }
     if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
 
+    // Before anything is looked at: another run would change it.
+    if (std::string taken = lock.take(folder); !taken.empty()) return taken;
     const bool is_empty = fs::is_empty(path, error);
     if (error) return folder + " could not be read: " + error.message();
     if (is_empty) return {};
@@ -76,7 +102,8 @@ std::string prepare_output(const std::string& folder) {
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
 
     // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
-    constexpr std::string_view ours[] = {"session.db", "session.db-wal", "session.db-shm", "summary.json", "report.html", "bone.stl"};
+    constexpr std::string_view ours[] = {"session.db",   "session.db-wal",    "session.db-shm", "session.db-journal", "summary.json",
+                                         "report.html",  "bone.stl",          "summary.json.part", "report.html.part", "bone.stl.part"};
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shipped procedure, run whole.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
@@ -24,26 +20,16 @@ const Scene& pedicle() {
     return scene;
 }
 
-/// A folder of this process, gone when it ends.
-std::string temporary() {
-    struct Folder {
-        std::string path = testing::TempDir() + "kerf-test-" + std::to_string(getpid()) + "/";
-        Folder() { std::filesystem::create_directories(path); }
-        ~Folder() {
-            std::error_code error;
-            std::filesystem::remove_all(path, error);
-        }
-    };
-    static const Folder folder;
-    return folder.path;
+RunRequest following(const std::string& rehearsal) {
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return request;
 }
 
 const RunOutcome& outcome_of(const std::string& rehearsal) {
     static std::map<std::string, RunOutcome> outcomes;
     if (!outcomes.contains(rehearsal)) {
-        RunRequest request;
-        request.rehearsal = rehearsal;
-        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), request));
+        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), following(rehearsal)));
     }
     return outcomes.at(rehearsal);
 }
@@ -72,9 +58,7 @@ TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
-    RunRequest request;
-    request.rehearsal = "expert";
-    const RunOutcome again = run_procedure(pedicle(), test::plugins(), request);
+    const RunOutcome again = run_procedure(pedicle(), test::plugins(), following("expert"));
     EXPECT_EQ(again.summary.hash, outcome_of("expert").summary.hash);
     EXPECT_NE(again.summary.hash, outcome_of("medial-breach").summary.hash);
 }
@@ -118,7 +102,7 @@ protected:
 TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "expert", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    const RunOutcome run = run_procedure(*made, test::plugins(), following("expert"));
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_GT(metric(run.summary, "pilot-hole.axis-in-bone"), 0.95);
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
@@ -127,52 +111,12 @@ TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
 TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), RunRequest{.rehearsal = "medial-breach", .out = {}, .learner = {}, .replay = {}, .progress = {}});
+    const RunOutcome run = run_procedure(*made, test::plugins(), following("medial-breach"));
     EXPECT_TRUE(run.is_as_expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
                          [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
-
-TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
-    const std::string folder = temporary() + "kerf-run";
-    const std::string command = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --out " + folder +
-                                " > " + temporary() + "kerf-run.txt 2>&1";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
-        std::ifstream file(folder + "/" + name, std::ios::binary);
-        ASSERT_TRUE(file) << name;
-        std::stringstream bytes;
-        bytes << file.rdbuf();
-        EXPECT_GT(bytes.str().size(), 500u) << name;
-        EXPECT_EQ(bytes.str().find(KERF_SOURCE_DIR), std::string::npos) << name;
-        EXPECT_EQ(bytes.str().find(folder), std::string::npos) << name;
-        EXPECT_NE(bytes.str().find("not for diagnosis"), std::string::npos) << name;
-    }
-    EXPECT_FALSE(std::filesystem::exists(folder + "/session.db-wal"));
-}
-
-TEST(Program, AReplayEndsInTheSameBits) {
-    const std::string folder = temporary() + "kerf-record", again = temporary() + "kerf-replay";
-    const std::string run = KERF_BUILD_DIR "/bin/kerf run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml ";
-    ASSERT_EQ(std::system((run + "--out " + folder + " > /dev/null").c_str()), 0);
-    const std::string log = temporary() + "kerf-replay.txt";
-    ASSERT_EQ(std::system((run + "--replay " + folder + "/session.db --out " + again + " > " + log).c_str()), 0);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    EXPECT_NE(text.str().find("replay: the same bits"), std::string::npos) << text.str();
-}
-
-TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
-    const std::string folder = temporary() + "kerf-bad";
-    for (const std::string what : {"run /nowhere.yaml", "run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml",
-                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --hand nobody",
-                                   "run " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml --replay " KERF_SOURCE_DIR "/README.md", "fly", "run"}) {
-        const std::string command = KERF_BUILD_DIR "/bin/kerf " + what + " --out " + folder + " > /dev/null 2>&1";
-        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << what;
-        EXPECT_FALSE(std::filesystem::exists(folder)) << what;
-    }
-}
 
 }  // namespace
 }  // namespace kerf

@@ -12,7 +12,7 @@
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
-#include "tests/core/session/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {

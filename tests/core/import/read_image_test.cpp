@@ -13,7 +13,7 @@
 
 #include "core/import/image_file.h"
 #include "kerf/units.hpp"
-#include "tests/core/session/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {

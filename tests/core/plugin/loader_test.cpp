@@ -3,7 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -36,13 +43,42 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("components"), std::string::npos);
 }
 
-TEST(Loader, RefusesWhatIsNoPlugin) {
-    EXPECT_NE(load_plugin("/nowhere/libsaw.so").refusal, "");
-    EXPECT_EQ(load_plugin("/nowhere/libsaw.so").plugin, nullptr);
+std::string bad(const std::string& how) { return KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_" + how + ".so"; }
 
-    const std::string text = testing::TempDir() + "notes.so";
-    std::ofstream(text) << "not a library";
-    EXPECT_NE(load_plugin(text).refusal.find("cannot be loaded"), std::string::npos);
+TEST(Loader, RefusesWhatIsNoPluginAndNamesItOnce) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "notes.so") << "not a library";
+    std::ofstream(folder / "empty.so");
+    std::ofstream(folder / "cut.so") << "\x7f" "ELF and no more";
+    std::filesystem::create_directory(folder / "folder.so");
+    ASSERT_EQ(mkfifo((folder / "pipe.so").c_str(), 0600), 0);
+
+    for (const auto& [path, says] : {std::pair<std::string, std::string>{folder / "missing.so", "there is no such file"},
+                                     {folder / "notes.so", "is not a shared library, so it is no Kerf plugin"},
+                                     {folder / "empty.so", "is not a shared library, so it is no Kerf plugin"},
+                                     {folder / "cut.so", "cannot be loaded: "},
+                                     {folder / "folder.so", "so it is no Kerf plugin"},
+                                     {folder / "pipe.so", "so it is no Kerf plugin"},
+                                     {bad("says_nothing"), "exports no `kerf_plugin_entry`, so it is no Kerf plugin"}}) {
+        const PluginLoad load = load_plugin(path);
+        EXPECT_EQ(load.plugin, nullptr);
+        EXPECT_NE(load.refusal.find(says), std::string::npos) << load.refusal;
+        EXPECT_NE(load.refusal.find(path), std::string::npos) << load.refusal;
+        EXPECT_EQ(load.refusal.find(path), load.refusal.rfind(path)) << load.refusal;
+    }
+}
+
+TEST(LoaderDeath, APluginThatEndsTheProcessIsNamedFirst) {
+    const auto ends_with_three = testing::ExitedWithCode(3);
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("aborts"))), ends_with_three, "while loading the plugin .*plugin_that_aborts.so: it aborted");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("crashes"))), ends_with_three, "while loading the plugin .*plugin_that_crashes.so: it crashed");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("exits"))), ends_with_three, "while loading the plugin .*plugin_that_exits.so: it ended the program");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("throws"))), ends_with_three, "while loading the plugin .*plugin_that_throws.so: it aborted");
+}
+
+TEST(LoaderDeath, OnceItIsLoadedNobodyIsAccused) {
+    EXPECT_EXIT((static_cast<void>(load_plugin(drilling)), std::abort()), testing::KilledBySignal(SIGABRT), "^$");
+    EXPECT_EXIT((static_cast<void>(load_plugin(drilling)), std::exit(7)), testing::ExitedWithCode(7), "^$");
 }
 
 TEST(Registry, DescribesEveryParameterWithItsSource) {

@@ -72,6 +72,71 @@ TEST(Document, RefusesATagOnAValue) { expect_refused(Code::tag, "a: «!»!str 1\
 TEST(Document, RefusesATagOnAList) { expect_refused(Code::tag, "a: «!»set [1]\n"); }
 TEST(Document, RefusesASecondDocument) { expect_refused(Code::several_documents, "a: 1\n«-»--\nb: 1\n"); }
 TEST(Document, RefusesAListAsAKey) { expect_refused(Code::key_not_text, "«[»a]: 1\nb: 2\n"); }
+/// The one error of a text that is not YAML.
+std::string said_of(const std::string& text) {
+    Diagnostics diagnostics;
+    parse_document("file.yaml", text, diagnostics);
+    EXPECT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    return diagnostics.empty() ? "" : diagnostics[0].message;
+}
+
+TEST(Document, ADecimalCommaInAMapIsOneErrorWithThePointToWrite) {
+    expect_refused(Code::not_a_number, "a: {b: «3,2 mm», c: 1}\n");
+    expect_refused(Code::not_a_number, "a: {b: «-5,5 mm»}\n");
+    Diagnostics diagnostics;
+    parse_document("file.yaml", "a: {b: 3,2 mm}\n", diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].write, "3.2 mm");
+}
+
+TEST(Document, ACommaBetweenEntriesIsNoDecimalComma) {
+    Diagnostics diagnostics;
+    const auto document = parse_document("file.yaml", "{a: 3, 2b: 1, c: [1,2]}\n", diagnostics);
+    ASSERT_TRUE(document) << to_text(diagnostics);
+    EXPECT_EQ(document->root.children.size(), 3u);
+}
+
+TEST(Document, WhatTheFileEndsInTheMiddleOfIsPointedAt) {
+    for (const char* text : {"a: 1\nb: «{»c: 1", "a: [1]\nb: «[»1, 2", "a: 1\nb: «\"»x", "a: 1\nb: «'»it''s", "a: 1\nb: {c: «{»d:"}) {
+        expect_refused(Code::syntax, text);
+        const std::string said = said_of(MarkedText(text).text);
+        EXPECT_NE(said.find("The file ends in the middle of"), std::string::npos) << said;
+    }
+}
+
+TEST(Document, WhatIsNeverClosedIsPointedAtWithWhatToPut) {
+    for (const auto& [text, closer] : {std::pair{"a: «{»b: 1\nc: 2\n", "`}`"}, {"a: «[»b, c\nd: {e: 1}\n", "`]`"}, {"a: «\"»b\nc: 2\n", "`\"`"}}) {
+        expect_refused(Code::syntax, text);
+        const std::string said = said_of(MarkedText(text).text);
+        EXPECT_NE(said.find("is never closed. Put " + std::string(closer)), std::string::npos) << said;
+    }
+}
+
+TEST(Document, QuotesAndBracketsWithinATextOpenNothing) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(parse_document("file.yaml", "a: it's 5\" long [or so\nb: >-\n  \"folded {\n  [text\nc: \"two\n  lines\"\n# [ {\nd: '# no comment'\n", diagnostics));
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+}
+
+TEST(Report, WhatIsMissingFromAFileWithoutALineEndMayBeCutOffAndThatIsSaidOnce) {
+    for (const auto& [text, is_cut] : {std::pair{"a: 1\nb: 2", true}, {"a: 1\nb: 2\n", false}}) {
+        const Document document("file.yaml", text);
+        Diagnostics diagnostics;
+        Report report(document, diagnostics);
+        report.error(Code::missing_key, {0, 1}, "It needs `c:`.");
+        report.error(Code::missing_key, {0, 1}, "It needs `d:`.");
+        EXPECT_EQ(diagnostics[0].message, is_cut ? "It needs `c:`. The file ends in the middle of line 2: is it cut off?" : "It needs `c:`.");
+        EXPECT_EQ(diagnostics[1].message, "It needs `d:`.");
+    }
+}
+
+TEST(Document, SyntaxErrorsAreSaidInWords) {
+    EXPECT_NE(said_of("a:\n\tb: 1\n").find("Indent with spaces"), std::string::npos) << said_of("a:\n\tb: 1\n");
+    EXPECT_NE(said_of("a: b: c\n").find("needs quotation marks"), std::string::npos);
+    EXPECT_NE(said_of("a:\n    b: 1\n  c: 2\n").find("indented like none above it"), std::string::npos) << said_of("a:\n    b: 1\n  c: 2\n");
+    EXPECT_NE(said_of("a: [@b]\n").find("quotation marks"), std::string::npos);
+}
+
 TEST(Document, RefusesWhatIsNotYaml) { expect_refused(Code::syntax, "a: 1\nb: 2«:» 3\n"); }
 TEST(Document, RefusesBytesThatAreNotUtf8) { expect_refused(Code::not_text, "a: b\nc: «\xFF»\n"); }
 TEST(Document, RefusesControlCharacters) { expect_refused(Code::not_text, "a: b\nc: x«\x04»\n"); }

@@ -29,6 +29,12 @@ QuantityProblem problem(std::string_view text, const QuantityNeed& wanted) {
     return parsed.problem;
 }
 
+QuantityProblem problem_of_vector(std::string_view text) {
+    const Parsed<Vec3> parsed = parse_vector(text, "at", any_length);
+    EXPECT_FALSE(parsed.value) << text;
+    return parsed.problem;
+}
+
 TEST(Quantity, IsTheSameNumberAsTheLiteral) {
     EXPECT_EQ(value("3.2 mm", any_length), 3.2_mm);
     EXPECT_EQ(value("-5 mm", any_length), -(5.0_mm));
@@ -88,6 +94,13 @@ TEST(Quantity, ADecimalCommaIsRefusedWithThePointToWrite) {
     EXPECT_EQ(refused.write, "3.2 mm");
 }
 
+TEST(Quantity, ACommaBeforeThreeDigitsMayMeanThousandsSoBothAreSaid) {
+    const QuantityProblem refused = problem("1,000 mm", any_length);
+    EXPECT_EQ(refused.code, Code::not_a_number);
+    EXPECT_EQ(refused.message, "it is `1,000 mm`, but a number has a decimal point, not a comma. Write `1000 mm` for thousands, or `1.000 mm`.");
+    EXPECT_EQ(refused.write, "");
+}
+
 struct DecimalComma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
 };
@@ -105,6 +118,20 @@ TEST(Quantity, OutOfRangeNamesTheRangeAndTheSlippedPoint) {
     EXPECT_EQ(parsed.problem.code, Code::out_of_range);
     EXPECT_EQ(parsed.problem.message, "drill.diameter is 65 mm, must be 0.5 mm … 20 mm.");
     EXPECT_EQ(parsed.problem.write, "6.5 mm");
+}
+
+TEST(Quantity, OutOfRangeIsAnsweredInTheUnitItWasWrittenInWithAValueThatWouldBeRead) {
+    const QuantityNeed diameter{dimension::length, "mm", 0.5_mm, 20.0_mm};
+    EXPECT_EQ(problem("-3.2 mm", diameter).write, "3.2 mm");
+    EXPECT_EQ(problem("-3200 um", diameter).message, "it is -3200 um, must be 500 um … 20000 um.");
+    EXPECT_EQ(problem("-3200 um", diameter).write, "3200 um");
+
+    const QuantityNeed angle{dimension::angle, "deg", 60.0_deg, 160.0_deg};
+    for (const auto& [text, need] : {std::pair{"-3.2 mm", diameter}, {"0 mm", diameter}, {"-1 m", diameter}, {"7 cm", diameter}, {"1e9 um", diameter},
+                                     {"0.4 rad", angle}, {"-7 rad", angle}, {"3 rad", angle}, {"1 deg", angle}}) {
+        const std::string write = problem(text, need).write;
+        EXPECT_TRUE(parse_quantity(write, "it", need).value) << text << " → " << write;
+    }
 }
 
 TEST(Quantity, AtTheEndOfItsRangeIsAllowedInEveryUnit) {
@@ -129,6 +156,12 @@ TEST(Vector, WithTooFewOrTooManyNumbersIsRefused) {
     for (const char* text : {"1 2 mm", "1 2 3 4 mm", "1, 2, 3 mm", "", "mm"})
         EXPECT_EQ(parse_vector(text, "at", any_length).problem.code, Code::not_three_numbers) << text;
     EXPECT_EQ(parse_vector("1 2 3", "at", any_length).problem.code, Code::missing_unit);
+}
+
+TEST(Vector, WithCommasIsAnsweredWithoutThem) {
+    EXPECT_EQ(problem_of_vector("1, 2, 3 mm").write, "1 2 3 mm");
+    EXPECT_EQ(problem_of_vector("0,5 0 -0,5 mm").write, "0.5 0 -0.5 mm");
+    EXPECT_EQ(problem_of_vector("left of the canal").write, "0 0 0 mm");
 }
 
 TEST(QuantityText, IsShort) {

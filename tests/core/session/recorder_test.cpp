@@ -3,19 +3,23 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sched.h>
 #include <sqlite3.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <thread>
 
 #include "core/session/content_hash.h"
 #include "synthetic_run.h"
-#include "temporary_folder.h"
 #include "tests/support/loop_guard.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -218,6 +222,58 @@ TEST(Recorder, WritesNeitherThePathNorTheUserNorTheHost) {
         const bool is_telling = name.size() > 3;  // shorter ones stand in any file by chance
         EXPECT_FALSE(is_telling && bytes.find(name) != std::string::npos) << name;
     }
+}
+
+/// Records in a child process that `prepare` has put under a limit, until the file takes no more. The answer of `finish`.
+std::string recorded_until_full(const std::string& path, const std::function<bool()>& prepare) {
+    int ends[2];
+    if (pipe(ends) != 0) return "no pipe";
+    const pid_t child = fork();
+    if (child == 0) {
+        if (!prepare()) _exit(1);
+        auto recorder = new_recorder(path);
+        bool has_room = recorder != nullptr;
+        for (std::uint64_t tick = 0; has_room && tick < 60'000; ++tick) {
+            recorder->push(numbered_tick(tick));
+            has_room = recorder->wait_for_room();
+        }
+        const std::string error = recorder == nullptr ? "no recorder" : recorder->finish(test::synthetic_summary());
+        // What a later look at the file finds, while the limit and the mount still are there
+        const std::string answer = error + "|" + ask(path, "SELECT value FROM session WHERE key='state'") + "|" + ask(path, "PRAGMA integrity_check") +
+                                   "|" + ask(path, "SELECT count(*) > 0 AND count(*) = max(tick) + 1 FROM ticks");
+        _exit(write(ends[1], answer.data(), answer.size()) < 0);
+    }
+    close(ends[1]);
+    std::string answer;
+    char some[512];
+    for (ssize_t count = 0; (count = read(ends[0], some, sizeof some)) > 0;) answer.append(some, static_cast<std::size_t>(count));
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return answer;
+}
+
+TEST(Recorder, AFileThatMayNotGrowEndsIncompleteAndWhole) {
+    const TemporaryFolder folder;
+    const std::string answer = recorded_until_full(folder / "session.db", [] {
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{2'000'000, 2'000'000};  // [byte]
+        return setrlimit(RLIMIT_FSIZE, &limit) == 0;
+    });
+    EXPECT_NE(answer.find("session.db is incomplete: "), std::string::npos) << answer;
+    EXPECT_TRUE(answer.ends_with("|incomplete|ok|1")) << answer;
+}
+
+TEST(Recorder, AFullDiskIsSaidAndTheSessionIsIncompleteAndWhole) {
+    const TemporaryFolder folder;
+    const std::string answer = recorded_until_full(folder / "session.db", [&] {
+        // A disk of our own, seen by nobody else and gone with the process
+        if (unshare(CLONE_NEWNS) != 0 && unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
+        mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
+        return mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=3m") == 0;
+    });
+    if (answer.empty()) GTEST_SKIP() << "no disk of our own can be mounted here";
+    EXPECT_TRUE(answer.starts_with((folder / "session.db") + " is incomplete: the disk is full. Free some space")) << answer;
+    EXPECT_TRUE(answer.ends_with("|incomplete|ok|1")) << answer;
 }
 
 /// In a child process: pushes at 1 kHz, tells the parent after each push, until it is killed.

@@ -127,6 +127,24 @@ TEST(Report, TheDataInItIsJsonWithAllRows) {
     EXPECT_FALSE(holds(json, "<"));
 }
 
+TEST(Report, AZoneThatWasEnteredIsBadNewsAndBoneThatWasEnteredIsNot) {
+    const std::vector<EventRow> events{{1, 0.0, "entered_bone", "pilot-hole"}, {2, 0.0, "zone_entered", "canal"}};
+    const auto data = nlohmann::json::parse(report_data_json({}, {}, events, {}));
+    EXPECT_EQ(data["events"][0]["isBad"], false);
+    EXPECT_EQ(data["events"][1]["isBad"], true);
+}
+
+TEST(Report, BothPlotsWithColoursSayWhatTheyStandFor) {
+    const std::string html = report_html(test::synthetic_summary(), test::synthetic_ticks(50), {}, {});
+    EXPECT_TRUE(holds(html, "Tissue first met at each depth:"));
+    EXPECT_TRUE(holds(html, "Tissue under the tip:"));
+    EXPECT_EQ(count_of(html, "</i>cortical</span>"), 2u);
+}
+
+TEST(Report, AForceScaleIsAFraction) {
+    EXPECT_TRUE(holds(report_html(test::synthetic_summary(), {}, {}, {}), ">1/20 device newton per bone newton<"));
+}
+
 TEST(Report, ARunOfNothingStillHasAPage) {
     const std::string html = report_html({}, {}, {}, {});
     EXPECT_TRUE(holds(html, "No ticks were recorded."));

@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "core/session/recorder.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -14,6 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 using test::contents_of;
 using test::TemporaryFolder;
+
+/// As a run does it, except that nothing follows.
+std::string prepared(const std::string& folder) {
+    OutputLock lock;
+    return prepare_output(folder, lock);
+}
 
 TEST(WriteFile, ReplacesTheWholeFileAndLeavesNothingElse) {
     const TemporaryFolder folder;
@@ -31,13 +41,13 @@ TEST(WriteFile, SaysWhichFileCouldNotBeWritten) {
 
 TEST(PrepareOutput, MakesAFolderThatIsNotThere) {
     const TemporaryFolder folder;
-    EXPECT_EQ(prepare_output(folder / "new/run"), "");
+    EXPECT_EQ(prepared(folder / "new/run"), "");
     EXPECT_TRUE(fs::is_directory(folder / "new/run"));
 }
 
 TEST(PrepareOutput, TakesAnEmptyFolder) {
     const TemporaryFolder folder;
-    EXPECT_EQ(prepare_output(folder.path()), "");
+    EXPECT_EQ(prepared(folder.path()), "");
 }
 
 TEST(PrepareOutput, EmptiesAFolderThatHoldsASession) {
@@ -45,7 +55,7 @@ TEST(PrepareOutput, EmptiesAFolderThatHoldsASession) {
     Recorder::create(folder / "session.db", {}).recorder.reset();
     ASSERT_EQ(write_file(folder / "report.html", "old"), "");
 
-    EXPECT_EQ(prepare_output(folder.path()), "");
+    EXPECT_EQ(prepared(folder.path()), "");
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
@@ -53,14 +63,14 @@ TEST(PrepareOutput, KnowsASessionThatWasKilledAtOnce) {
     const TemporaryFolder folder, copy;
     const auto created = Recorder::create(folder / "session.db", {});
     fs::copy_file(folder / "session.db", copy / "session.db");  // as the disk has it while the recorder still runs
-    EXPECT_EQ(prepare_output(copy.path()), "");
+    EXPECT_EQ(prepared(copy.path()), "");
 }
 
 TEST(PrepareOutput, LeavesAnotherFolderAlone) {
     const TemporaryFolder folder;
     ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
 
-    EXPECT_NE(prepare_output(folder.path()), "");
+    EXPECT_NE(prepared(folder.path()), "");
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
 }
 
@@ -69,7 +79,7 @@ TEST(PrepareOutput, LeavesSomebodysFilesBesideASessionAlone) {
     Recorder::create(folder / "session.db", {}).recorder.reset();
     ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
 
-    EXPECT_NE(prepare_output(folder.path()).find("thesis.txt"), std::string::npos);
+    EXPECT_NE(prepared(folder.path()).find("thesis.txt"), std::string::npos);
     EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
     EXPECT_TRUE(fs::exists(folder / "session.db"));
 }
@@ -77,14 +87,59 @@ TEST(PrepareOutput, LeavesSomebodysFilesBesideASessionAlone) {
 TEST(PrepareOutput, IsNotFooledByTheNameOfASession) {
     const TemporaryFolder folder;
     ASSERT_EQ(write_file(folder / "session.db", std::string(4096, 'x')), "");
-    EXPECT_NE(prepare_output(folder.path()), "");
+    EXPECT_NE(prepared(folder.path()), "");
     EXPECT_TRUE(fs::exists(folder / "session.db"));
+}
+
+TEST(PrepareOutput, TakesAwayWhatAKilledRunLeftHalfWritten) {
+    const TemporaryFolder folder;
+    Recorder::create(folder / "session.db", {}).recorder.reset();
+    for (const char* name : {"session.db-wal", "session.db-journal", "bone.stl.part"}) ASSERT_EQ(write_file(folder / name, "half"), "");
+    EXPECT_EQ(prepared(folder.path()), "");
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(PrepareOutput, RefusesAFolderThatAnotherRunWrites) {
+    const TemporaryFolder folder;
+    Recorder::create(folder / "session.db", {}).recorder.reset();
+    {
+        OutputLock first, second;
+        ASSERT_EQ(prepare_output(folder / "run", first), "");
+        EXPECT_NE(prepare_output(folder / "run", second).find("is being written by another run"), std::string::npos);
+    }
+    EXPECT_EQ(prepared(folder / "run"), "");
+}
+
+TEST(PrepareOutput, ALockOfAKilledRunBlocksNobody) {
+    // Given a process that holds the folder
+    const TemporaryFolder folder;
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        OutputLock lock;
+        const char is_ours = prepare_output(folder.path(), lock).empty() ? 'y' : 'n';
+        if (write(ends[1], &is_ours, 1) == 1) pause();
+        _exit(1);
+    }
+    char is_ours = 'n';
+    ASSERT_EQ(read(ends[0], &is_ours, 1), 1);
+    ASSERT_EQ(is_ours, 'y');
+    EXPECT_NE(prepared(folder.path()), "");
+
+    // When it is killed, and can clear nothing away
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    for (const int end : ends) close(end);
+
+    EXPECT_EQ(prepared(folder.path()), "");
 }
 
 TEST(PrepareOutput, RefusesAFile) {
     const TemporaryFolder folder;
     ASSERT_EQ(write_file(folder / "run", "text"), "");
-    EXPECT_NE(prepare_output(folder / "run"), "");
+    EXPECT_NE(prepared(folder / "run"), "");
 }
 
 }  // namespace

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "core/procedure/read_map.h"
+#include "core/session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr const char* hint_of_run =
+    "Writes session.db, summary.json, report.html and bone.stl.\n"
+    "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.";
+
+/// One of a few words, with a message that says which.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+    return {[words](std::string& word) {
+                const bool is_known = std::find(words.begin(), words.end(), word) != words.end();
+                return is_known ? std::string() : "is `" + word + "`. Write " + listed(words) + ".";
+            },
+            ""};
+}
+
+CLI::Validator not_empty(const std::string& what) {
+    return {[what](std::string& word) { return word.empty() ? "is empty. Write " + what + "." : std::string(); }, ""};
+}
+
+/// The commands and options, bound to where their values go.
+void describe_to(CLI::App& app, CommandLine& line) {
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.get_formatter()->label("REQUIRED", "");
+    app.set_help_flag("-h,--help", "Say what there is");
+    app.set_version_flag("--version", "kerf " KERF_VERSION)->description("Say which version this is");
+    app.footer(std::string("`kerf COMMAND --help` tells more.\n") + notice_line + ".");
+    app.require_subcommand(1);
+    app.fallthrough();
+
+    const std::string out_help = "a folder, as in `--out out/first`", yaml_help = "the name of a YAML file";
+    const auto add = [&](const std::string& name, const std::string& help) {
+        CLI::App* command = app.add_subcommand(name, help);
+        command->footer(std::string(notice_line) + ".")->group("Commands");
+        return command;
+    };
+    const auto add_option = [&](CLI::App* command, const char* name, std::string& value, const char* type,
+                                const char* help, const CLI::Validator& check) {
+        command->add_option(name, value, help)->type_name(type)->check(check);
+    };
+    const auto add_files = [&](CLI::App* command, const char* help, int most) {
+        CLI::Option* files =
+            command->add_option("PROCEDURE", line.files, help)->type_name("")->required()->check(not_empty(yaml_help));
+        files->expected(1, most);
+    };
+    constexpr int many = 1000;
+
+    CLI::App* run = add("run", "Carry out a procedure, judge it and write what happened");
+    add_files(run, "YAML file of the procedure", 1);
+    add_option(run, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+               not_empty(yaml_help));
+    add_option(run, "--hand", line.hand, "REHEARSAL",
+               "The rehearsal that the simulated hand follows; the first if not given",
+               not_empty("the id of a rehearsal"));
+    add_option(run, "--replay", line.replay, "SESSION", "The hand does what this session.db recorded, to the same bits",
+               not_empty("the name of a session.db"));
+    add_option(run, "--out", line.out, "FOLDER",
+               "Where to write; out/ and the procedure's id if not given. Replaces a run, nothing else",
+               not_empty(out_help));
+    add_option(run, "--learner", line.learner, "CODE", "A code, never a name",
+               not_empty("a code of your own, never a name"));
+    add_option(run, "--mode", line.mode, "MODE", "practice (if not given), exam or demo",
+               one_of({"practice", "exam", "demo"}));
+    run->add_flag("--headless", line.is_headless, "No window, which is how every run is for now");
+    run->footer(std::string(hint_of_run) + "\n" + notice_line + ".");
+
+    CLI::App* validate = add("validate", "Check procedures without running them");
+    add_files(validate, "YAML files of procedures", many);
+    add_option(validate, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedures' own",
+               not_empty(yaml_help));
+    add_option(validate, "--format", line.format, "FORMAT",
+               "text (if not given) for people, json for programs, github for its annotations",
+               one_of({"text", "json", "github"}));
+
+    CLI::App* rehearse = add("rehearse", "Run every rehearsal and see whether it ends as it says");
+    add_files(rehearse, "YAML files of procedures", many);
+    add_option(rehearse, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedures' own",
+               not_empty(yaml_help));
+
+    CLI::App* describe = add("describe", "Tell every parameter, drive and signal of a component");
+    describe->add_option("COMPONENT", line.component, "PLUGIN or PLUGIN/COMPONENT; all of them if not given")
+        ->type_name("")
+        ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
+
+    add("list", "Name the tools and force models that were found");
+}
+
+std::string quoted(const std::string& word) { return "`" + word + "`"; }
+
+/// An argument that nothing expects.
+std::string about_extra(const std::string& word, const CLI::App& app, const CLI::App* command) {
+    const bool is_option = word.size() > 1 && word[0] == '-';
+    std::vector<std::string> known;
+    if (!is_option && command == nullptr) {
+        for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+            known.push_back(sub->get_name());
+        const std::string meant = closest(word, known);
+        return "there is no command " + quoted(word) + ". Write " +
+               (meant.empty() ? listed(known) : quoted("kerf " + meant)) + ".";
+    }
+    if (!is_option) return quoted(word) + " is one argument too many.";
+    for (const CLI::App* level : {command, &app})
+        if (level != nullptr)
+            for (const CLI::Option* option :
+                 level->get_options([](const CLI::Option* o) { return o->nonpositional(); }))
+                if (const std::string name = "--" + option->get_lnames().front();
+                    std::find(known.begin(), known.end(), name) == known.end())
+                    known.push_back(name);
+    const std::string given = word.substr(0, word.find('='));
+    const std::string meant = closest(given, known);
+    return "there is no option " + quoted(given) +
+           (command != nullptr ? " of " + quoted("kerf " + command->get_name()) : "") + ". Write " +
+           (meant.empty() ? listed(known) : quoted(meant)) + ".";
+}
+
+/// An option or argument that came too often, without its value, or with one that it cannot take.
+std::string about_value(const CLI::ParseError& error, const CLI::App* command) {
+    const std::string what = error.what();
+    const std::size_t end = what.find(": ");
+    const std::string name = what.substr(0, end);
+    const CLI::Option* option = command != nullptr ? command->get_option_no_throw(name) : nullptr;
+    if (end == std::string::npos || option == nullptr) return what + ".";
+    const std::vector<std::string>& values = option->results();
+    const bool is_mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr;
+    if (is_mismatch && values.size() > 1 && option->get_positional())
+        return quoted("kerf " + command->get_name()) + " takes one procedure; " + quoted(values[1]) +
+               " is the second. Run them one by one.";
+    if (is_mismatch && values.size() > 1)
+        return quoted(name) + " is given " + std::to_string(values.size()) + " times. Write it once.";
+    if (is_mismatch)
+        return quoted(name) + " needs a value. Write " + quoted(name + " " + option->get_type_name()) + ".";
+    return quoted(name) + " " + what.substr(end + 2);
+}
+
+/// What is wrong, in our words where the library's are not for people.
+std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::App* command) {
+    const std::vector<std::string> extras = app.remaining(true);  // first: it may be why something else is missing
+    if (const auto unknown = std::find_if(extras.begin(), extras.end(), [](const std::string& e) { return e != "--"; });
+        unknown != extras.end())
+        return about_extra(*unknown, app, command);
+    if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return about_value(error, command);
+    return command == nullptr
+               ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
+               : "which procedure? Write " + quoted("kerf " + command->get_name() + " PROCEDURE.yaml") + ".";
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+    CommandLine line;
+    CLI::App app("Kerf simulates bone surgery that can be felt.", "kerf");
+    describe_to(app, line);
+    const auto answer = [](std::string text, int exit_code) {
+        CommandLine only;
+        only.answer = std::move(text);
+        only.exit_code = exit_code;
+        return only;
+    };
+    const auto command = [&]() -> const CLI::App* {
+        const auto given = app.get_subcommands();
+        return given.empty() ? nullptr : given.front();
+    };
+    const auto wrong = [&](const std::string& what) {
+        const std::string help = command() != nullptr ? "kerf " + command()->get_name() + " --help" : "kerf --help";
+        return answer("kerf: " + what + "\n" + quoted(help) + " tells what there is.\n", exit_bad_input);
+    };
+    if (argc <= 1) return answer(app.help(), exit_bad_input);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.front() == "help") words.front() = "--help";
+    std::reverse(words.begin(), words.end());  // as the library takes them
+    try {
+        app.parse(std::move(words));
+    } catch (const CLI::CallForHelp&) {
+        return answer(app.help(), exit_pass);
+    } catch (const CLI::CallForVersion& version) {
+        return answer(std::string(version.what()) + "\n", exit_pass);
+    } catch (const CLI::ParseError& error) {
+        return wrong(about(error, app, command()));
+    }
+    line.command = command()->get_name();
+    return line;
+}
+
+}  // namespace kerf

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// What the user asked for: `kerf COMMAND …`.
+namespace kerf {
+
+/// Exit codes; scripts depend on them.
+enum ExitCode : int {
+    exit_pass = 0,
+    exit_not_passed = 1,  ///< fail, incomplete or invalid; a rehearsal that ended otherwise than it says
+    exit_bad_input = 2,
+    exit_fault = 3,  ///< of the machine or the program, or interrupted
+};
+
+struct CommandLine {
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "list"; empty: `answer` is all
+    std::vector<std::string> files;  ///< procedures; at least one for run, validate and rehearse, exactly one for run
+    std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
+    std::string anatomy;             ///< file; empty: the procedure's own
+    std::string hand, replay, learner;
+    std::string out;                ///< folder; empty: out/ and the procedure's id
+    std::string mode = "practice";  ///< practice | exam | demo
+    bool is_headless = false;       ///< so is every run for now
+    std::string format = "text";    ///< of validate: text | json | github
+
+    std::string answer;         ///< to print instead of doing anything: help, version, or what is wrong
+    int exit_code = exit_pass;  ///< with `answer`; exit_bad_input belongs on stderr
+};
+
+/// Reads the arguments. Never throws, prints or exits.   [main]
+[[nodiscard]] CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace kerf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/describe.h"
+#include "app/findings.h"
+#include "app/interruption.h"
+#include "app/progress.h"
+#include "app/run_procedure.h"
+#include "core/session/content_hash.h"
+#include "core/session/read_session.h"
+
+namespace kerf {
+
+namespace {
+
+ExitCode complain(const std::string& error, ExitCode code) {
+    std::fprintf(stderr, "kerf: %s\n", error.c_str());
+    return code;
+}
+
+void print(const RunSummary& s) {
+    std::printf("verdict: %s\n", to_text(s.verdict));
+    for (const auto& reason : s.reasons) std::printf("  %s\n", reason.c_str());
+    for (const auto& m : s.metrics)
+        std::printf("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str());
+    std::printf("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9, s.duration,
+                1.0 / s.force_scale, static_cast<unsigned long long>(s.hash));
+}
+
+/// Reading the documents is quick; making the bone may take a minute.
+std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
+                                Diagnostics& diagnostics) {
+    const StillWorking sign_of_life("reading " + file + " and making the bone");
+    return make_scene(file, line.anatomy, plugins, diagnostics);
+}
+
+/// The scene, or nothing and all that is wrong on stderr.
+std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    auto scene = make_scene(file, line, plugins, diagnostics);
+    if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
+    return scene;
+}
+
+// ---- validate ----------------------------------------------------------------------------------------------------
+
+ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
+    std::vector<Findings> all;
+    for (const auto& file : line.files) {
+        Findings& one = all.emplace_back(Findings{file, {}});
+        static_cast<void>(make_scene(file, line, plugins, one.diagnostics));
+    }
+    std::fputs(findings_text(all, line.format).c_str(), stdout);
+    return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
+               ? exit_bad_input
+               : exit_pass;
+}
+
+// ---- rehearse ----------------------------------------------------------------------------------------------------
+
+std::string expectation_of(const Rehearsal& rehearsal) {
+    return rehearsal.expect == "pass"
+               ? "pass"
+               : rehearsal.expect + ", because of the limit `" + rehearsal.expect_limit + "` alone";
+}
+
+std::string ending_of(const RunSummary& summary) {
+    std::string text = to_text(summary.verdict);
+    for (const auto& reason : summary.reasons) text += "\n            " + reason;
+    return text;
+}
+
+ExitCode rehearse(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
+    const auto scene = read_scene(file, line, plugins);
+    if (!scene) return exit_bad_input;
+    if (scene->procedure.rehearsals.empty())
+        return complain(file + " has no rehearsals. Add one under `rehearsals:`.", exit_bad_input);
+
+    int as_expected = 0;
+    for (const auto& rehearsal : scene->procedure.rehearsals) {
+        RunRequest request;
+        request.rehearsal = rehearsal.id;
+        request.progress = show_progress;
+        const Interruption interruption;
+        request.is_interrupted = [&] { return interruption.has_come(); };
+        const RunOutcome outcome = run_procedure(*scene, plugins, request);
+        if (outcome.was_interrupted) return complain("interrupted", exit_fault);
+        if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+        std::printf("%s: %s\n  expected  %s\n  ended     %s\n", rehearsal.id.c_str(),
+                    outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS",
+                    expectation_of(rehearsal).c_str(), ending_of(outcome.summary).c_str());
+        as_expected += outcome.is_as_expected;
+    }
+    const int count = static_cast<int>(scene->procedure.rehearsals.size());
+    std::printf("%s: %d of %d rehearsals ended as they say\n", file.c_str(), as_expected, count);
+    return as_expected == count ? exit_pass : exit_not_passed;
+}
+
+// ---- run ---------------------------------------------------------------------------------------------------------
+
+ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
+    const auto scene = read_scene(line.files.front(), line, plugins);
+    if (!scene) return exit_bad_input;
+
+    RunRequest request;
+    request.learner = line.learner;
+    request.mode = line.mode;
+    request.progress = show_progress;
+    request.rehearsal = line.hand;
+    std::string recorded_hash;
+    if (!line.replay.empty()) {
+        std::string error;
+        auto recorded = read_session(line.replay, error);
+        if (recorded && (recorded->procedure_text != scene->procedure.text ||
+                         recorded->anatomy_hash != hash_of_text(scene->anatomy.text)))
+            error = line.replay +
+                    ": was recorded with another text of this procedure or anatomy, so it cannot end the same.";
+        if (!error.empty()) return complain(error, exit_bad_input);
+        request.replay = std::move(recorded->device_from_handle);
+        recorded_hash = recorded->hash;
+    }
+    request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
+    std::error_code ignored;
+    if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
+        return complain("the replay would take the place of its recording. Give another folder with `--out`.", exit_bad_input);
+    const Interruption interruption;
+    request.is_interrupted = [&] { return interruption.has_come(); };
+
+    const RunOutcome outcome = run_procedure(*scene, plugins, request);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    print(outcome.summary);
+    std::printf("  %s/report.html\n", request.out.c_str());
+    if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
+    if (!recorded_hash.empty()) {
+        const bool is_same = recorded_hash == hex16(outcome.summary.hash);
+        std::printf("  replay: %s\n", is_same ? "the same bits" : "NOT the same bits");
+        if (!is_same) return exit_fault;
+    }
+    return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
+}
+
+ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
+    std::string error;
+    const auto text = description_of(plugins, line.component, error);
+    if (!text) return complain(error, exit_bad_input);
+    std::fputs(text->c_str(), stdout);
+    return exit_pass;
+}
+
+}  // namespace
+
+ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins) {
+    if (line.command == "run") return run(line, plugins);
+    if (line.command == "validate") return validate(line, plugins);
+    if (line.command == "describe") return describe(line, plugins);
+    if (line.command == "rehearse") {
+        ExitCode worst = exit_pass;
+        for (const auto& file : line.files) worst = std::max(worst, rehearse(file, line, plugins));
+        return worst;
+    }
+    std::fputs(list_of_components(plugins).c_str(), stdout);
+    return exit_pass;
+}
+
+}  // namespace kerf

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/describe.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/procedure/quantity.h"
+#include "core/procedure/read_map.h"
+#include "core/session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+const char* kind_of(const ComponentInfo& component) { return component.kind == KERF_KIND_TOOL ? "tool" : "force"; }
+
+std::string full_id(const ComponentInfo& component) { return component.plugin + "/" + component.id; }
+
+/// In the plugin's own unit; SI where we do not know it.
+std::string shown(double value, const std::string& unit) {
+    return quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size()), ' ');
+    return text;
+}
+
+std::string about_values(const char* title, const std::vector<ParameterInfo>& values) {
+    if (values.empty()) return {};
+    std::string text = std::string("  ") + title + "\n";
+    for (const ParameterInfo& p : values) {
+        text += "    " + padded(p.id, 20) + padded(shown(p.def, p.display_unit), 16) + "from " +
+                shown(p.min, p.display_unit) + " to " + shown(p.max, p.display_unit) + "\n        " + p.help + "\n";
+        if (!p.source.empty()) text += "        source: " + p.source + "\n";
+    }
+    return text;
+}
+
+std::string about(const ComponentInfo& component) {
+    std::string text = full_id(component) + "  (" + kind_of(component) + ")\n  " + component.help + "\n";
+    text += about_values("parameters, with default and range", component.parameters);
+    text += about_values("drives, with default and range", component.drives);
+    if (!component.signals.empty()) text += "  signals, recorded each tick\n";
+    for (const SignalInfo& s : component.signals)
+        text += "    " + padded(s.id, 20) + (s.display_unit.empty() ? "no unit" : s.display_unit) + "\n        " +
+                s.help + "\n";
+    return text;
+}
+
+std::string about(const Plugin& plugin) {
+    const kerf_entry& entry = plugin.entry();
+    return std::string("plugin ") + entry.plugin_id + " " + entry.plugin_version +
+           (entry.licence != nullptr ? std::string(", licence ") + entry.licence : "") + "\n";
+}
+
+}  // namespace
+
+std::string list_of_components(const PluginRegistry& plugins) {
+    std::string text;
+    for (const ComponentInfo& component : plugins.catalog())
+        text += padded(kind_of(component), 6) + full_id(component) + "  " + component.help + "\n";
+    return text;
+}
+
+std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
+                                          std::string& error) {
+    std::string text;
+    for (const auto& plugin : plugins.plugins()) {
+        const std::string id = plugin->entry().plugin_id;
+        std::string components;
+        for (const ComponentInfo& component : plugins.catalog())
+            if (component.plugin == id && (wanted.empty() || wanted == id || wanted == full_id(component)))
+                components += "\n" + about(component);
+        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(*plugin) + components;
+    }
+    if (!text.empty()) return text + "\n" + notice_line + ".\n";
+
+    std::vector<std::string> known;
+    for (const auto& plugin : plugins.plugins()) known.emplace_back(plugin->entry().plugin_id);
+    for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
+    const std::string meant = closest(wanted, known);
+    if (known.empty())
+        error = "no plugin was found. Name the folder that holds some in KERF_PLUGIN_PATH.";
+    else
+        error = "there is no plugin or component `" + wanted + "`. Write " +
+                (meant.empty() ? listed(known) : "`" + meant + "`") + ".";
+    return std::nullopt;
+}
+
+}  // namespace kerf

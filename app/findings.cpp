@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/findings.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* level_of(const Diagnostic& d) { return d.level == Diagnostic::Level::error ? "error" : "warning"; }
+
+Json to_json(const Diagnostic& d) {
+    return {{"level", level_of(d)},     {"code", d.code},           {"file", d.place.file}, {"line", d.place.line},
+            {"column", d.place.column}, {"length", d.place.length}, {"message", d.message}, {"write", d.write}};
+}
+
+std::string json_of(const std::vector<Findings>& all) {
+    Json files = Json::array();
+    for (const Findings& one : all) {
+        Json diagnostics = Json::array();
+        for (const Diagnostic& d : one.diagnostics) diagnostics.push_back(to_json(d));
+        files.push_back(
+            {{"file", one.file}, {"has_errors", has_error(one.diagnostics)}, {"diagnostics", std::move(diagnostics)}});
+    }
+    const Json document{{"schema", 1}, {"notice", notice_line}, {"files", std::move(files)}};
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Workflow commands end at a line's end; their properties also at `,` and `:`.
+std::string escaped(const std::string& text, bool is_property) {
+    std::string safe;
+    for (const char c : text) switch (c) {
+            case '%':
+                safe += "%25";
+                break;
+            case '\r':
+                safe += "%0D";
+                break;
+            case '\n':
+                safe += "%0A";
+                break;
+            case ':':
+                safe += is_property ? "%3A" : ":";
+                break;
+            case ',':
+                safe += is_property ? "%2C" : ",";
+                break;
+            default:
+                safe += c;
+        }
+    return safe;
+}
+
+std::string github_of(const Diagnostic& d) {
+    std::string text = std::string("::") + level_of(d) + " file=" + escaped(d.place.file, true);
+    if (d.place.line > 0) text += ",line=" + std::to_string(d.place.line) + ",col=" + std::to_string(d.place.column);
+    text += ",title=" + d.code + "::" + escaped(d.message, false);
+    if (!d.write.empty()) text += escaped(" Write `" + d.write + "`.", false);
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string findings_text(const std::vector<Findings>& all, const std::string& format) {
+    if (format == "json") return json_of(all);
+    std::string text;
+    for (const Findings& one : all) {
+        if (format == "github") {
+            for (const Diagnostic& d : one.diagnostics) text += github_of(d);
+            continue;
+        }
+        text += to_text(one.diagnostics);
+        if (!has_error(one.diagnostics)) text += one.file + ": no errors\n";
+    }
+    return text;
+}
+
+}  // namespace kerf

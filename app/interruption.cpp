@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/interruption.h"
+
+namespace kerf {
+
+namespace {
+
+volatile std::sig_atomic_t is_noted = 0;  // a signal handler sees nothing but globals
+
+void note(int) { is_noted = 1; }
+
+}  // namespace
+
+Interruption::Interruption() {
+    is_noted = 0;
+    struct sigaction action {};
+    action.sa_handler = &note;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+}
+
+Interruption::~Interruption() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+}
+
+bool Interruption::has_come() const noexcept { return is_noted != 0; }
+
+}  // namespace kerf

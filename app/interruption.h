@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <csignal>
+
+namespace kerf {
+
+/// While this lives, the first Ctrl-C (SIGINT, SIGTERM, SIGHUP) is only noted, so that a run can end in order. A second
+/// one ends the program as ever.   [main] one at a time
+class Interruption {
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    [[nodiscard]] bool has_come() const noexcept;  // [any]
+
+private:
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, signals.size()> before_{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plugin_folders.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace kerf {
+
+namespace fs = std::filesystem;
+
+PluginFolders plugin_folders(std::string_view plugin_path, const std::string& own) {
+    PluginFolders found;
+    const auto is_there = [&](const fs::path& folder) {
+        return std::any_of(found.folders.begin(), found.folders.end(), [&](const std::string& f) {
+            std::error_code error;
+            return fs::equivalent(f, folder, error);
+        });
+    };
+    std::vector<std::string> complained;
+    while (!plugin_path.empty()) {
+        const std::size_t end = std::min(plugin_path.find(':'), plugin_path.size());
+        const std::string folder(plugin_path.substr(0, end));
+        plugin_path.remove_prefix(std::min(end + 1, plugin_path.size()));
+        std::error_code error;
+        if (folder.empty() || is_there(folder)) continue;
+        if (fs::is_directory(folder, error)) {
+            found.folders.push_back(folder);
+        } else if (std::find(complained.begin(), complained.end(), folder) == complained.end()) {
+            complained.push_back(folder);
+            found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which " +
+                                       (fs::exists(folder, error) ? "is not a folder" : "does not exist") +
+                                       ": no plugins come from there. Correct it or take it out.");
+        }
+    }
+    if (!is_there(own)) found.folders.push_back(own);
+    return found;
+}
+
+}  // namespace kerf

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bone_memory.h"
+
+#include <gtest/gtest.h>
+
+#include "core/import/make_body.h"
+#include "core/procedure/read_anatomy.h"
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+Anatomy vertebra() {
+    Diagnostics diagnostics;
+    auto anatomy = read_anatomy(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml", diagnostics);
+    if (!anatomy) throw std::runtime_error(to_text(diagnostics));
+    return std::move(*anatomy);
+}
+
+/// A block of bone under three shells.
+Anatomy block(double edge) {
+    Anatomy anatomy;
+    anatomy.phantom.parts.push_back({"block", BoxSolid{{0, 0, 0}, {edge, edge, edge}}, false, ""});
+    for (const char* id : {"a", "b", "c", "core"}) anatomy.tissues.push_back({id, 1000.0, 5.0_mm, ""});
+    return anatomy;
+}
+
+Diagnostics checked(const Anatomy& anatomy, double spacing) {
+    Procedure procedure;
+    procedure.file = "p.yaml";
+    procedure.text = "apiVersion: kerf/v1\naccuracy: {spacing: 0.05 mm}\n";
+    procedure.spacing = spacing;
+    Diagnostics diagnostics;
+    check_bone_memory(procedure, anatomy, diagnostics);
+    return diagnostics;
+}
+
+TEST(BoneMemory, IsWhatTheFieldsTake) {
+    const Anatomy anatomy = vertebra();
+    Diagnostics diagnostics;
+    const auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    double bytes = static_cast<double>(body->surface.memory_bytes());
+    for (const Material& material : body->materials) bytes += static_cast<double>(material.border.memory_bytes());
+    EXPECT_NEAR(bone_memory(anatomy, 0.5_mm) / bytes, 1.0, 0.15 /* whole bricks against parts of them */);
+}
+
+TEST(BoneMemory, TheShippedBoneIsAllowedAtTheFinestSpacing) { EXPECT_TRUE(checked(vertebra(), 0.05_mm).empty()); }
+
+TEST(BoneMemory, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingToWriteWouldDo) {
+    const Anatomy anatomy = block(200.0_mm);
+    const Diagnostics diagnostics = checked(anatomy, 0.05_mm);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0413");
+    EXPECT_EQ(diagnostics[0].place.line, 2);
+    EXPECT_NE(diagnostics[0].message.find("must be at most 4 GB"), std::string::npos) << diagnostics[0].message;
+
+    ASSERT_TRUE(diagnostics[0].write.ends_with(" mm")) << diagnostics[0].write;
+    const double spacing = std::stod(diagnostics[0].write) * 1e-3;
+    EXPECT_GT(spacing, 0.05_mm);
+    EXPECT_TRUE(checked(anatomy, spacing).empty());
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command_line.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+CommandLine read(std::vector<const char*> words) {
+    words.insert(words.begin(), "kerf");
+    return read_command_line(static_cast<int>(words.size()), words.data());
+}
+
+TEST(CommandLine, ReadsEveryOptionOfRun) {
+    const CommandLine line = read({"run", "p.yaml", "--anatomy", "a.yaml", "--hand", "expert", "--replay", "s.db",
+                                   "--out", "o", "--learner", "L17", "--mode", "exam", "--headless"});
+    ASSERT_EQ(line.answer, "");
+    EXPECT_EQ(line.command, "run");
+    EXPECT_EQ(line.files, std::vector<std::string>{"p.yaml"});
+    EXPECT_EQ(line.anatomy, "a.yaml");
+    EXPECT_EQ(line.hand, "expert");
+    EXPECT_EQ(line.replay, "s.db");
+    EXPECT_EQ(line.out, "o");
+    EXPECT_EQ(line.learner, "L17");
+    EXPECT_EQ(line.mode, "exam");
+    EXPECT_TRUE(line.is_headless);
+}
+
+TEST(CommandLine, TakesSeveralFilesToValidateAndToRehearse) {
+    for (const char* command : {"validate", "rehearse"}) {
+        const CommandLine line = read({command, "a.yaml", "b.yaml", "--anatomy", "c.yaml", "d.yaml"});
+        EXPECT_EQ(line.answer, "");
+        EXPECT_EQ(line.files, (std::vector<std::string>{"a.yaml", "b.yaml", "d.yaml"}));
+        EXPECT_EQ(line.anatomy, "c.yaml");
+    }
+}
+
+TEST(CommandLine, DescribesAllOrOne) {
+    EXPECT_EQ(read({"describe"}).component, "");
+    EXPECT_EQ(read({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
+}
+
+TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
+    for (const std::vector<const char*>& words :
+         {std::vector<const char*>{"run", "--help"}, {"--help", "run"}, {"run", "p.yaml", "-h"}, {"help", "run"}}) {
+        const CommandLine line = read(words);
+        EXPECT_EQ(line.exit_code, exit_pass);
+        EXPECT_NE(line.answer.find("Usage: kerf run"), std::string::npos) << line.answer;
+        EXPECT_NE(line.answer.find("not for diagnosis"), std::string::npos);
+    }
+}
+
+TEST(CommandLine, TheVersionMayStandBeforeOrAfterTheCommand) {
+    for (const std::vector<const char*>& words :
+         {std::vector<const char*>{"--version"}, {"run", "--version"}, {"--version", "list"}}) {
+        const CommandLine line = read(words);
+        EXPECT_EQ(line.exit_code, exit_pass);
+        EXPECT_EQ(line.answer, "kerf " KERF_VERSION "\n");
+    }
+}
+
+struct Wrong {
+    std::vector<const char*> words;
+    const char* says;
+};
+
+TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
+    for (const auto& [words, says] : {
+             Wrong{{}, "Usage: kerf"},
+             {{"--"}, "nothing to do. Write `kerf run PROCEDURE.yaml`"},
+             {{"fly"}, "there is no command `fly`. Write `run`, `validate`"},
+             {{"valdate", "p.yaml"}, "there is no command `valdate`. Write `kerf validate`."},
+             {{"run"}, "which procedure? Write `kerf run PROCEDURE.yaml`."},
+             {{"run", ""}, "`PROCEDURE` is empty. Write the name of a YAML file."},
+             {{"run", "a.yaml", "b.yaml"}, "`b.yaml` is the second."},
+             {{"run", "p.yaml", "--outt", "x"}, "there is no option `--outt` of `kerf run`. Write `--out`."},
+             {{"run", "--fast"}, "there is no option `--fast` of `kerf run`. Write `--help`, `--anatomy`"},
+             {{"run", "p.yaml", "--out"}, "`--out` needs a value. Write `--out FOLDER`."},
+             {{"run", "p.yaml", "--out", ""}, "`--out` is empty. Write a folder, as in `--out out/first`."},
+             {{"run", "p.yaml", "--out", "a", "--out", "b"}, "`--out` is given 2 times. Write it once."},
+             {{"run", "p.yaml", "--mode", "test"}, "`--mode` is `test`. Write `practice`, `exam` or `demo`."},
+             {{"validate", "p.yaml", "--format", "xml"}, "`--format` is `xml`. Write `text`, `json` or `github`."},
+             {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
+             {{"list", "all"}, "`all` is one argument too many."},
+             {{"list", "--out", "x"}, "there is no option `--out` of `kerf list`."},
+             {{"describe", "a", "b"}, "`b` is one argument too many."},
+         }) {
+        const CommandLine line = read(words);
+        EXPECT_EQ(line.exit_code, exit_bad_input) << says;
+        EXPECT_EQ(line.command, "") << says;
+        EXPECT_NE(line.answer.find(says), std::string::npos) << line.answer;
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/describe.h"
+
+#include <gtest/gtest.h>
+
+#include "core/procedure/quantity.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+std::string description(const std::string& wanted) {
+    std::string error;
+    return description_of(test::plugins(), wanted, error).value_or("");
+}
+
+TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource) {
+    const std::string text = description("");
+    ASSERT_FALSE(test::plugins().catalog().empty());
+    for (const ComponentInfo& component : test::plugins().catalog()) {
+        EXPECT_NE(text.find(component.plugin + "/" + component.id), std::string::npos);
+        for (const auto* values : {&component.parameters, &component.drives})
+            for (const ParameterInfo& p : *values)
+                for (const std::string& part :
+                     {p.id, p.help, p.source, quantity_text(p.def, p.display_unit),
+                      "from " + quantity_text(p.min, p.display_unit) + " to " + quantity_text(p.max, p.display_unit)})
+                    EXPECT_NE(text.find(part), std::string::npos) << p.id << ": " << part;
+        for (const SignalInfo& s : component.signals)
+            for (const std::string& part : {s.id, s.help, s.display_unit})
+                EXPECT_NE(text.find(part), std::string::npos) << s.id;
+    }
+    EXPECT_NE(text.find("not for diagnosis"), std::string::npos);
+}
+
+TEST(Describe, OneComponentAndNoOther) {
+    const std::string text = description("kerf.drilling/twist_drill");
+    EXPECT_NE(text.find("    diameter            3.2 mm          from 0.5 mm to 20 mm\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("    spindle_speed       1000 rpm        from 0 rpm to 3000 rpm\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("drill_cutting"), std::string::npos);
+}
+
+TEST(Describe, AWrongNameIsAnsweredWithTheOneThatWasMeant) {
+    std::string error;
+    EXPECT_FALSE(description_of(test::plugins(), "kerf.driling", error));
+    EXPECT_EQ(error, "there is no plugin or component `kerf.driling`. Write `kerf.drilling`.");
+}
+
+TEST(Describe, WithoutPluginsSaysWhereTheyAreLookedFor) {
+    std::string error;
+    EXPECT_FALSE(description_of(PluginRegistry(), "", error));
+    EXPECT_NE(error.find("KERF_PLUGIN_PATH"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf

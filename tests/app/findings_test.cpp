@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/findings.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace kerf {
+namespace {
+
+std::vector<Findings> two_files() {
+    Diagnostic d;
+    d.code = "E0412";
+    d.place = {"a,b.yaml", 14, 22, 5};
+    d.message = "drill.diameter is 65 mm: 100 % wrong.";
+    d.write = "6.5 mm";
+    return {{"a,b.yaml", {d}}, {"good.yaml", {}}};
+}
+
+TEST(Findings, AsTextNameEveryFile) {
+    EXPECT_EQ(findings_text(two_files(), "text"),
+              "E0412 a,b.yaml:14:22: drill.diameter is 65 mm: 100 % wrong. Write `6.5 mm`.\ngood.yaml: no errors\n");
+}
+
+TEST(Findings, AsWorkflowCommandsEscapeWhatWouldEndThem) {
+    EXPECT_EQ(findings_text(two_files(), "github"),
+              "::error file=a%2Cb.yaml,line=14,col=22,title=E0412::drill.diameter is 65 mm: 100 %25 wrong. Write `6.5 "
+              "mm`.\n");
+}
+
+TEST(Findings, AsJsonHoldEveryPart) {
+    const auto document = nlohmann::json::parse(findings_text(two_files(), "json"));
+    EXPECT_EQ(document["schema"], 1);
+    ASSERT_EQ(document["files"].size(), 2u);
+    EXPECT_EQ(document["files"][0]["has_errors"], true);
+    const auto& d = document["files"][0]["diagnostics"][0];
+    EXPECT_EQ(d["code"], "E0412");
+    EXPECT_EQ(d["level"], "error");
+    EXPECT_EQ(d["line"], 14);
+    EXPECT_EQ(d["column"], 22);
+    EXPECT_EQ(d["write"], "6.5 mm");
+    EXPECT_EQ(document["files"][1]["has_errors"], false);
+}
+
+}  // namespace
+}  // namespace kerf

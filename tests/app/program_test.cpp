@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user or a script sees it: exit codes, what it says and what it leaves behind.
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::contents_of;
+using test::TemporaryFolder;
+
+const std::string pedicle_screw = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
+
+/// What one call of the program came to.
+struct Ended {
+    int exit_code = -1;
+    std::string out, err;
+};
+
+/// `environment` stands before the program, as in a shell.
+Ended kerf(const std::string& arguments, const std::string& environment = "") {
+    const TemporaryFolder folder;
+    const std::string command = environment + " " KERF_BUILD_DIR "/bin/kerf " + arguments + " > " + (folder / "out") +
+                                " 2> " + (folder / "err");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(folder / "out"), contents_of(folder / "err")};
+}
+
+/// The shipped procedure with `from` replaced, on a coarser grid, which is faster and as good for what is tested here.
+std::string variant(const TemporaryFolder& folder, const std::string& from, const std::string& to) {
+    std::filesystem::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder / "anatomy",
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+    std::string text = contents_of(pedicle_screw);
+    for (const auto& [before, after] :
+         {std::pair<std::string, std::string>{"spacing: 0.25 mm", "spacing: 0.5 mm"}, {from, to}}) {
+        const std::size_t at = text.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        if (at != std::string::npos) text.replace(at, before.size(), after);
+    }
+    std::ofstream(folder / "variant.yaml") << text;
+    return folder / "variant.yaml";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Program, WritesEveryFileAndNoneOfThemNamesAPath) {
+    const TemporaryFolder folder;
+    const Ended run = kerf("run " + pedicle_screw + " --out " + (folder / "run"));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    for (const char* name : {"session.db", "summary.json", "report.html", "bone.stl"}) {
+        const std::string bytes = contents_of(folder / "run/" + name);
+        EXPECT_GT(bytes.size(), 500u) << name;
+        EXPECT_FALSE(has(bytes, KERF_SOURCE_DIR)) << name;
+        EXPECT_FALSE(has(bytes, folder.path())) << name;
+        EXPECT_TRUE(has(bytes, "not for diagnosis")) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "run/session.db-wal"));
+}
+
+TEST(Program, AReplayEndsInTheSameBits) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(kerf("run " + pedicle_screw + " --out " + (folder / "record")).exit_code, 0);
+    const Ended replay =
+        kerf("run " + pedicle_screw + " --replay " + (folder / "record/session.db") + " --out " + (folder / "again"));
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    EXPECT_TRUE(has(replay.out, "replay: the same bits")) << replay.out;
+}
+
+TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "bad";
+    for (const std::string& what :
+         {std::string("run /nowhere.yaml"),
+          std::string("run " KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"),
+          "run " + pedicle_screw + " --hand nobody", "run " + pedicle_screw + " --replay " KERF_SOURCE_DIR "/README.md",
+          std::string("fly"), std::string("run")}) {
+        const Ended bad = kerf(what + " --out " + out);
+        EXPECT_EQ(bad.exit_code, 2) << what;
+        EXPECT_NE(bad.err, "") << what;
+        EXPECT_FALSE(std::filesystem::exists(out)) << what;
+    }
+}
+
+/// A run in a process of its own, seen from the moment it has a session.
+pid_t started(const std::string& out, const std::string& log) {
+    const pid_t child = fork();
+    if (child == 0) {
+        if (std::freopen(log.c_str(), "w", stdout) == nullptr ||
+            std::freopen((log + ".err").c_str(), "w", stderr) == nullptr)
+            _exit(127);
+        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "run", pedicle_screw.c_str(), "--out", out.c_str(), nullptr);
+        _exit(127);
+    }
+    for (int i = 0; i < 12'000 && !std::filesystem::exists(out + "/session.db-wal"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return child;
+}
+
+int exit_code_of(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// One value of a session's table of keys and values.
+std::string stored(const std::string& session, const std::string& table, const std::string& key) {
+    sqlite3* database = nullptr;
+    sqlite3_stmt* statement = nullptr;
+    std::string value = "none";
+    const std::string sql = "SELECT value FROM " + table + " WHERE key='" + key + "'";
+    if (sqlite3_open_v2(session.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+        sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK &&
+        sqlite3_step(statement) == SQLITE_ROW)
+        value = reinterpret_cast<const char*>(sqlite3_column_text(statement, 0));
+    sqlite3_finalize(statement);
+    sqlite3_close(database);
+    return value;
+}
+
+TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhile) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "run";
+    const pid_t child = started(out, folder / "log");
+    ASSERT_TRUE(std::filesystem::exists(out + "/session.db-wal"));
+
+    const Ended second = kerf("run " + variant(folder, "1 mm/s", "1 mm/s") + " --out " + out);
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_TRUE(has(second.err, "is being written by another run")) << second.err;
+
+    kill(child, SIGINT);
+    EXPECT_EQ(exit_code_of(child), 3);
+    EXPECT_TRUE(has(contents_of(folder / "log.err"), "interrupted")) << contents_of(folder / "log.err");
+    const std::string summary = contents_of(out + "/summary.json");
+    EXPECT_TRUE(has(summary, "\"verdict\": \"incomplete\"")) << summary;
+    EXPECT_TRUE(has(summary, "The run was interrupted.")) << summary;
+    EXPECT_EQ(stored(out + "/session.db", "session", "state"), "finished");
+    for (const char* name : {"report.html", "bone.stl"}) EXPECT_TRUE(std::filesystem::exists(out + "/" + name)) << name;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator()), 4);
+}
+
+TEST(Program, TheSameRunTwiceDiffersInItsEnvelopeOnly) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm");
+    for (const char* out : {"a", "b"})
+        ASSERT_EQ(kerf("run " + file + " --learner L17 --out " + (folder / out)).exit_code, 1);
+    for (const char* name : {"summary.json", "report.html", "bone.stl"})
+        EXPECT_EQ(contents_of(folder / "a/" + name), contents_of(folder / "b/" + name)) << name;
+
+    const std::string a = folder / "a/session.db", b = folder / "b/session.db";
+    EXPECT_EQ(stored(a, "session", "hash"), stored(b, "session", "hash"));
+    EXPECT_NE(stored(a, "envelope", "uuid"), stored(b, "envelope", "uuid"));
+    EXPECT_TRUE(stored(a, "envelope", "start").ends_with('Z')) << stored(a, "envelope", "start");
+    EXPECT_EQ(stored(a, "envelope", "station"), "");
+    EXPECT_EQ(stored(a, "envelope", "learner"), "L17");
+}
+
+TEST(Program, WhatDoesNotFitIsSaidTheRestIsWrittenAndNothingIsHalf) {
+    const TemporaryFolder folder;
+    const std::string out = folder / "run";
+    const Ended full =
+        kerf("run " + variant(folder, "depth: 32 mm", "depth: 3 mm") + " --out " + out, "ulimit -f 800;");
+    EXPECT_EQ(full.exit_code, 3) << full.err;
+    EXPECT_TRUE(has(full.err, "session.db is incomplete")) << full.err;
+    EXPECT_TRUE(has(full.err, "bone.stl could not be written")) << full.err;
+    EXPECT_TRUE(has(contents_of(out + "/summary.json"), "could not be recorded any more"))
+        << contents_of(out + "/summary.json");
+    EXPECT_EQ(stored(out + "/session.db", "session", "state"), "incomplete");
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+    EXPECT_FALSE(std::filesystem::exists(out + "/bone.stl"));
+}
+
+TEST(Program, AReplayDoesNotTakeThePlaceOfItsRecording) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm"), out = folder / "run";
+    ASSERT_EQ(kerf("run " + file + " --out " + out).exit_code, 1);
+    const std::string before = contents_of(out + "/session.db");
+    const Ended replay = kerf("run " + file + " --replay " + out + "/session.db --out " + out);
+    EXPECT_EQ(replay.exit_code, 2);
+    EXPECT_TRUE(has(replay.err, "would take the place of its recording")) << replay.err;
+    EXPECT_EQ(contents_of(out + "/session.db"), before);
+}
+
+TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
+    const Ended good = kerf("validate " + pedicle_screw);
+    EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+    EXPECT_EQ(good.out, pedicle_screw + ": no errors\n");
+
+    const Ended one_bad = kerf("validate /nowhere.yaml " + pedicle_screw + " --format github");
+    EXPECT_EQ(one_bad.exit_code, 2);
+    EXPECT_EQ(one_bad.out, "::error file=/nowhere.yaml,title=E0101::There is no such file.\n");
+}
+
+TEST(Program, APluginFolderThatDoesNotExistIsSaidOnceAndHindersNobody) {
+    const Ended listed = kerf("list", "KERF_PLUGIN_PATH=/nowhere:/nowhere");
+    EXPECT_EQ(listed.exit_code, 0);
+    EXPECT_TRUE(has(listed.out, "kerf.drilling/twist_drill"));
+    EXPECT_TRUE(has(listed.err, "KERF_PLUGIN_PATH names `/nowhere`, which does not exist")) << listed.err;
+    EXPECT_EQ(listed.err.find("/nowhere"), listed.err.rfind("/nowhere")) << listed.err;
+}
+
+TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
+    // Given a terminal of its own
+    int terminal = -1;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "validate", pedicle_screw.c_str(), nullptr);
+        _exit(127);
+    }
+    std::string seen;
+    char some[512];
+    for (ssize_t count = 0; (count = read(terminal, some, sizeof some)) > 0;)
+        seen.append(some, static_cast<std::size_t>(count));
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(terminal);
+
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_TRUE(has(seen, "and making the bone")) << seen;
+    EXPECT_TRUE(has(seen, ": no errors")) << seen;
+}
+
+TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
+    const Ended rehearsed = kerf("rehearse " + pedicle_screw);
+    EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
+    EXPECT_TRUE(has(rehearsed.out, "expert: ended as it says\n  expected  pass\n  ended     pass\n")) << rehearsed.out;
+    EXPECT_TRUE(
+        has(rehearsed.out,
+            "expected  fail, because of the limit `canal` alone\n  ended     fail\n            The drill entered"))
+        << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "2 of 2 rehearsals ended as they say")) << rehearsed.out;
+}
+
+TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
+    const TemporaryFolder folder;
+    const Ended rehearsed = kerf("rehearse " + variant(folder, "expect: pass", "expect: {fail: canal}"));
+    EXPECT_EQ(rehearsed.exit_code, 1) << rehearsed.err;
+    EXPECT_TRUE(has(rehearsed.out, "expert: DID NOT END AS IT SAYS")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "1 of 2")) << rehearsed.out;
+}
+
+TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {
+    const TemporaryFolder folder;
+    const std::string text = contents_of(pedicle_screw);
+    const Ended rehearsed = kerf("rehearse " + variant(folder, text.substr(text.find("rehearsals:")), ""));
+    EXPECT_EQ(rehearsed.exit_code, 2);
+    EXPECT_TRUE(has(rehearsed.err, "has no rehearsals. Add one under `rehearsals:`.")) << rehearsed.err;
+}
+
+}  // namespace
+}  // namespace kerf
