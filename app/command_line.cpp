@@ -24,6 +24,21 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
             ""};
 }
 
+/// Of letters, digits and a few signs: it stands in every session, so it must not be a name.
+CLI::Validator is_code() {
+    return {[](std::string& word) {
+                const bool is_good =
+                    !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+                        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                               c == '_' || c == '-';
+                    });
+                return is_good ? std::string()
+                               : "must be a code of letters, digits, `.`, `_` and `-`, at most 64, and never a name. "
+                                 "Write a code, as in `L17`.";
+            },
+            ""};
+}
+
 CLI::Validator not_empty(const std::string& what) {
     return {[what](std::string& word) { return word.empty() ? "is empty. Write " + what + "." : std::string(); }, ""};
 }
@@ -67,8 +82,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(run, "--out", line.out, "FOLDER",
                "Where to write; out/ and the procedure's id if not given. Replaces a run, nothing else",
                not_empty(out_help));
-    add_option(run, "--learner", line.learner, "CODE", "A code, never a name",
-               not_empty("a code of your own, never a name"));
+    add_option(run, "--learner", line.learner, "CODE", "A code, never a name", is_code());
     add_option(run, "--mode", line.mode, "MODE", "practice (if not given), exam or demo",
                one_of({"practice", "exam", "demo"}));
     run->add_flag("--headless", line.is_headless, "No window, which is how every run is for now");

@@ -188,9 +188,15 @@ private:
         const std::size_t figures = number.text.starts_with('-') ? 1 : 0;
         const bool is_whole = number.text.size() > figures && number.text.find_first_not_of("0123456789", figures) == std::string::npos;
         if (!is_joined || !is_whole || number.kind != Node::Kind::scalar) return false;
+        number.span.size = key.span.begin + key.span.size - number.span.begin;
+        if (number.is_refused) return true;  // the third of `1,2,3 mm`
 
-        const QuantityProblem problem = decimal_comma(number.key, number.text, key.text);
-        report_.error(problem.code, {number.span.begin, key.span.begin + key.span.size - number.span.begin}, problem.message, problem.write);
+        const std::string_view rest = std::string_view(document_.text()).substr(key.span.begin + key.span.size);
+        const bool is_row = rest.size() > 1 && rest[0] == ',' && rest[1] != ' ';
+        const QuantityProblem problem =
+            is_row ? QuantityProblem{Code::not_three_numbers, number.key + " has commas between its numbers; put spaces there, as in `1 2 3 mm`.", {}}
+                   : decimal_comma(number.key, number.text, key.text);
+        report_.error(problem.code, number.span, problem.message, problem.write);
         number.is_refused = true;
         return true;
     }
@@ -313,14 +319,16 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
 std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics) {
     std::error_code failure;
     if (!std::filesystem::exists(file, failure)) {
-        report_file(Code::file_unreadable, file, "There is no such file.", diagnostics);
+        report_file(Code::file_unreadable, file, "There is no such file. Check its name and its folder.", diagnostics);
         return std::nullopt;
     }
     // A pipe or a device could keep us waiting for ever.
     std::ifstream stream;
     if (std::filesystem::is_regular_file(file, failure)) stream.open(file, std::ios::binary);
     if (!stream.is_open()) {
-        report_file(Code::file_unreadable, file, "This is not a file that can be read.", diagnostics);
+        const bool is_folder = std::filesystem::is_directory(file, failure);
+        report_file(Code::file_unreadable, file,
+                    is_folder ? "This is a folder. Name a YAML file in it." : "This is not a file that can be read. Name a YAML file, and see that you may read it.", diagnostics);
         return std::nullopt;
     }
     std::string text(largest_file + 1, '\0');

@@ -138,6 +138,12 @@ Parsed<double> factor_of(std::string_view unit_text, std::string_view number, st
     if (!unit)
         return {std::nullopt, {Code::unknown_unit, name + " has an unknown unit " + quoted(unit_text) + ", must be " +
                                                        what_is_needed(need) + ".", as_needed}};
+    // "Push with ten kilograms" is what people say; ten newtons are not what they mean.
+    double mass_value = 0.0;
+    if (unit->dimension == mass && need.dimension == dimension::force &&
+        std::from_chars(number.data(), number.data() + number.size(), mass_value).ec == std::errc{})
+        return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", a mass, must be " + what_is_needed(need) + ".",
+                               quantity_text(std::round(mass_value * unit->factor * 9.80665), "N")}};
     if (!(unit->dimension == need.dimension))
         return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", must be " +
                                                           what_is_needed(need) + ".", as_needed}};
@@ -171,7 +177,7 @@ QuantityProblem out_of_range(double value, std::string_view unit, const std::str
     return {Code::out_of_range, message, read_again && in_range(*read_again, need) ? write : quantity_text(meant, need.unit)};
 }
 
-/// "1, 2, 3 mm" and "0,5 0 0 mm" as they would be read; else an example.
+/// "1, 2, 3 mm" and "0,5 0 0 mm" as they would be read; empty if commas are not what is wrong.
 std::string without_commas(std::string_view text, const std::string& name, const QuantityNeed& need) {
     std::string meant;
     for (std::size_t i = 0; i < std::min<std::size_t>(text.size(), 80); ++i) {
@@ -179,7 +185,7 @@ std::string without_commas(std::string_view text, const std::string& name, const
         if (!is_between) meant += text[i] == ',' ? '.' : text[i];
     }
     const bool has_comma = text.find(',') != std::string_view::npos;
-    return has_comma && parse_vector(meant, name, need).value ? meant : with_unit("0 0 0", need.unit);
+    return has_comma && parse_vector(meant, name, need).value ? meant : std::string();
 }
 
 }  // namespace
@@ -263,7 +269,7 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
             return {std::nullopt,
                     {Code::not_three_numbers,
                      name + " is " + quoted(text) + ", must be three numbers" +
-                         (need.unit.empty() ? "." : " and one unit."),
+                         (need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`."),
                      without_commas(text, name, need)}};
         component = *taken;
     }

@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -29,6 +30,10 @@ public:
     }
     [[nodiscard]] bool has_failed() const { return code_ != SQLITE_DONE && code_ != SQLITE_OK; }
     [[nodiscard]] double number(int column) const { return sqlite3_column_double(statement_, column); }
+    [[nodiscard]] bool is_number(int column) const {
+        const int type = sqlite3_column_type(statement_, column);
+        return type == SQLITE_FLOAT || type == SQLITE_INTEGER;
+    }
     [[nodiscard]] std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
     [[nodiscard]] std::string text(int column) const {
         const auto* bytes = sqlite3_column_text(statement_, column);
@@ -40,6 +45,13 @@ private:
     sqlite3_stmt* statement_ = nullptr;
     int code_ = SQLITE_OK;
 };
+
+/// A unit quaternion, in a room. NaN is neither.
+bool is_plausible(const Pose& pose) {
+    constexpr double room = 100.0;  // [m]
+    const auto& [w, x, y, z] = pose.rotation;
+    return length(pose.position) < room && std::abs(w * w + x * x + y * y + z * z - 1.0) < 1e-6;
+}
 
 std::int64_t pragma(sqlite3* database, const char* sql) {
     Query query(database, sql);
@@ -57,7 +69,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         return std::nullopt;
     }
     if (pragma(raw, "PRAGMA application_id") != session_application_id) {
-        error = path + ": is not a Kerf session. Name a session.db that a run has written.";
+        error = path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
         return std::nullopt;
     }
     if (const auto version = pragma(raw, "PRAGMA user_version"); version != session_schema_version) {
@@ -81,8 +93,15 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
             error = path + ": tick " + std::to_string(inputs.device_from_handle.size()) + " is missing, so it cannot be replayed.";
             return std::nullopt;
         }
-        inputs.device_from_handle.push_back({{ticks.number(1), ticks.number(2), ticks.number(3)},
-                                             {ticks.number(4), ticks.number(5), ticks.number(6), ticks.number(7)}});
+        const Pose pose{{ticks.number(1), ticks.number(2), ticks.number(3)},
+                        {ticks.number(4), ticks.number(5), ticks.number(6), ticks.number(7)}};
+        bool is_all_numbers = true;
+        for (int column = 1; column <= 7; ++column) is_all_numbers = is_all_numbers && ticks.is_number(column);
+        if (!is_all_numbers || !is_plausible(pose)) {
+            error = path + ": tick " + std::to_string(ticks.integer(0)) + " holds no pose, so the file is damaged and cannot be replayed.";
+            return std::nullopt;
+        }
+        inputs.device_from_handle.push_back(pose);
     }
     if (keys.has_failed() || ticks.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";

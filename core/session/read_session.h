@@ -17,7 +17,7 @@ struct RecordedInputs {
     std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short
 };
 
-/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks; `error` is for
+/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, a pose that is none; `error` is for
 /// people.   [main]
 [[nodiscard]] std::optional<RecordedInputs> read_session(const std::string& path, std::string& error);
 

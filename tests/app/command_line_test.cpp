@@ -80,6 +80,8 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
              {{"run", "p.yaml", "--out", "a", "--out", "b"}, "`--out` is given 2 times. Write it once."},
              {{"run", "p.yaml", "--mode", "test"}, "`--mode` is `test`. Write `practice`, `exam` or `demo`."},
              {{"validate", "p.yaml", "--format", "xml"}, "`--format` is `xml`. Write `text`, `json` or `github`."},
+             {{"run", "p.yaml", "--learner", "Jane Doe"}, "`--learner` must be a code of letters, digits"},
+             {{"run", "p.yaml", "--learner", ""}, "`--learner` must be a code of letters, digits"},
              {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
              {{"list", "all"}, "`all` is one argument too many."},
              {{"list", "--out", "x"}, "there is no option `--out` of `kerf list`."},

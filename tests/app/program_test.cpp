@@ -202,7 +202,8 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
 
     const Ended one_bad = kerf("validate /nowhere.yaml " + pedicle_screw + " --format github");
     EXPECT_EQ(one_bad.exit_code, 2);
-    EXPECT_EQ(one_bad.out, "::error file=/nowhere.yaml,title=E0101::There is no such file.\n");
+    EXPECT_EQ(one_bad.out,
+              "::error file=/nowhere.yaml,title=E0101::There is no such file. Check its name and its folder.\n");
 }
 
 TEST(Program, APluginFolderThatDoesNotExistIsSaidOnceAndHindersNobody) {

@@ -83,6 +83,7 @@ std::string said_of(const std::string& text) {
 TEST(Document, ADecimalCommaInAMapIsOneErrorWithThePointToWrite) {
     expect_refused(Code::not_a_number, "a: {b: «3,2 mm», c: 1}\n");
     expect_refused(Code::not_a_number, "a: {b: «-5,5 mm»}\n");
+    expect_refused(Code::not_three_numbers, "a: {b: «44,35»,28 mm, c: 1}\n");
     Diagnostics diagnostics;
     parse_document("file.yaml", "a: {b: 3,2 mm}\n", diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u);

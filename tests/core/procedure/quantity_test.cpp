@@ -78,6 +78,12 @@ TEST(Quantity, OfAnotherDimensionIsRefused) {
     EXPECT_EQ(problem("3 rad", need(dimension::frequency, "rpm")).code, Code::wrong_dimension);
 }
 
+TEST(Quantity, AMassInPlaceOfAForceIsAnsweredWithItsWeight) {
+    const QuantityProblem refused = problem("10 kg", need(dimension::force, "N"));
+    EXPECT_EQ(refused.code, Code::wrong_dimension);
+    EXPECT_EQ(refused.write, "98 N");
+}
+
 TEST(Quantity, WithAnUnknownUnitIsRefused) {
     for (const char* text : {"3 furlong", "3 mm/", "3 /s", "3 mm//s", "3 mm mm mm mm mm mm mm", "3 MM", "0x10 mm", "3 mm0"})
         EXPECT_EQ(problem(text, any_length).code, Code::unknown_unit) << text;
@@ -161,7 +167,7 @@ TEST(Vector, WithTooFewOrTooManyNumbersIsRefused) {
 TEST(Vector, WithCommasIsAnsweredWithoutThem) {
     EXPECT_EQ(problem_of_vector("1, 2, 3 mm").write, "1 2 3 mm");
     EXPECT_EQ(problem_of_vector("0,5 0 -0,5 mm").write, "0.5 0 -0.5 mm");
-    EXPECT_EQ(problem_of_vector("left of the canal").write, "0 0 0 mm");
+    EXPECT_EQ(problem_of_vector("left of the canal").message, "at is `left of the canal`, must be three numbers and one unit, as in `1 2 3 mm`.");
 }
 
 TEST(QuantityText, IsShort) {
