@@ -38,7 +38,7 @@ void Following::update(const Balance& balance, const Motion& motion) noexcept {
         mu2 = std::max(mu2, f2 / d2);
     }
     const double alpha = 1.0 / (1.0 + mu2);
-    std::array<Filtered, KERF_MAX_CHANNELS> next{};
+    std::array<Filtered, most_channels> next{};
     for (std::size_t c = 0; c < balance.channels.size(); ++c) {
         const double old = lambda_of(balance.channels[c].id);
         next[c] = {balance.channels[c].id, old + alpha * (motion.lambda[c] - old)};

@@ -28,7 +28,7 @@ private:
     };
     [[nodiscard]] double lambda_of(std::uint32_t id) const noexcept;
 
-    std::array<Filtered, KERF_MAX_CHANNELS> filtered_{};
+    std::array<Filtered, most_channels> filtered_{};
     std::size_t count_ = 0;
 };
 

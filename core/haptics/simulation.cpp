@@ -6,6 +6,7 @@
 
 #include "core/field/reach.h"
 #include "core/haptics/free_pose.h"
+#include "core/haptics/region_wall.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -102,11 +103,12 @@ bool Simulation::ask(double step) noexcept {
     kerf_law law{sizeof(kerf_law), 0, channels_};
     const kerf_tick_in in = tick_in(step);
     const kerf_status status = setup_.force->force->resist(&in, state_, &law);
-    channel_count_ = 0;
+    channel_count_ = law_channel_count_ = 0;
     if (status != KERF_OK || law.count > KERF_MAX_CHANNELS) return false;
     for (std::uint32_t c = 0; c < law.count; ++c)
         if (!is_sound(channels_[c])) return false;
-    channel_count_ = law.count;
+    channel_count_ = law_channel_count_ = law.count;
+    if (region_wall(*body_, view_, outline_.cutting, world_from_tool_, channels_[channel_count_])) ++channel_count_;
     return true;
 }
 
@@ -153,6 +155,10 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     if (was_barred && !result.is_barred) result.add_event("haptics.anchored_again");
     if (was_barred || result.is_barred) coupling_.let_go(hand_.pose(), world_from_tool_);
 
+    if (channel_count_ > law_channel_count_ && !has_left_region_) {
+        has_left_region_ = true;
+        result.add_event("haptics.left_region");
+    }
     command(result);
     result.world_from_tool = world_from_tool_;
     ++tick_;
@@ -271,7 +277,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
         make_vec6((1.0 / dt) * tool_from_next.position, (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
 
     result.is_quarantined = !ask(dt);
-    double lambda[KERF_MAX_CHANNELS] = {};
+    double lambda[most_channels] = {};
     Vec6 bone{};
     for (std::uint32_t c = 0; c < channel_count_; ++c) {
         lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), dt).lambda;
@@ -302,7 +308,7 @@ void Simulation::command_drive(std::size_t drive, double value) noexcept {
 void Simulation::commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept {
     kerf_advance advance{};
     advance.size = sizeof advance;
-    advance.channel_count = channel_count_;
+    advance.channel_count = law_channel_count_;
     std::copy(rate.begin(), rate.end(), advance.rate);
     advance.channel = channels_;
     advance.lambda = lambda;
@@ -316,7 +322,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
 
     // At the front: some edge met uncut bone in this step.
     bool is_at_front = false;
-    for (std::uint32_t c = 0; c < channel_count_; ++c) {
+    for (std::uint32_t c = 0; c < law_channel_count_; ++c) {
         const double rate_along = dot(direction(channels_[c]), rate);
         if (channels_[c].kind == KERF_CUT && lambda[c] > 0.0 && rate_along * step > channels_[c].gap)
             is_at_front = true;

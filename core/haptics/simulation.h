@@ -136,8 +136,10 @@ private:
     std::unique_ptr<std::byte[]> state_storage_;
     std::byte* state_ = nullptr;
     double signals_[KERF_MAX_SIGNALS]{};
-    kerf_channel channels_[KERF_MAX_CHANNELS]{};
-    std::uint32_t channel_count_ = 0;
+    kerf_channel channels_[most_channels]{};
+    std::uint32_t channel_count_ = 0;      ///< of the plugin's law, and the wall behind it
+    std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
+    bool has_left_region_ = false;
     Following following_;
 
     Pose world_from_tool_;

@@ -256,7 +256,7 @@ Motion at_rate(const Balance& b, const Vec6& rate) noexcept {
     motion.force = limited(b.force, at.force_pull);
     motion.torque = limited(b.torque, at.torque_pull);
     motion.release = release_force(b, rate);
-    for (std::size_t c = 0; c < b.channels.size() && c < KERF_MAX_CHANNELS; ++c)
+    for (std::size_t c = 0; c < b.channels.size() && c < most_channels; ++c)
         motion.lambda[c] = channel_force(b.channels[c], dot(direction(b.channels[c]), rate), b.dt).lambda;
     return motion;
 }

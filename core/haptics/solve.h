@@ -19,6 +19,9 @@ struct CouplingBlock {
     double limit = 0.0;  ///< device limit / force scale [N] or [N·m], > 0
 };
 
+/// What one balance can hold: a plugin's law and a channel of the host's own.
+inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 1;
+
 /// Everything one tick has to balance, tool frame, about the tip. Bone newtons.
 struct Balance {
     CouplingBlock force;  ///< acts at the grip
@@ -38,7 +41,7 @@ struct Balance {
 
 struct Motion {
     Vec6 rate{};                                     ///< of the tool, tool frame [m/s, rad/s]
-    std::array<double, KERF_MAX_CHANNELS> lambda{};  ///< [N]
+    std::array<double, most_channels> lambda{};  ///< [N]
     double release = 0.0;                            ///< [N] of the release damper
     Vec3 force{}, torque{};                          ///< of the coupling on the tool; the force acts at the grip
     int iterations = 0;

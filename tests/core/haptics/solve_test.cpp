@@ -8,8 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "kerf/exact_math.hpp"
-
 namespace kerf {
 namespace {
 
@@ -194,14 +192,6 @@ TEST(Channel, ABadCoefficientIsNotSound) {
     kerf_channel c = good;
     c.d[2] = 0.0;
     EXPECT_FALSE(is_sound(c)) << "no direction";
-}
-
-TEST(ExactMath, AgreesWithTheLibrary) {
-    for (double x = -700.0; x < 700.0; x += 0.37) EXPECT_NEAR(exp_exact(x) / std::exp(x), 1.0, 1e-14);
-    for (double x = -200.0; x < 200.0; x += 0.0137) {
-        EXPECT_NEAR(sin_cos_exact(x).sin, std::sin(x), 1e-14);
-        EXPECT_NEAR(sin_cos_exact(x).cos, std::cos(x), 1e-14);
-    }
 }
 
 }  // namespace

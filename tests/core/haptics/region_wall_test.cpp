@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bone beyond a body's region: solid, and not to be cut.
+#include <gtest/gtest.h>
+
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// A block that was looked at only down to 4 mm.
+Body looked_at_in_part() {
+    Body body = test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
+    body.region = {{-5.5_mm, -5.5_mm, -4.0_mm}, {5.5_mm, 5.5_mm, 2.0_mm}};
+    return body;
+}
+
+TEST(RegionWall, ADrillCutsUpToTheRegionsEndAndStands) {
+    const Body body = looked_at_in_part();
+    const ToolSetup setup = test::twist_drill();
+    const CouplingGains gains = test::gains();
+    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-0.2_mm));
+    int left = 0;
+    double thrust = 0.0;
+    for (int i = 0; i < 6000; ++i) {
+        const double depth = -simulation.world_from_tool().position.z;
+        const TickResult r = simulation.tick({test::at_depth(depth + 170.0 * gains.force_scale / gains.stiffness)});
+        simulation.after_tick();
+        for (std::size_t e = 0; e < r.event_count; ++e) left += std::string_view(r.events[e]) == "haptics.left_region";
+        thrust = r.thrust;
+    }
+    EXPECT_EQ(left, 1) << "said once";
+    EXPECT_NEAR(-simulation.world_from_tool().position.z, 4.0_mm, 0.25_mm);
+    EXPECT_NEAR(thrust, 170.0, 5.0) << "it is felt";
+}
+
+TEST(RegionWall, BeyondTheRegionAirIsAir) {
+    Body body = looked_at_in_part();
+    const ToolSetup setup = test::twist_drill();
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-5.0_mm));
+    for (double depth = -5.0_mm; depth > -20.0_mm; depth -= 0.02_mm) {
+        const TickResult r = simulation.tick({test::at_depth(depth)});
+        simulation.after_tick();
+        ASSERT_LT(std::abs(r.thrust), 1e-9);
+        for (std::size_t e = 0; e < r.event_count; ++e) EXPECT_STRNE(r.events[e], "haptics.left_region");
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/step_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// One hole of 10 mm along +z with a zone two millimetres beside it; a second step after it.
+struct Case {
+    Procedure procedure;
+    Anatomy anatomy;
+    std::vector<AxisFrame> frames;
+    RevolutionSolid drill{{{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 1.5_mm}}};
+    std::vector<std::string> news;
+
+    Case() {
+        Step step;
+        step.id = "hole";
+        step.goals = {{"entry", {}, {}}, {"depth", {10.0_mm, {}}, {}}};
+        step.limits = {{"clearance", "nerve", {0.0, {}}, "Too near.", {}}, {"depth", "", {{}, 12.0_mm}, "Too deep.", {}}};
+        procedure.steps = {step, step};
+        procedure.steps[1].id = "second";
+        anatomy.zones = {{"nerve", {TubeSolid{{3.5_mm, 0, -50.0_mm}, {3.5_mm, 0, 50.0_mm}, 1.0_mm}}}};
+        const AxisFrame frame{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
+        frames = {frame, frame};
+    }
+};
+
+struct Watch {
+    Case scene;
+    StepMonitor monitor{scene.procedure, scene.anatomy, scene.frames};
+    double time = 0.0;
+
+    void show(double depth, double aside = 0.0, bool is_running = true, bool is_resisted = true) {
+        monitor.observe({time, {{aside, 0, depth}, {1, 0, 0, 0}}, is_running, is_resisted}, scene.drill);
+        for (const auto& [id, detail] : monitor.news()) scene.news.push_back(id);
+        time += 1e-3;
+    }
+};
+
+TEST(StepMonitor, GoalsAreReachedInOrderAndTheStepEndsOutside) {
+    Watch run;
+    run.show(-2.0_mm, 0.0, true, false);
+    EXPECT_FALSE(run.monitor.steps()[0].goal_done[0]);
+    run.show(0.1_mm);
+    EXPECT_TRUE(run.monitor.steps()[0].goal_done[0]);
+    run.show(10.5_mm);
+    EXPECT_TRUE(run.monitor.steps()[0].goal_done[1]);
+    EXPECT_FALSE(run.monitor.steps()[0].is_done()) << "the tool is still inside";
+    run.show(-1.0_mm, 0.0, true, false);
+    EXPECT_TRUE(run.monitor.steps()[0].is_done());
+    EXPECT_EQ(run.monitor.current(), 1u);
+    EXPECT_EQ(run.scene.news, (std::vector<std::string>{"entered_bone", "goal_reached", "goal_reached", "step_done"}));
+}
+
+TEST(StepMonitor, DepthCountsOnlyWhereBoneWasCut) {
+    Watch run;
+    run.show(11.0_mm, 0.0, true, false);
+    EXPECT_LT(run.monitor.steps()[0].deepest, 0.0) << "through air beside the bone";
+    run.show(11.0_mm, 0.0, false, true);
+    EXPECT_LT(run.monitor.steps()[0].deepest, 0.0) << "a tool that stands cuts nothing";
+    EXPECT_TRUE(run.monitor.steps()[0].has_met_bone_still);
+}
+
+TEST(StepMonitor, AClearanceIsThatOfTheWholeCuttingRegion) {
+    Watch run;
+    run.show(5.0_mm);
+    EXPECT_NEAR(run.monitor.steps()[0].limits[0].worst, 3.5_mm - 1.0_mm - 1.5_mm, 1e-9);
+    EXPECT_FALSE(run.monitor.steps()[0].limits[0].broken_at);
+    run.show(5.0_mm, 1.2_mm);
+    EXPECT_NEAR(run.monitor.steps()[0].limits[0].worst, -0.2_mm, 1e-9);
+    EXPECT_TRUE(run.monitor.steps()[0].limits[0].broken_at);
+    run.show(5.0_mm);
+    EXPECT_NEAR(run.monitor.steps()[0].limits[0].worst, -0.2_mm, 1e-9) << "the worst is kept";
+    EXPECT_EQ(std::count(run.scene.news.begin(), run.scene.news.end(), "zone_entered"), 1) << "said once";
+}
+
+TEST(StepMonitor, AStillToolHarmsNothing) {
+    Watch run;
+    run.show(13.0_mm, 1.5_mm, false, true);
+    for (const auto& limit : run.monitor.steps()[0].limits) EXPECT_FALSE(limit.broken_at);
+}
+
+TEST(StepMonitor, ALimitOnDepthIsBrokenByGoingDeeper) {
+    Watch run;
+    run.show(12.5_mm);
+    EXPECT_TRUE(run.monitor.steps()[0].limits[1].broken_at);
+    EXPECT_NEAR(run.monitor.steps()[0].limits[1].worst, 12.5_mm, 1e-12);
+}
+
+}  // namespace
+}  // namespace kerf
