@@ -129,6 +129,7 @@ int main(int argc, char** argv) {
     const auto scene = make_scene(arguments.file, arguments.anatomy, plugins, diagnostics);
     if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
     if (!scene) return 2;
+    for (const auto& note : scene->notes) std::fprintf(stderr, "%s\n", note.c_str());
     if (arguments.command == "validate") {
         std::printf("%s: no errors\n", arguments.file.c_str());
         return 0;
@@ -155,8 +156,8 @@ int main(int argc, char** argv) {
     if (!arguments.replay.empty()) {
         std::string error;
         auto recorded = read_session(arguments.replay, error);
-        if (recorded && (recorded->procedure_text != scene->procedure.text || recorded->anatomy_hash != hash_of_text(scene->anatomy.text)))
-            error = arguments.replay + ": was recorded with another text of this procedure or anatomy, so it cannot end the same.";
+        if (recorded && (recorded->procedure_text != scene->procedure.text || recorded->anatomy_hash != scene->anatomy_hash))
+            error = arguments.replay + ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
         if (!error.empty()) {
             std::fprintf(stderr, "kerf: %s\n", error.c_str());
             return 2;
