@@ -38,11 +38,18 @@ std::optional<Scene> make_scene(const std::string& file, const CommandLine& line
     return make_scene(file, line.anatomy, plugins, diagnostics);
 }
 
+/// What import did, on stderr.
+void print_notes(const std::optional<Scene>& scene) {
+    if (!scene) return;
+    for (const auto& note : scene->notes) std::fprintf(stderr, "%s\n", note.c_str());
+}
+
 /// The scene, or nothing and all that is wrong on stderr.
 std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
     auto scene = make_scene(file, line, plugins, diagnostics);
     if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
+    print_notes(scene);
     return scene;
 }
 
@@ -52,7 +59,7 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
     std::vector<Findings> all;
     for (const auto& file : line.files) {
         Findings& one = all.emplace_back(Findings{file, {}});
-        static_cast<void>(make_scene(file, line, plugins, one.diagnostics));
+        print_notes(make_scene(file, line, plugins, one.diagnostics));
     }
     std::fputs(findings_text(all, line.format).c_str(), stdout);
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
@@ -116,9 +123,9 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         std::string error;
         auto recorded = read_session(line.replay, error);
         if (recorded && (recorded->procedure_text != scene->procedure.text ||
-                         recorded->anatomy_hash != hash_of_text(scene->anatomy.text)))
+                         recorded->anatomy_hash != scene->anatomy_hash))
             error = line.replay +
-                    ": was recorded with another text of this procedure or anatomy, so it cannot end the same.";
+                    ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
         if (!error.empty()) return complain(error, exit_bad_input);
         request.replay = std::move(recorded->device_from_handle);
         recorded_hash = recorded->hash;

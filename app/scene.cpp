@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/bone_memory.h"
+#include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
@@ -19,6 +20,14 @@ Diagnostic fault(std::string code, const std::string& file, std::string message)
     d.place.file = file;
     d.message = std::move(message);
     return d;
+}
+
+/// Without data files the text's own.
+std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>& files) {
+    Fnv1a hash;
+    hash.add(text);
+    for (const std::uint64_t file : files) hash.add_bytes(file, 8);
+    return hash.value();
 }
 
 }  // namespace
@@ -61,9 +70,12 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     if (!has_error(diagnostics)) check_bone_memory(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
-    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics);
+    ImportReport import;
+    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
+    scene.notes = std::move(import.notes);
+    scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
                                        [&](const LandmarkAxis& a) { return a.id == step.axis; });

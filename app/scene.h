@@ -28,6 +28,8 @@ struct Scene {
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;            ///< [N] the scale was made for
+    std::vector<std::string> notes;     ///< what import did, for people
+    std::uint64_t anatomy_hash = 0;     ///< of the anatomy's text and its data files
 };
 
 /// Reads and checks everything. `anatomy_file` empty: the procedure's own.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/field/fnv1a.h"
+
 namespace kerf {
 
 double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept {
@@ -170,24 +172,18 @@ std::vector<std::size_t> CutField::take_changed() {
 }
 
 std::uint64_t CutField::hash() const noexcept {
-    std::uint64_t h = 0xcbf29ce484222325u;
-    const auto add = [&h](std::uint64_t value, int bytes) {
-        for (int i = 0; i < bytes; ++i) {
-            h ^= (value >> (8 * i)) & 0xffu;
-            h *= 0x100000001b3u;
-        }
-    };
+    Fnv1a hash;
     for (std::size_t b = 0; b < table_.size(); ++b) {
         if (table_[b] < 0) continue;
         const std::int16_t* v = brick(table_[b]);
         for (int s = 0; s < stored_samples; ++s)
             if (v[s] != -32767) {
-                add(b, 8);
-                add(static_cast<std::uint64_t>(s), 4);
-                add(static_cast<std::uint16_t>(v[s]), 2);
+                hash.add_bytes(b, 8);
+                hash.add_bytes(static_cast<std::uint64_t>(s), 4);
+                hash.add_bytes(static_cast<std::uint16_t>(v[s]), 2);
             }
     }
-    return h;
+    return hash.value();
 }
 
 bool CutField::same_bits(const CutField& other) const noexcept {

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/import/image_file.h"
+
 namespace kerf {
 namespace {
 
@@ -155,17 +157,20 @@ std::vector<std::size_t> connected(const Mask& mask, std::array<int, 3> start, b
     return found;
 }
 
-/// Leaves only the largest piece: what touches nothing was noise, or another bone.
-void keep_largest(Mask& mask) {
+/// Leaves only the largest piece: what touches nothing was noise, or another bone. Returns how many there were.
+int keep_largest(Mask& mask) {
+    int pieces = 0;
     std::vector<std::uint8_t> seen(mask.is_bone.size(), 0);
     std::vector<std::size_t> largest;
     for_each_voxel(mask.image, [&](int i, int j, int k, std::size_t at) {
         if (mask.is_bone[at] == 0 || seen[at] != 0) return;
+        ++pieces;
         if (auto piece = connected(mask, {i, j, k}, true, seen); piece.size() > largest.size())
             largest = std::move(piece);
     });
     std::fill(mask.is_bone.begin(), mask.is_bone.end(), std::uint8_t{0});
     for (const std::size_t at : largest) mask.is_bone[at] = 1;
+    return pieces;
 }
 
 /// Every voxel within `radius` [m] of one that holds `value` holds it too.
@@ -255,7 +260,9 @@ double solved(std::array<double, 3> near, std::array<double, 3> spacing) {
     return distance;
 }
 
-VoxelImage distances(const Mask& mask, double threshold) {
+/// `crossing_share`: of the faces between bone and air, where the values cross the threshold.
+VoxelImage distances(const Mask& mask, double threshold, double& crossing_share) {
+    std::size_t faces = 0, crossings = 0;
     const VoxelImage& image = mask.image;
     VoxelImage result = image;
     std::vector<double> distance(image.values.size(), HUGE_VAL);
@@ -273,6 +280,8 @@ VoxelImage distances(const Mask& mask, double threshold) {
             const auto there = static_cast<double>(image.at(i + x, j + y, k + z));
             const bool crosses =
                 is_bone ? here >= threshold && there < threshold : here < threshold && there >= threshold;
+            ++faces;
+            crossings += crosses;
             const double share = crosses ? (here - threshold) / (here - there) : 0.5;
             ways[n / 2] = std::min(ways[n / 2], share * spacing[n / 2]);
         }
@@ -303,6 +312,7 @@ VoxelImage distances(const Mask& mask, double threshold) {
         const double capped = std::min(distance[at], 1.0);  // [m]
         result.values[at] = static_cast<float>(mask.is_bone[at] != 0 ? -capped : capped);
     }
+    crossing_share = faces > 0 ? static_cast<double>(crossings) / static_cast<double>(faces) : 0.0;
     return result;
 }
 
@@ -346,16 +356,30 @@ void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
 /// Densities of the voxels that are deeper in bone than `cortex` [m], extended to all; none if there are no such
 /// voxels.
 std::optional<VoxelImage> densities(const VoxelImage& part, const VoxelImage& distance, double cortex,
-                                    const DensityLine& line) {
+                                    const DensityLine& line, std::vector<std::string>& notes) {
+    double sum = 0.0, count = 0.0, least = HUGE_VAL, most = -HUGE_VAL;
     VoxelImage density = part;
     std::vector<std::uint8_t> known(part.values.size(), 0);
     for (std::size_t at = 0; at < part.values.size(); ++at) {
         if (static_cast<double>(distance.values[at]) >= -cortex) continue;
         known[at] = 1;
         const double by_line = line.at_zero + line.per_unit * static_cast<double>(part.values[at]);
-        density.values[at] = static_cast<float>(std::max(line.floor, by_line));
+        const double here = std::max(line.floor, by_line);
+        density.values[at] = static_cast<float>(here);
+        sum += here;
+        count += 1.0;
+        least = std::min(least, here);
+        most = std::max(most, here);
     }
-    if (std::find(known.begin(), known.end(), std::uint8_t{1}) == known.end()) return std::nullopt;
+    const auto g_per_cm3 = [](double density_si, int digits) { return rounded(density_si * 1e-3, digits); };
+    std::string note = "Density of the innermost tissue: " + g_per_cm3(line.at_zero, 2) + " + " +
+                       g_per_cm3(line.per_unit, 6) + " × value g/cm3, at least " + g_per_cm3(line.floor, 2) +
+                       " g/cm3; ";
+    note += count > 0.0 ? "by voxel, mean " + g_per_cm3(sum / count, 2) + ", from " + g_per_cm3(least, 2) + " to " +
+                              g_per_cm3(most, 2) + " g/cm3."
+                        : "the same everywhere, as no voxel is deeper than the cortex.";
+    notes.push_back(line.source.empty() ? note : note + " Source: " + line.source);
+    if (count == 0.0) return std::nullopt;
     extend(density, std::move(known));
     return density;
 }
@@ -401,22 +425,55 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
                       "Check that the axes are LPS, and the image is theirs.");
     const VoxelImage label_part = labels ? cropped(*labels, bone.region, margin) : VoxelImage{};
 
+    std::vector<std::string>& notes = bone.report.notes;
+    const auto millimetres = [](double metres) { return rounded(metres * 1e3, 2); };
+    notes.push_back("CT: voxels of " + millimetres(image.spacing(0)) + " × " + millimetres(image.spacing(1)) + " × " +
+                    millimetres(image.spacing(2)) + " mm; of it " + rounded(extent.x * 1e3, 0) + " × " +
+                    rounded(extent.y * 1e3, 0) + " × " + rounded(extent.z * 1e3, 0) +
+                    " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
+
     Mask mask(part);
     for (std::size_t at = 0; at < part.values.size(); ++at)
         mask.is_bone[at] =
             labels ? is_kept(label_part.values[at], ct.keep) : static_cast<double>(part.values[at]) >= ct.threshold;
-    if (!labels) keep_largest(mask);
-    if (ct.closing > 0.0) {
-        spread(mask, true, ct.closing);
-        spread(mask, false, ct.closing);
+    std::string note = "Mask: " + std::to_string(mask.count()) + " voxels ";
+    if (labels) {
+        note += "by label";
+        for (const int one : ct.keep) note += " " + std::to_string(one);
+    } else {
+        note += "of " + rounded(ct.threshold, 0) + " and more";
+        const int pieces = keep_largest(mask);
+        note += "; of " + std::to_string(pieces) + " pieces the largest is kept, " + std::to_string(mask.count()) +
+                " voxels";
     }
-    if (ct.fill) fill_cavities(mask);
-    if (mask.count() > 0) follow_grey(mask, labels ? &label_part : nullptr, ct.threshold);
+    const auto added_by = [&](const auto& change) {
+        const std::size_t before = mask.count();
+        change();
+        const std::size_t after = mask.count();
+        return (after < before ? "took " : "added ") + std::to_string(after < before ? before - after : after - before);
+    };
+    if (ct.closing > 0.0)
+        note += "; closing by " + millimetres(ct.closing) + " mm " + added_by([&] {
+                    spread(mask, true, ct.closing);
+                    spread(mask, false, ct.closing);
+                });
+    if (ct.fill) note += "; filling cavities " + added_by([&] { fill_cavities(mask); });
+    if (mask.count() > 0) {
+        const std::vector<std::uint8_t> before = mask.is_bone;
+        follow_grey(mask, labels ? &label_part : nullptr, ct.threshold);
+        std::size_t moved = 0;
+        for (std::size_t at = 0; at < before.size(); ++at) moved += before[at] != mask.is_bone[at];
+        note += "; the grey values moved " + std::to_string(moved) + " over the border";
+    }
     bone.voxels = mask.count();
     if (bone.voxels == 0)
         return refuse("E0633", "no voxel around the axes is bone.",
                       labels ? "Check `ct.labels.keep`." : "Lower `ct.threshold`.");
-    bone.distance = distances(mask, ct.threshold);
+    notes.push_back(note + ". In the end " + std::to_string(bone.voxels) + " are bone.");
+    double crossing_share = 0.0;
+    bone.distance = distances(mask, ct.threshold, crossing_share);
+    notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +
+                    rounded(100.0 * crossing_share, 0) + " % of it; half way between them at the rest.");
 
     double cortex = 0.0;
     for (const auto& tissue : anatomy.tissues) cortex += tissue.thickness;
@@ -428,17 +485,35 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
             ++deep;
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
-    if (ct.density) bone.density = densities(part, bone.distance, cortex, *ct.density);
+    if (ct.density) bone.density = densities(part, bone.distance, cortex, *ct.density, notes);
     return bone;
 }
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics) {
-    const auto image = read_image(found_file(anatomy.ct->image, anatomy.file), diagnostics);
+    ImportReport files;
+    const auto read = [&](const std::string& written) -> std::optional<VoxelImage> {
+        const std::string file = found_file(written, anatomy.file);
+        auto image = read_image(file, diagnostics);
+        if (!image) return std::nullopt;
+        // A header without voxels names a file that has them.
+        std::vector<std::string> parts{file};
+        if (file.ends_with(".mhd"))
+            if (const auto header = check_image_file(file, diagnostics)) parts.push_back(header->data_file);
+        for (const std::string& part : parts)
+            if (!hash_of_file(part, files.file_hashes.emplace_back())) {
+                diagnostics.push_back(
+                    error("E0620", file, "the file could be read once, but not again.", "Try again."));
+                return std::nullopt;
+            }
+        return image;
+    };
+    const auto image = read(anatomy.ct->image);
     if (!image) return std::nullopt;
-    if (anatomy.ct->labels.empty()) return make_ct_bone(anatomy, *image, nullptr, diagnostics);
-    const auto labels = read_image(found_file(anatomy.ct->labels, anatomy.file), diagnostics);
-    if (!labels) return std::nullopt;
-    return make_ct_bone(anatomy, *image, &*labels, diagnostics);
+    std::optional<VoxelImage> labels;
+    if (!anatomy.ct->labels.empty() && !(labels = read(anatomy.ct->labels))) return std::nullopt;
+    auto bone = make_ct_bone(anatomy, *image, labels ? &*labels : nullptr, diagnostics);
+    if (bone) bone->report.file_hashes = std::move(files.file_hashes);
+    return bone;
 }
 
 }  // namespace kerf

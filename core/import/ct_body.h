@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/import/import_report.h"
 #include "core/import/read_image.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/solids.h"
@@ -20,11 +21,12 @@ namespace kerf {
 struct CtBone {
     VoxelImage distance;  ///< [m] to the border, negative in bone; grows as fast as the way to it
     Box region{};         ///< [m] LPS: around the axes, as far as the image goes; what lies outside was not looked at
-    double mean_value = 0.0;  ///< [HU or grey] of the voxels deeper in bone than the cortex
+    double mean_value = 0.0;  ///< [HU or grey] of the voxels deeper in bone than the cortex, or else the threshold
     /// [kg/m³] of the base tissue, if `ct.density` says how: by their own values in the voxels deeper in bone than the
     /// cortex, from there extended to all others, so that nothing brighter or darker beside the tissue is mixed in.
     std::optional<VoxelImage> density;
     std::size_t voxels = 0;  ///< that are bone, in the region
+    ImportReport report;     ///< what was done, and with which files
 };
 
 /// Reads the files that `anatomy.ct` names and makes the bone.

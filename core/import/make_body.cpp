@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/import/ct_body.h"
 #include "core/procedure/solids.h"
@@ -22,18 +21,6 @@ Diagnostic error(std::string code, const std::string& file, std::string message,
     d.message = std::move(message) + " " + advice;
     return d;
 }
-
-std::string rounded(double value, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    for (char& c : text)
-        if (c == ',') c = '.';
-    return text;
-}
-
-}  // namespace
-
-namespace {
 
 Box phantom_bounds(const PhantomSource& phantom) {
     Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -69,9 +56,34 @@ bool may_hold_base(const Body& body, std::size_t brick) {
                         [&](const Material& shell) { return shell.border.is_all_solid(brick); });
 }
 
+ImportReport phantom_report(const Anatomy& anatomy) {
+    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}};
+}
+
+void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
+    for (const Tissue& tissue : anatomy.tissues) {
+        const bool is_base = &tissue == &anatomy.tissues.back();
+        const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
+        std::string note = "Tissue " + tissue.id + ": ";
+        note +=
+            is_base ? "what the others leave" : rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not from a CT";
+        note += material.densities.is_empty() ? "; " + rounded(material.density * 1e-3, 2) + " g/cm3 everywhere."
+                                              : "; density by place.";
+        report.notes.push_back(std::move(note));
+    }
+    for (const LandmarkAxis& axis : anatomy.axes) {
+        const AxisInBone found = axis_in_bone(body, axis);
+        report.notes.push_back("Axis " + axis.id + ": " +
+                               (found.entry < 0.0
+                                    ? "meets no bone."
+                                    : "meets bone after " + rounded(found.entry * 1e3, 1) + " mm; " +
+                                          rounded(100.0 * found.share, 0) + " % of the rest lies in bone."));
+    }
+}
+
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics) {
+std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report) {
     std::optional<CtBone> ct;
     if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics))) return std::nullopt;
 
@@ -121,6 +133,10 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         // A shell lies between the surface and its own thickness below it.
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
         body.materials.push_back(std::move(material));
+    }
+    if (report) {
+        *report = ct ? std::move(ct->report) : phantom_report(anatomy);
+        note_tissues_and_axes(anatomy, body, *report);
     }
     return body;
 }

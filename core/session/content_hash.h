@@ -8,15 +8,13 @@
 #include <string>
 #include <string_view>
 
+#include "core/field/fnv1a.h"
 #include "core/session/recording.h"
 
 namespace kerf {
 
 /// A 64-bit number that two runs share when they did the same, bit for bit, on whatever machine.
-///
-///     h ← (h ⊕ byte) · 1099511628211,   h₀ = 14695981039346656037
-///
-/// over the bytes of each value, least significant first (FNV-1a). It finds accidents, not forgery.   [any]
+/// FNV-1a over the bytes of each value.   [any]
 class ContentHash {
 public:
     void add(std::uint8_t value) noexcept { add_bytes(value, 1); }
@@ -31,9 +29,7 @@ public:
         add_bytes(std::isnan(value) ? 0x7ff8000000000000u : std::bit_cast<std::uint64_t>(value), 8);
     }
     /// The bytes alone, so that a whole text gives its published FNV-1a value.
-    void add(std::string_view text) noexcept {
-        for (const char c : text) add_bytes(static_cast<std::uint8_t>(c), 1);
-    }
+    void add(std::string_view text) noexcept { hash_.add(text); }
     void add(Vec3 v) noexcept {
         add(v.x);
         add(v.y);
@@ -48,17 +44,12 @@ public:
         for (const double component : v) add(component);
     }
 
-    [[nodiscard]] std::uint64_t value() const noexcept { return hash_; }
+    [[nodiscard]] std::uint64_t value() const noexcept { return hash_.value(); }
 
 private:
-    void add_bytes(std::uint64_t bits, int count) noexcept {
-        for (int i = 0; i < count; ++i) {
-            hash_ = (hash_ ^ (bits & 0xffu)) * 1099511628211u;
-            bits >>= 8;
-        }
-    }
+    void add_bytes(std::uint64_t bits, int count) noexcept { hash_.add_bytes(bits, count); }
 
-    std::uint64_t hash_ = 14695981039346656037u;
+    Fnv1a hash_;
 };
 
 /// What the loop was given and what it answered: input pose, tool pose, wrench on the tool and on the hand.
@@ -81,7 +72,7 @@ inline void add_event(ContentHash& hash, const EventRow& event) noexcept {
 
 /// FNV-1a of a document's bytes.
 [[nodiscard]] inline std::uint64_t hash_of_text(std::string_view text) noexcept {
-    ContentHash hash;
+    Fnv1a hash;
     hash.add(text);
     return hash.value();
 }

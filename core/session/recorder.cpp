@@ -136,7 +136,10 @@ void Recorder::Impl::create(const SessionHeader& header) {
 
     set("session", "state", "running");
     set("session", "procedure_text", header.procedure_text);
-    set("session", "anatomy_hash", hex16(hash_of_text(header.anatomy_text)));
+    set("session", "anatomy_hash", hex16(header.anatomy_hash));
+    std::string notes;
+    for (const std::string& note : header.anatomy_notes) notes += (notes.empty() ? "" : "\n") + note;
+    set("session", "anatomy_notes", notes);
     for (const auto& [part, version] : header.versions) set("session", "version." + part, version);
     set("session", "condition.device", header.conditions.device);
     set("session", "condition.force_scale", text_of(header.conditions.force_scale));

@@ -38,7 +38,8 @@ struct SessionConditions {
 /// Everything known before the first tick.
 struct SessionHeader {
     std::string procedure_text;
-    std::string anatomy_text;  ///< only its hash is stored
+    std::uint64_t anatomy_hash = 0;           ///< of the anatomy's text and data files
+    std::vector<std::string> anatomy_notes;   ///< what import did, for people
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;

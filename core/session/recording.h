@@ -92,6 +92,7 @@ struct RunSummary {
     std::vector<std::pair<std::string, std::string>> versions;
     std::vector<std::string> tissues;
     std::vector<SignalColumn> signals;
+    std::vector<std::string> anatomy_notes;  ///< what import did, for people
 };
 
 }  // namespace kerf

@@ -77,7 +77,8 @@ std::string summary_json(const RunSummary& summary) {
                         {"removed_mm3", plain_number(summary.removed * 1e9)},
                         {"force_scale", plain_number(summary.force_scale)},
                         {"hash", hex16(summary.hash)},
-                        {"versions", std::move(versions)}};
+                        {"versions", std::move(versions)},
+                        {"anatomy_notes", summary.anatomy_notes}};
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <random>
 
+#include "core/field/fnv1a.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -211,6 +212,69 @@ std::optional<Body> labelled_ball(const VoxelImage& values, Diagnostics& diagnos
     one.ct->density = DensityLine{.at_zero = 0.0, .per_unit = 1.0, .floor = 100.0, .source = ""};
     one.tissues[0].thickness = cortex;
     return make_body(one, 0.5_mm, diagnostics);
+}
+
+std::string joined(const std::vector<std::string>& notes) {
+    std::string all;
+    for (const std::string& note : notes) all += note + "\n";
+    return all;
+}
+
+TEST(CtBody, SaysWhatItDidAndNothingOfWhereItLooked) {
+    const test::TemporaryFolder folder;
+    Anatomy one = anatomy();
+    one.file = write_ball(folder);
+    one.ct->image = "ball.mha";
+    one.ct->closing = 2.0_mm;
+    one.ct->fill = true;
+    one.ct->density = DensityLine{.at_zero = 50.0, .per_unit = 0.5, .floor = 100.0, .source = "A phantom."};
+    Diagnostics diagnostics;
+    ImportReport report;
+    const auto body = make_body(one, 0.5_mm, diagnostics, &report);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+
+    const std::string notes = joined(report.notes);
+    std::size_t within = 0;
+    for (const float value : ball().values) within += value >= bright / 2.0;
+    for (const std::string& fact :
+         {"Mask: " + std::to_string(within) + " voxels of 250 and more; of 1 pieces the largest is kept",
+          std::string("closing by 2.00 mm added "), std::string("filling cavities added 0"),
+          std::string("values cross 250, at 100 % of it"), std::string("Tissue cortical: 1.00 mm, prescribed"),
+          std::string("0.05 + 0.000500 × value g/cm3, at least 0.10 g/cm3"), std::string("to 0.30 g/cm3"),
+          std::string("A phantom."), std::string("Axis axis: meets bone after 0.0 mm; 100 %")})
+        EXPECT_NE(notes.find(fact), std::string::npos) << fact << "\n" << notes;
+    EXPECT_EQ(notes.find("ball"), std::string::npos) << "a file's name";
+    EXPECT_EQ(notes.find(folder / ""), std::string::npos) << "a path";
+}
+
+TEST(CtBody, HashesTheBytesOfItsFiles) {
+    const test::TemporaryFolder folder;
+    Anatomy one = anatomy();
+    one.file = write_ball(folder);
+    one.ct->image = "ball.mha";
+    const auto hashes = [&] {
+        Diagnostics diagnostics;
+        ImportReport report;
+        EXPECT_TRUE(make_body(one, 1.0_mm, diagnostics, &report)) << to_text(diagnostics);
+        return report.file_hashes;
+    };
+    const auto first = hashes();
+    std::ifstream file(folder / "ball.mha", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    Fnv1a whole;
+    whole.add(bytes);
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_EQ(first[0], whole.value());
+
+    // One voxel of the air darker, and it is another scan; with labels there are two files
+    VoxelImage darker = ball();
+    darker.values[0] -= 1.0f;
+    write_image(folder, "ball.mha", darker);
+    EXPECT_NE(hashes(), first);
+    write_image(folder, "labels.mha", image_of([](Vec3 p) { return length(p) < radius ? 1.0 : 0.0; }));
+    one.ct->labels = "labels.mha";
+    one.ct->keep = {1};
+    EXPECT_EQ(hashes().size(), 2u);
 }
 
 TEST(CtBody, GoesOnBeyondTheBoxAroundItsAxes) {

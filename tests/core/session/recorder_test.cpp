@@ -48,7 +48,8 @@ std::string ask(const std::string& path, const std::string& sql) {
 SessionHeader header() {
     SessionHeader header;
     header.procedure_text = "kind: Procedure\nid: pilot-hole\n";
-    header.anatomy_text = "kind: Anatomy\n";
+    header.anatomy_hash = hash_of_text("kind: Anatomy\n");
+    header.anatomy_notes = {"Mask: 7 voxels.", "Cortex: prescribed."};
     header.versions = {{"kerf", "0.1.0"}};
     header.envelope.uuid = "00000000-0000-4000-8000-000000000000";
     header.envelope.learner = "L17";
@@ -128,6 +129,7 @@ TEST(Recorder, ASessionDescribesItself) {
               "N, force, world");
     EXPECT_EQ(ask(path, "SELECT column_name FROM signals WHERE id='chip.thickness'"), "signal_chip_thickness");
     EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='anatomy_hash'"), hex16(hash_of_text("kind: Anatomy\n")));
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='anatomy_notes'"), "Mask: 7 voxels.\nCortex: prescribed.");
 }
 
 TEST(Recorder, EveryColumnOfEveryTableIsDescribed) {
