@@ -11,7 +11,7 @@
 #include "core/procedure/solids.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
-#include "tests/core/session/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf {
