@@ -72,7 +72,9 @@ TEST(ScanReplay, IsRefusedWithAnotherScanUnderTheSameName) {
     header.anatomy_hash = scene->anatomy_hash;
     auto created = Recorder::create(folder / "session.db", header);
     ASSERT_EQ(created.error, "");
-    created.recorder->push(TickRow{});
+    TickRow row;
+    row.device_from_handle = identity_pose();
+    created.recorder->push(row);
     ASSERT_EQ(created.recorder->finish(RunSummary{}), "");
 
     // When a voxel of the scan changes, and the session is replayed

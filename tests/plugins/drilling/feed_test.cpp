@@ -121,6 +121,61 @@ TEST(DrillThrust, HasNoSidewaysPartInOneTissue) {
     EXPECT_LT(f.lateral, 1e-9 * f.thrust);
 }
 
+// P4: four times the length, and half the time, with coefficients in the same units: the same force.
+TEST(DrillThrust, IsTheSameInAnyUnitsOfLengthAndTime) {
+    const auto scaled = [](double length, double time) {
+        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm * length},
+                                                   {"length", 70.0_mm * length},
+                                                   {"element_pitch", 0.1_mm * length},
+                                                   {"edge_depth", 4.0_um * length},
+                                                   {"clearance", 0.05_mm * length},
+                                                   {"thrust_edge", 27.0_N_per_mm / length},
+                                                   {"cutting_edge", 16.0_N_per_mm / length},
+                                                   {"chisel_edge", 99.0_N_per_mm / length},
+                                                   {"thrust_chip", 285.0_N_per_mm2 / length / length},
+                                                   {"cutting_chip", 934.0_N_per_mm2 / length / length},
+                                                   {"chisel_chip", 871.0_N_per_mm2 / length / length},
+                                                   {"spindle_speed", 1000.0_rpm / time}});
+        const double mm = length * 1.0_mm;
+        const Body body = test::block({-5.0 * mm, -5.0 * mm, -8.0 * mm}, {5.0 * mm, 5.0 * mm, 0}, 0.25 * mm, {0.21, 0.34, 0.55});
+        return mean_between(feed(body, setup, 2.0 * mm / time, 4.0 * mm), 2.5 * mm, 4.0 * mm);
+    };
+    const Felt one = scaled(1.0, 1.0);
+    for (const double length : {1.0, 4.0})
+        for (const double time : {0.5, 1.0}) {
+            const Felt other = scaled(length, time);
+            EXPECT_NEAR(other.thrust / one.thrust, 1.0, 1e-3) << length << " " << time;
+            EXPECT_NEAR(other.torque / (length * one.torque), 1.0, 1e-3) << length << " " << time;
+        }
+}
+
+// P10: in both directions the bone works against the motion, along the shaft and across it.
+TEST(DrillThrust, OpposesTheMotionOnBothStrokes) {
+    const Body body = test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
+    const ToolSetup setup = test::twist_drill();
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    const auto work_to = [&](double depth_from, double depth_to, double aside_from, double aside_to) {
+        double work = 0.0;
+        Vec3 last = simulation.world_from_tool().position;
+        constexpr int ticks = 1000;
+        for (int i = 1; i <= ticks; ++i) {
+            const double t = static_cast<double>(i) / ticks;
+            const TickResult r = simulation.tick_direct(
+                {test::at_depth(depth_from + t * (depth_to - depth_from), 0.0, {aside_from + t * (aside_to - aside_from), 0, 0})});
+            simulation.after_tick();
+            work += dot(linear(r.bone_on_tool), r.world_from_tool.position - last);
+            last = r.world_from_tool.position;
+        }
+        return work;
+    };
+    EXPECT_LT(work_to(-1.0_mm, 3.0_mm, 0.0, 0.0), -0.1) << "in [J]";
+    EXPECT_LT(work_to(3.0_mm, 3.0_mm, 0.0, 0.6_mm), -1e-3) << "to one side";
+    const double across = work_to(3.0_mm, 3.0_mm, 0.6_mm, -0.6_mm);
+    EXPECT_LT(across, -1e-3) << "and to the other";
+    EXPECT_LT(work_to(3.0_mm, 3.0_mm, -0.6_mm, 0.0), -0.1 * across) << "back it is given only what the bent bit held";
+    EXPECT_LE(work_to(3.0_mm, -1.0_mm, 0.0, 0.0), 1e-9) << "out";
+}
+
 // P9
 TEST(DrillThrust, WithoutFeedThereIsNone) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
