@@ -65,14 +65,18 @@ void StepMonitor::observe(const Observation& now, const RevolutionSolid& cutting
     if (!state.start) state.start = time;
 
     const double depth = frame.depth_of(tool.position);
+    const double offset = length(tool.position - frame.entry - depth * frame.along);
     const bool is_first_bone = is_in_bone && state.deepest < 0.0;
     if (is_first_bone) {
         state.deepest = 0.0;
-        state.entry_offset = length(tool.position - frame.entry - depth * frame.along);
+        state.entry_offset = offset;
         news_.emplace_back("entered_bone", state.step->id);
     }
     if (is_resisted && !is_running) state.has_met_bone_still = true;
-    if (is_in_bone) state.deepest = std::max(state.deepest, depth);
+    if (is_in_bone) {
+        state.deepest = std::max(state.deepest, depth);
+        state.farthest_offset = std::max(state.farthest_offset, offset);
+    }
 
     for (auto& limit : state.limits) {
         if (!is_running) continue;  // a still tool harms nothing

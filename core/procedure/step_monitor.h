@@ -49,6 +49,7 @@ struct StepState {
     std::optional<double> start, end;  ///< [s]
     double deepest = -1.0;             ///< [m]
     double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first cut bone
+    double farthest_offset = 0.0;      ///< [m] of the tip from the axis while it cut bone
     bool has_met_bone_still = false;   ///< it stood on bone without running
 
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }

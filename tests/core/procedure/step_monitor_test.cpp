@@ -82,6 +82,16 @@ TEST(StepMonitor, AClearanceIsThatOfTheWholeCuttingRegion) {
     EXPECT_EQ(std::count(run.scene.news.begin(), run.scene.news.end(), "zone_entered"), 1) << "said once";
 }
 
+TEST(StepMonitor, HowFarItWanderedIsCountedInBoneOnly) {
+    Watch run;
+    run.show(-1.0_mm, 3.0_mm, true, false);
+    run.show(0.1_mm, 0.2_mm);
+    run.show(2.0_mm, 0.7_mm);
+    run.show(3.0_mm, 0.1_mm);
+    EXPECT_NEAR(run.monitor.steps()[0].entry_offset, 0.2_mm, 1e-12);
+    EXPECT_NEAR(run.monitor.steps()[0].farthest_offset, 0.7_mm, 1e-12);
+}
+
 TEST(StepMonitor, AStillToolHarmsNothing) {
     Watch run;
     run.show(13.0_mm, 1.5_mm, false, true);
