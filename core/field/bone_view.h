@@ -14,6 +14,7 @@ public:
     BoneView(const Body& body, const CutField& committed, const CutTracker& tracker)
         : body_(&body), committed_(&committed), tracker_(&tracker) {
         query_.size = sizeof(kerf_bone_query);
+        query_.reach = body.grid().clamp();
         query_.tissue_count = static_cast<std::uint32_t>(body.materials.size());
         query_.sample = &BoneView::sample_entry;
         query_.nearest = &BoneView::nearest_entry;

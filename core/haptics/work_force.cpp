@@ -44,7 +44,7 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
 /// Lets a powered tool come to its speed in air.
 void run_up(const kerf_force& force, kerf_tick_in in, void* state) {
     constexpr int longest = 10000;  // ticks
-    const kerf_bone_query air{sizeof(kerf_bone_query), in.bone->tissue_count, &sample_air, &nearest_endless, nullptr};
+    const kerf_bone_query air{sizeof(kerf_bone_query), in.bone->tissue_count, 1.0, &sample_air, &nearest_endless, nullptr};
     in.bone = &air;
     double signals[KERF_MAX_SIGNALS];
     kerf_action actions[KERF_MAX_ACTIONS];
@@ -70,7 +70,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     double largest = 0.0;
     for (std::size_t m = 0; m < body.materials.size(); ++m) {
         const EndlessBone endless{m, body.materials[m].density};
-        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()),
+        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()), 1.0,
                               &sample_endless, &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
         kerf_tick_in in{};
         in.size = sizeof in;

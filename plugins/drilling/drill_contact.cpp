@@ -13,7 +13,6 @@ constexpr std::size_t shank_levels = 8, tip_levels = 4, around = 8;  // levels o
 constexpr std::size_t most_points = (shank_levels + tip_levels) * around;
 constexpr double near_contact = 0.3e-3;  // [m] surface points farther away get no channel
 constexpr double nearly = 20e-6;         // [m] behind the deepest: shares its channel
-constexpr double facing = 0.5;           // bone that does not face the tool is not touched from here
 
 /// Points of the tool's own surface, with its outward normals and how stiff it is there [N/m]: what may touch.
 struct ContactPoints {
@@ -64,6 +63,25 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
     return points;
 }
 
+/// How a point of the tool's surface and the bone's surface nearest to it face each other.
+struct Facing {
+    double against = 0.0;  ///< [–] cosine between the two normals, the tool's reversed
+    double share = 0.0;    ///< [–] of the stiffness: nothing far from the bone, or where it does not face the tool
+};
+
+/// Along the tool's own normal, bone that it meets askew at depth p pushes with k p a and stiffens with k a², a = against:
+/// so a point that turns away lets go without a jump. Near the end of what distances tell it fades as well: a shank that
+/// lies so deep in the wall of a bent hole says more about the wander than about the force.
+Facing facing(const kerf_surface_point& surface, Vec3 normal, double least, double reach) noexcept {
+    constexpr double grazing = 0.05, ramp = 0.1;
+    if (surface.body < 0 || surface.distance > near_contact) return {};
+    const double against = -dot(surface.normal, normal);
+    const double from = std::max(least, grazing);
+    const double faces = std::clamp((against - from) / ramp, 0.0, 1.0);
+    const double known = std::clamp((reach + surface.distance) / (0.5 * reach), 0.0, 1.0);
+    return {against, faces * known};
+}
+
 }  // namespace
 
 void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
@@ -76,21 +94,21 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     // near the tip and far from it, as long as the cutting edges leave no channels for more. It lies where points are deepest.
     constexpr std::size_t none = 16;
     std::array<std::size_t, most_points> slot_of;
-    std::array<double, most_points> depth;  // along the tool's normal [m]
     std::array<double, none> deepest;
     deepest.fill(-near_contact);
     // The cone stands on bone ahead of it; it does not climb the wall of its hole.
-    const double tip_facing = std::min(0.7, half_point_angle(drill).sin - 0.01);
+    const double tip_facing = std::min(0.6, half_point_angle(drill).sin - 0.1);
     const double rear = -drill.point_depth() - drill.diameter * (drill.corner + 0.5 * shank_levels);
+    std::array<Facing, most_points> face;
     for (std::size_t i = 0; i < c.count; ++i) {
+        const bool is_tip = i < c.of_tip;
+        face[i] = facing(surface[i], c.normal[i], is_tip ? tip_facing : 0.0, bone.reach());
         slot_of[i] = none;
-        const double against = -dot(surface[i].normal, c.normal[i]);
-        if (surface[i].body < 0 || against < (i < c.of_tip ? tip_facing : facing)) continue;
-        slot_of[i] = i < c.of_tip ? i % around
-                                  : around + (c.normal[i].x >= 0.0 ? 1u : 0u) + (c.normal[i].y >= 0.0 ? 2u : 0u) +
-                                        (turning.removes() && c.point[i].z < rear ? 4u : 0u);
-        depth[i] = -surface[i].distance / against;
-        deepest[slot_of[i]] = std::max(deepest[slot_of[i]], depth[i]);
+        if (face[i].share <= 0.0) continue;
+        slot_of[i] = is_tip ? i % around
+                            : around + (c.normal[i].x >= 0.0 ? 1u : 0u) + (c.normal[i].y >= 0.0 ? 2u : 0u) +
+                                  (turning.removes() && c.point[i].z < rear ? 4u : 0u);
+        deepest[slot_of[i]] = std::max(deepest[slot_of[i]], -surface[i].distance);
     }
     // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
     struct Touch {
@@ -100,19 +118,19 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     std::array<Touch, none> touch{};
     for (std::size_t i = 0; i < c.count; ++i) {
         if (slot_of[i] == none) continue;
-        const double ahead = depth[i] - deepest[slot_of[i]] + nearly;
+        const double ahead = -surface[i].distance - deepest[slot_of[i]] + nearly;
         if (ahead <= 0.0) continue;
         Touch& t = touch[slot_of[i]];
-        const double weight = ahead * ahead;
+        const double weight = ahead * ahead, against = face[i].against;
         const Vec6 d = rate_at(c.point[i], c.normal[i]);
         t.weight += weight;
-        t.depth += weight * depth[i];
-        t.stiffness += weight * c.stiffness[i];
+        t.depth += weight * -surface[i].distance / against;
+        t.stiffness += weight * face[i].share * against * against * c.stiffness[i];
         for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
     }
     for (std::size_t slot = 0; slot < none; ++slot) {
         const Touch& t = touch[slot];
-        if (t.weight <= 0.0 || deepest[slot] <= -near_contact) continue;
+        if (t.weight <= 0.0) continue;
         kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(slot));
         if (channel == nullptr) return;
         for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.weight;

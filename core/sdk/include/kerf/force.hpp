@@ -34,6 +34,8 @@ public:
         query_->nearest(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), out.data());
     }
     [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
+    /// [m] distances are known as far as this on either side of a surface
+    [[nodiscard]] double reach() const noexcept { return query_->reach; }
 
 private:
     const kerf_bone_query* query_;
