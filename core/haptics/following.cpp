@@ -11,8 +11,8 @@ double Following::lambda_of(std::uint32_t id) const noexcept {
     return 0.0;
 }
 
-Vec6 Following::wrench(const Balance& balance) const noexcept {
-    Vec6 sum{};
+Vec6 Following::wrench(const Balance& balance, const Vec6& own) const noexcept {
+    Vec6 sum = own;
     for (const auto& channel : balance.channels) {
         const double lambda = lambda_of(channel.id);
         for (std::size_t i = 0; i < 6; ++i) sum[i] += channel.follow[i] * lambda;

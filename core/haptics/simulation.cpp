@@ -100,13 +100,17 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
 }
 
 bool Simulation::ask(double step) noexcept {
-    kerf_law law{sizeof(kerf_law), 0, channels_};
+    kerf_law law{sizeof(kerf_law), 0, channels_, {}};
     const kerf_tick_in in = tick_in(step);
     const kerf_status status = setup_.force->force->resist(&in, state_, &law);
     channel_count_ = law_channel_count_ = 0;
     if (status != KERF_OK || law.count > KERF_MAX_CHANNELS) return false;
     for (std::uint32_t c = 0; c < law.count; ++c)
         if (!is_sound(channels_[c])) return false;
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (!std::isfinite(law.wrench[i])) return false;
+        law_wrench_[i] = law.wrench[i];
+    }
     channel_count_ = law_channel_count_ = law.count;
     if (region_wall(*body_, view_, outline_.cutting, world_from_tool_, channels_[channel_count_])) ++channel_count_;
     return true;
@@ -116,7 +120,7 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
     if (!ask(step)) return false;
     coupling_.hold(handle, hand_.rate(), world_from_tool_, step, balance);
     balance.channels = {channels_, channel_count_};
-    balance.following = following_.wrench(balance);
+    balance.following = following_.wrench(balance, law_wrench_);
     motion = solve(balance);
     return motion.has_converged;
 }
@@ -278,7 +282,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
 
     result.is_quarantined = !ask(dt);
     double lambda[most_channels] = {};
-    Vec6 bone{};
+    Vec6 bone = result.is_quarantined ? Vec6{} : law_wrench_;
     for (std::uint32_t c = 0; c < channel_count_; ++c) {
         lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), dt).lambda;
         for (std::size_t i = 0; i < 6; ++i) bone[i] += (channels_[c].follow[i] - channels_[c].d[i]) * lambda[c];

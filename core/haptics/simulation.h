@@ -139,6 +139,7 @@ private:
     kerf_channel channels_[most_channels]{};
     std::uint32_t channel_count_ = 0;      ///< of the plugin's law, and the wall behind it
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
+    Vec6 law_wrench_{};
     bool has_left_region_ = false;
     Following following_;
 

@@ -31,7 +31,7 @@ struct Balance {
     Vec6 previous_rate{};  ///< only used with a mass
     double dt = 1e-3;      ///< [s]
     std::span<const kerf_channel> channels;
-    Vec6 following{};  ///< Σ follow λ̄: what follows the law without working against the rate
+    Vec6 following{};  ///< Σ follow λ̄ and the law's own wrench: what is no resistance to the rate
     /// One-sided damper between tool and hand (resolutions R5): λ = damping max(0, along·v_tip − from).
     Vec3 release_along{};
     double release_damping = 0.0;       ///< [N·s/m]

@@ -80,7 +80,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         in.drive = setup.drives.data();
         in.bone = &query;
         kerf_channel channels[KERF_MAX_CHANNELS];
-        kerf_law law{sizeof(kerf_law), 0, channels};
+        kerf_law law{sizeof(kerf_law), 0, channels, {}};
         force.reset(state);
         run_up(force, in, state);
         if (force.resist(&in, state, &law) != KERF_OK) continue;

@@ -13,22 +13,24 @@ void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, c
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
+    const LipShare share = share_of_lips(e.drill, last_feed_rate / turning.n);
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
         if (i < e.lip_points) full_width += e.element(i).width;
-        if (m <= 0.0 || e.sample[i].gap > least + left_behind) continue;
+        if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
         if (i >= e.lip_points) {
             const double width = m * e.chisel_width();
             axial.add(width * k.chisel.edge, width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
             continue;
         }
         const LipElement& el = e.element(i);
-        const double width = m * el.width, nz = el.normal_axial;
-        axial.add(width * k.thrust.edge * nz, width * k.thrust.chip * nz * nz * per_rate,
-                  k.thrust.edge_depth / (per_rate * nz));
-        engaged_width += width;
+        const double chip = share.chip[e.lip_of(i)], edge = share.edge[e.lip_of(i)];
+        const double width = e.rake_factor[i % e.lip.count] * m * el.width, nz = el.normal_axial;
+        axial.add(edge * width * k.thrust.edge * nz, edge * chip * width * k.thrust.chip * nz * nz * per_rate,
+                  k.thrust.edge_depth / (std::max(chip, 0.1) * per_rate * nz));
+        engaged_width += m * el.width;
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
 

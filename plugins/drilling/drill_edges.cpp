@@ -6,7 +6,10 @@
 
 namespace kerf::drilling {
 
-/// Share of the reference tissue's resistance at a sample, zero in air.
+namespace {
+constexpr double fitted_helix = 28.0 * pi / 180.0;  // [rad] of the drill that the coefficients belong to [assumed]
+}
+
 double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double reference) noexcept {
     if (s.engagement <= 0.0) return 0.0;
     double m = 0.0;
@@ -26,6 +29,12 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
             point[lip_points++] = place_of(lip.element[i], drill.half_web(), side * a.cos, side * a.sin);
     }
     count = lip_points;
+    TwistDrill fitted = drill;
+    fitted.helix_angle = fitted_helix;
+    for (std::size_t i = 0; i < lip.count; ++i) {
+        const double more = (drill.rake_at(lip.element[i].radius) - fitted.rake_at(lip.element[i].radius)) * 180.0 / pi;  // [deg]
+        rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
+    }
     const PointAngle p = half_point_angle(drill);
     const double pieces = std::ceil(drill.chisel_radius() / tick.force[force_element_pitch]);
     chisel_points = static_cast<std::size_t>(std::clamp(pieces, 2.0, static_cast<double>(most_chisel_points)));
@@ -34,25 +43,38 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
         for (const double side : {1.0, -1.0})
             point[count++] = {-side * r * a.sin, side * r * a.cos, -r * p.cos / p.sin};
     }
+    const Vec3 runs_off{drill.runout * a.cos, drill.runout * a.sin, 0.0};
+    for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + runs_off;
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
+}
+
+LipShare share_of_lips(const TwistDrill& drill, double feed) noexcept {
+    const double lag = drill.lag_of_second_lip();
+    if (lag <= 0.0) return {};
+    LipShare share;
+    share.chip[1] = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
+    share.chip[0] = 2.0 - share.chip[1];
+    share.edge[1] = std::min(1.0, 10.0 * share.chip[1]);
+    return share;
 }
 
 Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double n, double feed_rate, double least) noexcept {
     const Coefficients k = coefficients(tick.force);
     const double reference = tick.force[force_reference_density];
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
+    const LipShare share = share_of_lips(e.drill, feed_rate / n);
     Side sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
-        if (m <= 0.0 || e.sample[i].gap > least + left_behind) continue;
+        if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
         if (i >= e.lip_points) {
             sum.thrust += m * e.chisel_width() * force_per_width(per_lip, k.chisel);
             continue;
         }
         const LipElement& el = e.element(i);
-        const double t = per_lip * el.normal_axial;
-        const double normal = m * el.width * force_per_width(t, k.thrust);
-        const double cutting = m * el.width * force_per_width(t, k.cutting);
+        const double t = share.chip[e.lip_of(i)] * per_lip * el.normal_axial;
+        const double width = share.edge[e.lip_of(i)] * e.rake_factor[i % e.lip.count] * m * el.width;
+        const double normal = width * force_per_width(t, k.thrust), cutting = width * force_per_width(t, k.cutting);
         const Vec3 outwards = normalized(Vec3{e.point[i].x, e.point[i].y, 0.0});
         const Vec3 running = cross(Vec3{0, 0, 1}, outwards);
         const Vec3 lateral = -cutting * running - normal * el.normal_radial * outwards;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "drill_parameters.h"
@@ -26,18 +27,37 @@ struct Edges {
 
     [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
 
+    std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
+
     /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
     void ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept;
     [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[i % lip.count]; }
+
+    [[nodiscard]] std::size_t lip_of(std::size_t i) const noexcept { return i < lip_points && i >= lip.count ? 1 : 0; }
+    /// How far a piece is behind the front, less what its lip always is.
+    [[nodiscard]] double gap(std::size_t i) const noexcept {
+        return lip_of(i) == 0 ? sample[i].gap : std::max(0.0, sample[i].gap - drill.lag_of_second_lip());
+    }
 
     /// The least way to the front among edges in bone; 0 when none is.
     [[nodiscard]] double least_gap() const noexcept {
         double least = 1e300;
         for (std::size_t i = 0; i < count; ++i)
-            if (sample[i].engagement > 0.0) least = std::min(least, sample[i].gap);
+            if (sample[i].engagement > 0.0) least = std::min(least, gap(i));
         return least < 1e299 ? least : 0.0;
     }
 };
+
+/// How two lips share the feed when the tip runs out: the first takes what the second is too far behind to reach.
+///
+///     t_2 = max(0, f/2 − G),   t_1 = f − t_2,    G the lag of the second lip, f the feed per revolution
+///
+/// Taken at the last tick's feed, as shares of f/2, so that the law stays linear in the rate.
+struct LipShare {
+    double chip[lip_count] = {1.0, 1.0};  ///< [–] of the even chip thickness
+    double edge[lip_count] = {1.0, 1.0};  ///< [–] whether the edge is in the cut, softened over a tenth of the feed
+};
+[[nodiscard]] LipShare share_of_lips(const TwistDrill& drill, double feed_per_revolution) noexcept;
 
 /// What the edges give at one feed rate: forces that do not work against the feed, per newton of thrust.
 struct Side {

@@ -2,6 +2,7 @@
 #include "drill_force.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_contact.h"
 
@@ -17,7 +18,7 @@ constexpr double slowest_cut = 30.0_rpm;
 constexpr double dragging_time = 2.0_ms;
 
 Turning turning_of(const DrillCutting::State& state) noexcept {
-    return {std::max(state.spindle.speed, slowest_cut), state.cut_share, state.spindle.speed};
+    return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
 }
 
 const char* event_of(Spindle::Phase phase) noexcept {
@@ -25,10 +26,30 @@ const char* event_of(Spindle::Phase phase) noexcept {
         case Spindle::Phase::off: return "drilling.spindle_off";
         case Spindle::Phase::spinning_up: return "drilling.spinning_up";
         case Spindle::Phase::running: return "drilling.running";
+        case Spindle::Phase::reversing: return "drilling.reversing";
+        case Spindle::Phase::stalled: return "drilling.stalled";
         case Spindle::Phase::bogging: return "drilling.bogging";
         case Spindle::Phase::running_down: return "drilling.running_down";
     }
     return "drilling.spindle_off";
+}
+
+/// What pushes the drill back along its shaft, of all channels [N].
+double pushed_along(const Advance& advance) noexcept {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < advance.channel.size(); ++c)
+        if (advance.channel[c].kind != KERF_FRICTION) sum += advance.channel[c].d[2] * advance.lambda[c];
+    return std::max(0.0, sum);
+}
+
+/// Torque that a drill under `push` [N] meets while it takes no bone: to start, its edges have to break loose what they stand
+/// in, with the torque that goes with such a push in cutting; in reverse they rub.
+double torque_of_standing(const Edges& edges, const Tick& tick, std::uint32_t tissues, double push, bool is_reverse) noexcept {
+    if (is_reverse) return tick.force[force_friction] * push * 2.0 / 3.0 * edges.drill.radius();
+    constexpr double n = 1.0;
+    const double feed_rate = lip_count * n * tick.force[force_edge_depth];
+    const Side side = side_forces(edges, tick, tissues, n, feed_rate, edges.least_gap());
+    return side.thrust > 0.0 ? push * side.torque / side.thrust : 0.0;
 }
 
 }  // namespace
@@ -43,6 +64,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, channels);
     }
     add_contact(drill, tick, bone, turning, state.shank_force, channels);
+    channels.push({}, {0, 0, state.spindle.speed < 0.0 ? state.reaction : -state.reaction});
 }
 
 void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
@@ -60,19 +82,23 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const bool is_cutting = turning.removes() && engaged > 0.0 && edges.least_gap() <= state.feed_rate * tick.dt;
     double load = tick.force[force_friction] * state.shank_force * edges.drill.radius();
     if (is_cutting)
-        load += turning.cut_share * side_forces(edges, tick, bone.tissue_count(), turning.n, state.feed_rate, edges.least_gap()).torque;
+        load += side_forces(edges, tick, bone.tissue_count(), turning.n, state.feed_rate, edges.least_gap()).torque;
+    else if (!turning.removes())
+        load += torque_of_standing(edges, tick, bone.tissue_count(), pushed_along(advance), state.spindle.speed < 0.0);
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
     signals[signal_chip_thickness] = is_cutting ? feed / lip_count * half_point_angle(edges.drill).sin : 0.0;
     signals[signal_engagement] = engaged / static_cast<double>(edges.count);
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
-    signals[signal_spindle_speed] = turning.speed;
+    signals[signal_spindle_speed] = state.spindle.speed;
 
     if (turning.removes()) actions.cut();
-    state.angle += 2.0 * pi * turning.speed * tick.dt;
-    if (state.angle >= 2.0 * pi) state.angle -= 2.0 * pi;
+    state.angle += 2.0 * pi * state.spindle.speed * tick.dt;
+    state.angle -= state.angle >= 2.0 * pi ? 2.0 * pi : state.angle < 0.0 ? -2.0 * pi : 0.0;
     if (state.spindle.step(motor_of(tick.tool), tick.drive[drive_spindle_speed], load, tick.dt))
         actions.event(event_of(state.spindle.phase));
-    const bool cuts = state.spindle.speed >= slowest_cut;
+    // While it cuts or rubs at speed the bone's own torque follows the channels; the rest of the motor's is felt besides.
+    state.reaction = state.spindle.reaction_beyond(load);
+    const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }
 

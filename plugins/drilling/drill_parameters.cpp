@@ -4,7 +4,7 @@
 namespace kerf::drilling {
 
 TwistDrill drill_of(std::span<const double> p) noexcept {
-    return {p[tool_diameter], p[tool_point_angle], p[tool_web], p[tool_length], p[tool_corner]};
+    return {p[tool_diameter], p[tool_point_angle], p[tool_web], p[tool_length], p[tool_corner], p[tool_runout], p[tool_helix_angle]};
 }
 
 Motor motor_of(std::span<const double> p) noexcept {

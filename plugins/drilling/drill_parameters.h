@@ -12,7 +12,7 @@
 namespace kerf::drilling {
 
 /// Parameters in the order the tables in plugin.cpp declare them.
-enum ToolParameter : std::size_t { tool_diameter, tool_point_angle, tool_web, tool_length, tool_corner, tool_motor_torque, tool_run_up, tool_parameter_count };
+enum ToolParameter : std::size_t { tool_diameter, tool_point_angle, tool_web, tool_length, tool_corner, tool_motor_torque, tool_runout, tool_helix_angle, tool_run_up, tool_parameter_count };
 enum ForceParameter : std::size_t {
     force_thrust_edge,
     force_thrust_chip,
@@ -23,6 +23,7 @@ enum ForceParameter : std::size_t {
     force_edge_depth,
     force_reference_density,
     force_element_pitch,
+    force_rake_effect,
     force_relief_angle,
     force_heel_stiffness,
     force_contact_stiffness,

@@ -19,12 +19,14 @@ constexpr kerf_param tool_parameters[] = {
     {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"},
 {"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"},
     {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"},
+    {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"},
+    {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"},
     {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed; 0 makes the speed follow at once"},
 };
 static_assert(std::size(tool_parameters) == tool_parameter_count);
 
 constexpr kerf_drive drives[] = {
-    {"spindle_speed", "Commanded speed of the spindle.", dimension::frequency, "rpm", 0.0_rpm, 3000.0_rpm, 1000.0_rpm},
+    {"spindle_speed", "Commanded speed of the spindle; negative in reverse.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm},
 };
 static_assert(std::size(drives) == drive_count);
 
@@ -38,6 +40,7 @@ constexpr kerf_param force_parameters[] = {
     {"edge_depth", "Chip thickness at which the edge force has built up.", dimension::length, "um", 0.01_um, 20.0_um, 4.0_um, "assumed: the largest that leaves the published checks unchanged"},
     {"reference_density", "Density of the bone the coefficients were fitted to.", dimension::density, "g/cm3", 0.5_g_per_cm3, 2.5_g_per_cm3, 1.85_g_per_cm3, "assumed: middle of the cortical range"},
     {"element_pitch", "Length of one piece of lip.", dimension::length, "mm", 0.02_mm, 1.0_mm, 0.1_mm, "measured: finer changes thrust by under 0.3 % at 0.2 mm"},
+    {"rake_effect", "How much less the lips' forces are for each degree more of rake.", dimension::none, "", 0.0, 0.05, 0.01, "assumed: order known from metal; best rake of bone is not settled [krause-1987]"},
     {"relief_angle", "Relief behind the lip: faster feeds ride on the heel.", dimension::angle, "deg", 1.0_deg, 30.0_deg, 10.0_deg, "standard grind"},
     {"heel_stiffness", "Stiffness of the heel on bone.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 10000.0_N_per_mm, 1000.0_N_per_mm, "assumed"},
     {"contact_stiffness", "Stiffness of bone at each place where the shank or the still tip touches.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 500.0_N_per_mm, "assumed"},
@@ -60,10 +63,11 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
     const TwistDrill drill = drill_of({params, tool_parameter_count});
     const double tip = drill.point_depth();
     const double corner = tip + drill.corner * drill.diameter;
+    const double runout = params[tool_runout];
     if (out->profile_capacity < 4) return KERF_CAPACITY;
     if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
     const double r = drill.radius();
-    const kerf_profile_point points[] = {{0.0, 0.0}, {-tip, r}, {-corner, r}, {-drill.length, r}};
+    const kerf_profile_point points[] = {{0.0, runout}, {-tip, r + runout}, {-corner, r + runout}, {-drill.length, r + runout}};
     std::copy(std::begin(points), std::end(points), out->profile);
     out->profile_count = 4;
     out->cutting_count = 3;

@@ -18,6 +18,17 @@ double TwistDrill::point_depth() const noexcept {
     return radius() * p.cos / p.sin;
 }
 
+double TwistDrill::lag_of_second_lip() const noexcept {
+    const PointAngle p = half_point_angle(*this);
+    return 2.0 * runout * p.cos / p.sin;
+}
+
+double TwistDrill::rake_at(double at) const noexcept {
+    const SinCos h = sin_cos_exact(helix_angle);
+    const double slope = at / radius() * h.sin / h.cos;
+    return slope / (1.0 + 0.28 * slope * slope);
+}
+
 Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
     Lip lip;
     const PointAngle p = half_point_angle(drill);

@@ -18,6 +18,8 @@ struct TwistDrill {
     double web;          ///< [–] web thickness over diameter
     double length;       ///< [m] tip to chuck
     double corner;       ///< [–] length behind the corner that still cuts sideways, over diameter
+    double runout = 0.0;       ///< [m] how far the tip runs off the axis it turns about, towards the first lip
+    double helix_angle = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the flutes at the diameter
 
     [[nodiscard]] double radius() const noexcept { return 0.5 * diameter; }
     [[nodiscard]] double half_web() const noexcept { return 0.5 * web * diameter; }
@@ -25,6 +27,10 @@ struct TwistDrill {
     [[nodiscard]] double chisel_radius() const noexcept { return half_web() / 0.81915204428899180; }
     /// Depth of the point: R cot p [m].
     [[nodiscard]] double point_depth() const noexcept;
+    /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
+    [[nodiscard]] double lag_of_second_lip() const noexcept;
+    /// Rake of the lips at `radius` [rad]: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
+    [[nodiscard]] double rake_at(double radius) const noexcept;
 };
 
 /// A short piece of one lip. Cylindrical frame at its place: r̂ outwards, ẑ out of the tip, t̂ = ẑ × r̂ the way it runs.

@@ -43,7 +43,7 @@ TEST(Tick, AskingForTheLawLeavesTheStateAsItWas) {
     const kerf_force& force = *rig.setup.force->force;
     std::vector<std::byte> before(rig.simulation.state(), rig.simulation.state() + rig.simulation.state_size());
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}};
     kerf_tick_in in{};
     in.size = sizeof in;
     in.dt = Simulation::dt;

@@ -16,6 +16,13 @@ constexpr double full = 1000.0_rpm;
 /// 1 N·m, 0.2 s to 1000 rpm
 constexpr Motor motor{1.0 * 0.2 / (2.0 * pi * full), 1.0};
 
+Spindle at_speed(double speed) {
+    Spindle spindle;
+    spindle.speed = speed;
+    spindle.phase = speed < 0.0 ? Phase::reversing : Phase::running;
+    return spindle;
+}
+
 double time_to(Spindle& spindle, const Motor& m, double commanded, double load, double until, bool is_rising) {
     int ticks = 0;
     while ((is_rising ? spindle.speed < until : spindle.speed > until) && ticks < 100000) {
@@ -54,19 +61,67 @@ TEST(Spindle, UnderMoreThanItsTorqueItBogsDownAndComesBack) {
     EXPECT_EQ(spindle.phase, Phase::running);
 }
 
-TEST(Spindle, ALoadNeverTurnsItBackwards) {
-    Spindle spindle{full, Phase::running};
-    for (int i = 0; i < 5000; ++i) {
+TEST(Spindle, HeldItNeverTurnsBackwardsStallsAndWaitsToBeSwitchedOff) {
+    Spindle spindle = at_speed(full);
+    double last = full;
+    int ticks = 0;
+    for (; spindle.phase != Phase::stalled && ticks < 5000; ++ticks) {
         spindle.step(motor, full, 50.0, dt);
         ASSERT_GE(spindle.speed, 0.0);
-        ASSERT_LE(spindle.speed, full);
+        ASSERT_LE(spindle.speed, last);
+        last = spindle.speed;
     }
-    // It creeps where the fading load meets the torque: 50 (1 − e^(−ω/ω_e)) = 1.
-    EXPECT_NEAR(spindle.speed, -5.0_rpm * std::log(1.0 - 1.0 / 50.0), 1e-6);
+    EXPECT_NEAR(ticks * dt, 0.2 / 49.0 + 0.02, 3.0 * dt) << "slowed by 49 N m, then held for 20 ms";
+    EXPECT_EQ(spindle.speed, 0.0);
+    EXPECT_EQ(spindle.torque, 1.0);
+
+    // The load gone, it pulls on until the trigger is let go; only then it starts again.
+    for (int i = 0; i < 100; ++i) spindle.step(motor, full, 0.0, dt);
+    EXPECT_EQ(spindle.phase, Phase::stalled);
+    EXPECT_EQ(spindle.torque, 1.0);
+    spindle.step(motor, 0.0, 0.0, dt);
+    EXPECT_EQ(spindle.phase, Phase::off);
+    EXPECT_EQ(spindle.torque, 0.0);
+    (void)time_to(spindle, motor, full, 0.0, full, true);
+    EXPECT_EQ(spindle.phase, Phase::running);
+}
+
+TEST(Spindle, ASlowStartIsNoStall) {
+    const Motor slow{1.0 * 10.0 / (2.0 * pi * full), 1.0};  // 10 s to speed: 100 ms below the crawling speed
+    Spindle spindle;
+    for (int i = 0; i < 2000; ++i) {
+        spindle.step(slow, full, 0.5, dt);
+        ASSERT_EQ(spindle.phase, Phase::spinning_up) << i;
+    }
+}
+
+TEST(Spindle, IntoReverseItGoesThroughStandingStill) {
+    Spindle spindle = at_speed(full);
+    int ticks = 0;
+    bool has_stood = false;
+    for (; spindle.phase != Phase::reversing && ticks < 1000; ++ticks) {
+        spindle.step(motor, -full, 0.0, dt);
+        has_stood = has_stood || spindle.speed == 0.0;
+    }
+    EXPECT_TRUE(has_stood);
+    EXPECT_NEAR(ticks * dt, 0.2 + 0.19, 4.0 * dt);
+    EXPECT_LT(spindle.speed, -0.9 * full);
+}
+
+TEST(Spindle, WhatTheMotorPutsIntoItsOwnInertiaIsFeltByWhoeverHoldsIt) {
+    Spindle spindle;
+    spindle.step(motor, full, 0.0, dt);
+    EXPECT_NEAR(spindle.reaction_beyond(0.0), 1.0, 1e-9) << "running up";
+    spindle = at_speed(full);
+    spindle.step(motor, full, 0.4, dt);
+    EXPECT_NEAR(spindle.torque, 0.4, 1e-9);
+    EXPECT_NEAR(spindle.reaction_beyond(0.4), 0.0, 1e-9) << "at speed the bone answers it";
+    spindle.step(motor, 0.0, 0.0, dt);
+    EXPECT_NEAR(spindle.reaction_beyond(0.0), -1.0, 1e-9) << "braked, it turns the hand along";
 }
 
 TEST(Spindle, SwitchedOffItRunsDownAndStops) {
-    Spindle spindle{full, Phase::running};
+    Spindle spindle = at_speed(full);
     EXPECT_TRUE(spindle.step(motor, 0.0, 0.0, dt));
     EXPECT_EQ(spindle.phase, Phase::running_down);
     EXPECT_NEAR(time_to(spindle, motor, 0.0, 0.0, 0.0, false), 0.2, 3.0 * dt);

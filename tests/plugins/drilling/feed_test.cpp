@@ -215,6 +215,60 @@ TEST(DrillThrust, IsGoneWhenReEnteringTheHole) {
     }
 }
 
+// ---- what a drill may be like ---------------------------------------------------------------------------------------
+
+TEST(DrillThrust, MoreRakeIsLessForceAndTheFittedHelixIsAsFitted) {
+    const Felt fitted = steady(test::twist_drill(), 2.0_mm_per_s);
+    const Felt same = steady(test::twist_drill({{"helix_angle", 28.0_deg}, {"rake_effect", 0.05}}), 2.0_mm_per_s);
+    const Felt steep = steady(test::twist_drill({{"helix_angle", 36.0_deg}}), 2.0_mm_per_s);
+    const Felt straight = steady(test::twist_drill({{"helix_angle", 0.0}}), 2.0_mm_per_s);
+    EXPECT_EQ(same.torque, fitted.torque);
+    EXPECT_LT(steep.torque, fitted.torque);
+    EXPECT_GT(straight.torque, fitted.torque);
+    // All of the torque is the lips': at the corner 28° of rake less are 28 %, nearer to the axis less.
+    EXPECT_NEAR(straight.torque / fitted.torque, 1.22, 0.04);
+}
+
+TEST(DrillThrust, AWiderWebNeedsMorePush) {
+    EXPECT_GT(steady(test::twist_drill({{"web", 0.25}}), 2.0_mm_per_s).thrust, 1.1 * steady(test::twist_drill(), 2.0_mm_per_s).thrust);
+}
+
+// A tip that runs off its axis: the hole is wider by the runout, one lip takes all, and what pushes aside turns around.
+TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
+    const double e = 0.1_mm;
+    const ToolSetup setup = test::twist_drill({{"runout", e}});
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    double at = -1.0_mm, largest_x = 0.0, least_x = 0.0, mean = 0.0, count = 0.0, thrust = 0.0;
+    while (at < 4.0_mm) {
+        const TickResult r = simulation.tick_direct({test::at_depth(at)});
+        simulation.after_tick();
+        at += 2.0_um;
+        if (at < 2.5_mm) continue;
+        largest_x = std::max(largest_x, r.bone_on_tool[0]);
+        least_x = std::min(least_x, r.bone_on_tool[0]);
+        mean += r.bone_on_tool[0];
+        thrust += r.thrust;
+        count += 1.0;
+    }
+    EXPECT_GT(largest_x, 5.0);
+    EXPECT_NEAR(least_x, -largest_x, 0.1 * largest_x);
+    EXPECT_NEAR(mean / count, 0.0, 0.02 * largest_x) << "over whole turns it cancels";
+
+    // One lip with the whole feed: its chip is the same, the second edge's force is gone. The chisel stays.
+    const double both = steady(test::twist_drill(), 2.0_mm_per_s).thrust;
+    EXPECT_LT(thrust / count, 0.85 * both);
+    EXPECT_GT(thrust / count, 0.65 * both);
+
+    simulation.finish();
+    RemovedVolume removed(body);
+    removed.update(simulation.exact());
+    // A frustum from the runout to the corner, and the cylinder behind it.
+    const double r = 1.6_mm + e, tip = 0.9614_mm, depth = 4.0_mm;
+    const double frustum = pi * tip / 3.0 * (e * e + e * r + r * r);
+    EXPECT_NEAR(removed.total() / (frustum + pi * r * r * (depth - tip)), 1.0, 0.01);
+}
+
 // ---- layers (C.4, C.9) -------------------------------------------------------------------------------------------
 
 TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {

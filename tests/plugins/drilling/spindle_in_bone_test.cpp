@@ -61,6 +61,38 @@ TEST(SpindleInBone, AWeakMotorBogsDownUnderAHardPushAndRecoversWhenLet) {
     EXPECT_EQ(rig.events, (std::vector<std::string>{"drilling.spinning_up", "drilling.running", "drilling.bogging", "drilling.running"}));
 }
 
+TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedOff) {
+    Rig rig({{"run_up", 0.05}, {"motor_torque", 20.0_Nmm}});
+    for (int i = 0; i < 300; ++i) (void)rig.push(0.0);
+    TickResult r;
+    for (int i = 0; i < 3000 && rig.events.back() != "drilling.stalled"; ++i) r = rig.push(250.0);
+    ASSERT_EQ(rig.events.back(), "drilling.stalled");
+    for (int i = 0; i < 200; ++i) r = rig.push(50.0);
+    EXPECT_EQ(rig.rpm(), 0.0);
+    EXPECT_NEAR(r.torque, 20.0_Nmm, 0.5_Nmm) << "all of the motor's torque";
+    EXPECT_FALSE(r.is_cutting);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    for (int i = 0; i < 20; ++i) r = rig.push(0.0);
+    EXPECT_LT(std::abs(r.torque), 0.5_Nmm);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    for (int i = 0; i < 200; ++i) r = rig.push(0.0);
+    EXPECT_EQ(rig.events.back(), "drilling.running");
+}
+
+TEST(SpindleInBone, InReverseItRubsAndTakesNoBone) {
+    Rig rig({});
+    for (int i = 0; i < 2000; ++i) (void)rig.push(170.0);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, -1000.0_rpm);
+    for (int i = 0; i < 300; ++i) (void)rig.push(100.0);
+    const double depth = rig.depth();
+    TickResult r;
+    for (int i = 0; i < 500; ++i) r = rig.push(100.0);
+    EXPECT_NEAR(rig.rpm(), -1000.0, 1e-9);
+    EXPECT_NEAR(rig.depth(), depth, 2.0_um);
+    EXPECT_NEAR(r.thrust, 100.0, 3.0);
+    EXPECT_FALSE(r.is_cutting);
+}
+
 // S-19, its first half: what cut becomes what touches, without a blow.
 TEST(SpindleInBone, SwitchedOffUnderPushItStopsCuttingAndStands) {
     Rig rig({{"run_up", 0.2}});
@@ -116,7 +148,7 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
 
     // A tilted shank is pressed on opposite walls at once; what rubs is the sum of what each carries, k δ at rest.
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}};
     kerf_tick_in in{};
     in.size = sizeof in;
     in.dt = Simulation::dt;

@@ -164,6 +164,9 @@ typedef struct kerf_law {
     uint32_t size;
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel *channel;
+    double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
+                         reaction. Zero when asked. Together with what follows the channels the host gives at most half
+                         of what the coupling can hold. */
 } kerf_law;
 
 typedef struct kerf_tick_in {

@@ -58,6 +58,11 @@ public:
         c.w = 1e-6;
         return &c;
     }
+    /// A wrench on the tool, about its tip, that is no resistance: a motor's reaction.   Force [N], torque [N·m].
+    void push(Vec3 force, Vec3 torque) noexcept {
+        const Vec6 wrench = make_vec6(force, torque);
+        for (std::size_t i = 0; i < 6; ++i) law_->wrench[i] += wrench[i];
+    }
     [[nodiscard]] int dropped() const noexcept { return dropped_; }
 
 private:

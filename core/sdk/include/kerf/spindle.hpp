@@ -19,50 +19,73 @@ struct Motor {
 ///     J (ω⁺ − ω)/T = τ − τ_load (1 − e^(−ω⁺/ω_e)),      −τ_max ≤ τ ≤ τ_max just as holds ω⁺ = commanded
 ///
 /// One implicit scalar step a tick: the load never turns the tool backwards, and no step overshoots. Speeds are in
-/// revolutions per second.
+/// revolutions per second, negative in reverse; from one to the other it passes through standing still. A motor that
+/// is held below its crawling speed for 20 ms has stalled: it pulls with all it has until it is switched off.
 ///
-/// Source: docs/models/drilling.md, "The spindle".
+/// Source: resolutions of the design, "Spindle"; docs/models/drilling.md, "The spindle".
 struct Spindle {
-    enum class Phase : std::uint32_t { off, spinning_up, running, bogging, running_down };
+    enum class Phase : std::uint32_t { off, spinning_up, running, reversing, bogging, stalled, running_down };
 
-    double speed = 0.0;  ///< [1/s]
+    double speed = 0.0;   ///< [1/s]
+    double torque = 0.0;  ///< [N·m] of the motor in the last step, along the commanded sense
+    double held = 0.0;    ///< [s] that it has been crawling under all its torque
     Phase phase = Phase::off;
 
-    /// `load` [N·m] is what resists at speed. Returns whether the phase changed.   [haptic, nonblocking]
+    /// `load` [N·m] is what resists at speed, whichever way it turns. Returns whether the phase changed.
+    /// [haptic, nonblocking]
     bool step(const Motor& motor, double commanded, double load, double dt) noexcept {
-        speed = next_speed(motor, commanded, load, dt);
         const Phase before = phase;
-        if (commanded <= 0.0)
-            phase = speed > 0.0 ? Phase::running_down : Phase::off;
-        else if (speed >= back_to_speed * commanded)
-            phase = Phase::running;
-        else if (phase == Phase::running && speed < bogged_down * commanded)
+        const double sense = speed != 0.0 ? (speed > 0.0 ? 1.0 : -1.0) : (commanded < 0.0 ? -1.0 : 1.0);
+        const double wanted = std::max(0.0, sense * commanded);
+        if (phase == Phase::stalled && commanded != 0.0) {
+            torque = motor.torque;
+            return false;
+        }
+        const double old = sense * speed, now = next_speed(motor, old, wanted, load, dt);
+        const double wasted = 2.0 * pi * motor.inertia * (now - old) / dt;
+        torque = std::clamp(wasted + load * fading(now), -motor.torque, motor.torque);
+        speed = sense * now;
+
+        held = wanted > 0.0 && now < crawling && now <= old ? held + dt : 0.0;
+        if (held > stalling_time - 0.5 * dt) {
+            phase = Phase::stalled;
+            speed = held = 0.0;
+        } else if (wanted <= 0.0) {
+            phase = now > 0.0 ? Phase::running_down : Phase::off;
+        } else if (now >= back_to_speed * wanted) {
+            phase = sense > 0.0 ? Phase::running : Phase::reversing;
+        } else if ((phase == Phase::running || phase == Phase::reversing) && now < bogged_down * wanted) {
             phase = Phase::bogging;
-        else if (phase == Phase::off || phase == Phase::running_down)
+        } else if (phase == Phase::off || phase == Phase::running_down || phase == Phase::stalled) {
             phase = Phase::spinning_up;
+        }
         return phase != before;
     }
+    /// What the motor turns against besides the load: the reaction that its holder feels on top of the load's [N·m], along
+    /// the sense of turning.
+    [[nodiscard]] double reaction_beyond(double load) const noexcept { return torque - load * fading(speed < 0.0 ? -speed : speed); }
 
 private:
     static constexpr double bogged_down = 0.7, back_to_speed = 0.95;
-    static constexpr double onset = 5.0 / 60.0;  ///< ω_e [1/s]: below it the load fades [assumed]
+    static constexpr double onset = 5.0 / 60.0;      ///< ω_e [1/s]: below it the load fades [assumed]
+    static constexpr double crawling = 10.0 / 60.0;  ///< [1/s] what a held motor still does [assumed]
+    static constexpr double stalling_time = 20e-3;   ///< [s]
 
-    [[nodiscard]] double next_speed(const Motor& motor, double commanded, double load, double dt) const noexcept {
+    [[nodiscard]] static double fading(double at) noexcept { return 1.0 - exp_exact(-at / onset); }
+
+    [[nodiscard]] static double next_speed(const Motor& motor, double old, double wanted, double load, double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution
         // What is left over of a torque at a speed: falls with the speed.
-        const auto left_over = [&](double torque, double at) {
-            return torque - load * (1.0 - exp_exact(-at / onset)) - inertia * (at - speed);
-        };
+        const auto left_over = [&](double pull, double at) { return pull - load * fading(at) - inertia * (at - old); };
         const double least = -motor.torque, most = motor.torque;
-        const bool holds = left_over(most, commanded) >= 0.0 && left_over(least, commanded) <= 0.0;
-        if (holds) return std::max(0.0, commanded);
-        // Too weak to get there, or still too fast: it gives all it has. Halve between where it is and where it would be.
-        const double torque = left_over(most, commanded) < 0.0 ? most : least;
-        double low = 0.0, high = std::max(speed, commanded);
-        if (left_over(torque, low) <= 0.0) return 0.0;
+        if (left_over(most, wanted) >= 0.0 && left_over(least, wanted) <= 0.0) return wanted;
+        // Too weak to get there, or still too fast: it gives all it has. Halve between standing and the faster of the two.
+        const double pull = left_over(most, wanted) < 0.0 ? most : least;
+        double low = 0.0, high = std::max(old, wanted);
+        if (left_over(pull, low) <= 0.0) return 0.0;
         for (int i = 0; i < 40; ++i) {
             const double middle = 0.5 * (low + high);
-            (left_over(torque, middle) > 0.0 ? low : high) = middle;
+            (left_over(pull, middle) > 0.0 ? low : high) = middle;
         }
         return 0.5 * (low + high);
     }
