@@ -10,6 +10,7 @@ namespace kerf {
 namespace {
 
 constexpr double filter_hz = 100.0;
+constexpr std::uint32_t too_many_missed = 3;  // (A10)
 constexpr double leap = 20e-3;  // [m] between two ticks (B9)
 
 bool is_pose(const Pose& p) noexcept {
@@ -24,7 +25,7 @@ bool is_pose(const Pose& p) noexcept {
 bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
     const Pose& handle = sample.world_from_handle;
     const bool is_there = is_pose(handle);
-    const bool has_leapt = is_there && (was_missing_ || length(handle.position - pose_.position) > leap);
+    const bool has_leapt = is_there && (was_missing_ || sample.missed >= too_many_missed || length(handle.position - pose_.position) > leap);
     was_missing_ = !is_there;
     if (!is_there || has_leapt) {
         if (is_there) pose_ = handle;
@@ -32,6 +33,7 @@ bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
         return false;
     }
     const Vec3 turned_by = rotate(pose_.rotation, small_rotation_vector(conjugate(pose_.rotation) * handle.rotation));
+    dt *= 1.0 + sample.missed;
     const Vec6 raw = make_vec6((1.0 / dt) * (handle.position - pose_.position), (1.0 / dt) * turned_by);
     pose_ = handle;
     const double share = 1.0 - exp_exact(-2.0 * pi * filter_hz * dt);

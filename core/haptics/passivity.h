@@ -16,7 +16,8 @@ namespace kerf {
 ///     W ← min(W − f·Δx + supplied, V),      f_c = −c v,  c = clamp((−tolerance − W) / (T v²), 0, c_max),  v = Δx/T
 ///
 /// The difference of one tick is taken for v, coarse as it is: a filtered rate still points inwards when the hand has
-/// turned, and would give more. After the passivity observer of Hannaford and Ryu, with the spring's V as its ceiling.
+/// turned, and would give more. After [hannaford-ryu-2002], with the
+/// spring's V as its ceiling.
 class PassivityGuard {
 public:
     static constexpr double tolerance = 1e-4;  ///< [J]

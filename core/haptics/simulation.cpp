@@ -93,6 +93,7 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
     in.tick = tick_;
     in.dt = step;
     in.tool_params = setup_.tool_parameters.data();
+    in.tool_param_count = static_cast<std::uint32_t>(setup_.tool_parameters.size());
     in.force_params = setup_.force_parameters.data();
     in.drive = setup_.drives.data();
     in.bone = &view_.query();

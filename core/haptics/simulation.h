@@ -78,7 +78,7 @@ public:
     ///
     /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick is done in up to 16
     /// equal parts, each with its own law and its part of the hand's way; beyond that, or at more than 1 m/s, the tool
-    /// is slower than the hand (R1, B9). A sample that is no pose, a leap of the hand, or an unsound law bar the force
+    /// is slower than the hand (R1, B9). A sample that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force
     /// gate: the tool rests, the force fades, and hand and tool go on from where they are.   [haptic, nonblocking]
     TickResult tick(const DeviceSample& sample) noexcept;
 

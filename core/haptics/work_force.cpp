@@ -76,6 +76,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         in.size = sizeof in;
         in.dt = Simulation::dt;
         in.tool_params = setup.tool_parameters.data();
+        in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
         in.force_params = setup.force_parameters.data();
         in.drive = setup.drives.data();
         in.bone = &query;

@@ -55,10 +55,10 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
         }
         points.of_tip = points.count;
     }
-    const double corner = -drill.point_depth() - drill.corner * drill.diameter;
+    const double corner = -drill.cone_end() - drill.corner * drill.diameter;
     for (std::size_t level = 0; level < shank_levels; ++level) {
         const double z = corner - drill.diameter * (0.25 + static_cast<double>(level));
-        points.add_ring(drill.radius() - tick.force[force_clearance], z, 1.0, 0.0, shank_stiffness(drill, z, stiffness));
+        points.add_ring(drill.widest_radius() - tick.force[force_clearance], z, 1.0, 0.0, shank_stiffness(drill, z, stiffness));
     }
     return points;
 }
@@ -98,7 +98,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     deepest.fill(-near_contact);
     // The cone stands on bone ahead of it; it does not climb the wall of its hole.
     const double tip_facing = std::min(0.6, half_point_angle(drill).sin - 0.1);
-    const double rear = -drill.point_depth() - drill.diameter * (drill.corner + 0.5 * shank_levels);
+    const double rear = -drill.cone_end() - drill.diameter * (drill.corner + 0.5 * shank_levels);
     std::array<Facing, most_points> face;
     for (std::size_t i = 0; i < c.count; ++i) {
         const bool is_tip = i < c.of_tip;

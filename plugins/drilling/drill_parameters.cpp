@@ -4,7 +4,15 @@
 namespace kerf::drilling {
 
 TwistDrill drill_of(std::span<const double> p) noexcept {
-    return {p[tool_diameter], p[tool_point_angle], p[tool_web], p[tool_length], p[tool_corner], p[tool_runout], p[tool_helix_angle]};
+    TwistDrill drill{p[tool_diameter], p[tool_point_angle], p[tool_web], p[tool_length], p[tool_corner]};
+    drill.runout = p[tool_runout];
+    drill.helix_angle = p[tool_helix_angle];
+    if (p.size() >= step_drill_parameter_count) {
+        drill.shoulder_diameter = p[tool_shoulder_diameter];
+        drill.shoulder_angle = p[tool_shoulder_angle];
+        drill.shoulder_depth = p[tool_shoulder_depth];
+    }
+    return drill;
 }
 
 Motor motor_of(std::span<const double> p) noexcept {

@@ -12,18 +12,28 @@ using namespace literals;
 
 constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, 1000 and 1500 rpm [macavelia-2012]; docs/models/drilling.md";
 
-constexpr kerf_param tool_parameters[] = {
-    {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"},
-    {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"},
-    {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"},
-    {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"},
-{"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"},
-    {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"},
-    {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"},
-    {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"},
-    {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed; 0 makes the speed follow at once"},
-};
+// What every drill has; a step drill has three more.
+#define KERF_DRILL_PARAMETERS     {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"}, \
+     {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"}, \
+     {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"}, \
+     {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"}, \
+ {"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"}, \
+     {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"}, \
+     {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"}, \
+     {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"}, \
+     {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed; 0 makes the speed follow at once"},
+
+constexpr kerf_param tool_parameters[] = {KERF_DRILL_PARAMETERS};
 static_assert(std::size(tool_parameters) == tool_parameter_count);
+
+constexpr kerf_param step_drill_parameters[] = {
+    KERF_DRILL_PARAMETERS
+    {"shoulder_diameter", "Diameter of the wider part behind the point.", dimension::length, "mm", 0.5_mm, 30.0_mm, 5.0_mm, "assumed"},
+    {"shoulder_angle", "Full angle of the cone up to it: 90 deg a countersink, a few degrees a taper.", dimension::angle, "deg", 2.0_deg, 160.0_deg, 90.0_deg, "common for countersinks"},
+    {"shoulder_depth", "From the tip to where that cone begins.", dimension::length, "mm", 0.0_mm, 200.0_mm, 10.0_mm, "assumed"},
+};
+static_assert(std::size(step_drill_parameters) == step_drill_parameter_count);
+#undef KERF_DRILL_PARAMETERS
 
 constexpr kerf_drive drives[] = {
     {"spindle_speed", "Commanded speed of the spindle; negative in reverse.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm},
@@ -58,24 +68,37 @@ constexpr kerf_signal signals[] = {
 };
 static_assert(std::size(signals) == signal_count);
 
-/// Tip cone and corner cut; the shank behind them does not.
-kerf_status shape(const double* params, kerf_tool_shape* out) {
-    const TwistDrill drill = drill_of({params, tool_parameter_count});
-    const double tip = drill.point_depth();
-    const double corner = tip + drill.corner * drill.diameter;
-    const double runout = params[tool_runout];
-    if (out->profile_capacity < 4) return KERF_CAPACITY;
+/// The cones and the land behind the last of them cut; the shank does not.
+kerf_status outline(const TwistDrill& drill, kerf_tool_shape* out) {
+    const double tip = drill.point_depth(), corner = drill.cone_end() + drill.corner * drill.diameter, e = drill.runout;
+    if (out->profile_capacity < 6) return KERF_CAPACITY;
     if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
-    const double r = drill.radius();
-    const kerf_profile_point points[] = {{0.0, runout}, {-tip, r + runout}, {-corner, r + runout}, {-drill.length, r + runout}};
-    std::copy(std::begin(points), std::end(points), out->profile);
-    out->profile_count = 4;
-    out->cutting_count = 3;
+    kerf_profile_point* at = out->profile;
+    *at++ = {0.0, e};
+    *at++ = {-tip, drill.radius() + e};
+    if (drill.has_shoulder()) {
+        if (drill.shoulder_depth > tip) *at++ = {-drill.shoulder_depth, drill.radius() + e};
+        *at++ = {-drill.cone_end(), drill.widest_radius() + e};
+    }
+    *at++ = {-corner, drill.widest_radius() + e};
+    out->cutting_count = static_cast<uint32_t>(at - out->profile);
+    *at++ = {-drill.length, drill.widest_radius() + e};
+    out->profile_count = static_cast<uint32_t>(at - out->profile);
     out->grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
     return KERF_OK;
 }
 
+kerf_status shape(const double* params, kerf_tool_shape* out) { return outline(drill_of({params, tool_parameter_count}), out); }
+
+kerf_status step_shape(const double* params, kerf_tool_shape* out) {
+    const TwistDrill drill = drill_of({params, step_drill_parameter_count});
+    // The shoulder begins where the point has ended, and is wider.
+    if (!drill.has_shoulder() || drill.shoulder_depth < drill.point_depth()) return KERF_OUT_OF_RANGE;
+    return outline(drill, out);
+}
+
 constexpr kerf_tool twist_drill{sizeof(kerf_tool), drives, drive_count, &shape};
+constexpr kerf_tool step_drill{sizeof(kerf_tool), drives, drive_count, &step_shape};
 
 constexpr kerf_force cutting{sizeof(kerf_force),
                              sizeof(DrillCutting::State),
@@ -90,6 +113,8 @@ constexpr kerf_force cutting{sizeof(kerf_force),
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "twist_drill", "Twist drill with two lips and a chisel edge.", tool_parameters,
      tool_parameter_count, 0, &twist_drill, nullptr},
+    {sizeof(kerf_component), KERF_KIND_TOOL, "step_drill", "Twist drill with a wider part behind the point: countersink, taper, step.",
+     step_drill_parameters, step_drill_parameter_count, 0, &step_drill, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "drill_cutting",
      "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.", force_parameters,
      force_parameter_count, 0, nullptr, &cutting},

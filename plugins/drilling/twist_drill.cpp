@@ -29,25 +29,47 @@ double TwistDrill::rake_at(double at) const noexcept {
     return slope / (1.0 + 0.28 * slope * slope);
 }
 
-Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
-    Lip lip;
-    const PointAngle p = half_point_angle(drill);
-    const double b = drill.half_web(), r_c = drill.chisel_radius(), r_o = drill.radius();
-    const double first = std::sqrt(r_c * r_c - b * b), last = std::sqrt(r_o * r_o - b * b);
-    const double pieces = std::ceil((last - first) / pitch - 1e-9);
-    lip.count = static_cast<std::size_t>(std::clamp(pieces, 1.0, static_cast<double>(largest_element_count)));
-    const double ds = (last - first) / static_cast<double>(lip.count);
+double TwistDrill::cone_end() const noexcept {
+    if (!has_shoulder()) return point_depth();
+    const SinCos p = sin_cos_exact(0.5 * shoulder_angle);
+    return shoulder_depth + (widest_radius() - radius()) * p.cos / p.sin;
+}
 
-    for (std::size_t i = 0; i < lip.count; ++i) {
-        LipElement& e = lip.element[i];
+namespace {
+
+/// Appends the pieces of an edge at the half web `b` on a cone of half angle `p`, from one radius to another. The cone has
+/// `inner` at `z`.
+void add_edge(Lip& lip, PointAngle p, double b, double from, double to, double inner, double z, double pitch) noexcept {
+    const double first = std::sqrt(from * from - b * b), last = std::sqrt(to * to - b * b);
+    const double room = static_cast<double>(largest_element_count - lip.count);
+    const auto count = static_cast<std::size_t>(std::clamp(std::ceil((last - first) / pitch - 1e-9), 1.0, room));
+    const double ds = (last - first) / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        LipElement& e = lip.element[lip.count++];
         e.along = first + (static_cast<double>(i) + 0.5) * ds;
         e.radius = std::sqrt(e.along * e.along + b * b);
-        e.z = -e.radius * p.cos / p.sin;
+        e.z = z - (e.radius - inner) * p.cos / p.sin;
         const double cos_beta = e.along / e.radius;
         const double cos_i = std::sqrt(p.cos * p.cos + p.sin * p.sin * cos_beta * cos_beta);
         e.normal_axial = p.sin * cos_beta / cos_i;
         e.normal_radial = p.cos / cos_i;
         e.width = ds / p.sin * cos_i;
+    }
+}
+
+}  // namespace
+
+Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
+    Lip lip;
+    const double b = drill.half_web();
+    if (drill.has_shoulder()) {  // half of the room for either
+        const double most = 2.0 / static_cast<double>(largest_element_count);
+        pitch = std::max(pitch, most * drill.widest_radius());
+    }
+    add_edge(lip, half_point_angle(drill), b, drill.chisel_radius(), drill.radius(), 0.0, 0.0, pitch);
+    if (drill.has_shoulder()) {
+        const SinCos p = sin_cos_exact(0.5 * drill.shoulder_angle);
+        add_edge(lip, {p.sin, p.cos}, b, drill.radius(), drill.widest_radius(), drill.radius(), -drill.shoulder_depth, pitch);
     }
     return lip;
 }

@@ -18,6 +18,9 @@ struct TwistDrill {
     double web;          ///< [–] web thickness over diameter
     double length;       ///< [m] tip to chuck
     double corner;       ///< [–] length behind the corner that still cuts sideways, over diameter
+    double shoulder_diameter = 0.0;  ///< [m] of a wider part behind the point; 0: none
+    double shoulder_angle = 0.0;     ///< [rad] full: 90° a countersink, a few degrees a taper
+    double shoulder_depth = 0.0;     ///< [m] from the tip to where it begins
     double runout = 0.0;       ///< [m] how far the tip runs off the axis it turns about, towards the first lip
     double helix_angle = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the flutes at the diameter
 
@@ -27,6 +30,10 @@ struct TwistDrill {
     [[nodiscard]] double chisel_radius() const noexcept { return half_web() / 0.81915204428899180; }
     /// Depth of the point: R cot p [m].
     [[nodiscard]] double point_depth() const noexcept;
+    [[nodiscard]] bool has_shoulder() const noexcept { return shoulder_diameter > diameter; }
+    [[nodiscard]] double widest_radius() const noexcept { return has_shoulder() ? 0.5 * shoulder_diameter : radius(); }
+    /// Where its last cone ends [m] from the tip: from there on it only touches, after a land.
+    [[nodiscard]] double cone_end() const noexcept;
     /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
     [[nodiscard]] double lag_of_second_lip() const noexcept;
     /// Rake of the lips at `radius` [rad]: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
@@ -51,13 +58,14 @@ struct PointAngle {
 
 inline constexpr std::size_t largest_element_count = 160;
 
-/// One lip, from the chisel edge to the corner.
+/// One lip, from the chisel edge to the corner, and on along the shoulder.
 struct Lip {
     std::array<LipElement, largest_element_count> element;
     std::size_t count = 0;
 };
 
-/// Cuts the lip into pieces of at most `pitch` [m] along its projection, at most `largest_element_count`.
+/// Cuts the lip, and the shoulder's if there is one, into pieces of at most `pitch` [m] along their projection, at most
+/// `largest_element_count`.
 ///
 /// The lip lies at the half web b from the axis. At radius r it leans by β with sin β = b/r, so the normal of the
 /// surface it cuts is

@@ -31,14 +31,14 @@ inline std::vector<double> values(const std::vector<ParameterInfo>& infos, const
 }
 
 /// The motor follows at once unless `set` says otherwise: most questions are about the law at speed.
-inline ToolSetup twist_drill(std::map<std::string, double> set = {}) {
+inline ToolSetup drill(const std::string& tool, std::map<std::string, double> set) {
     set.insert({"run_up", 0.0});
     ToolSetup setup;
-    setup.tool = plugins().find("kerf.drilling", KERF_KIND_TOOL, "twist_drill");
+    setup.tool = plugins().find("kerf.drilling", KERF_KIND_TOOL, tool);
     setup.force = plugins().find("kerf.drilling", KERF_KIND_FORCE, "drill_cutting");
     for (const auto& info : plugins().catalog()) {
         if (info.plugin != "kerf.drilling") continue;
-        if (info.id == "twist_drill") {
+        if (info.id == tool) {
             setup.tool_parameters = values(info.parameters, set);
             setup.drives = values(info.drives, set);
         }
@@ -46,6 +46,9 @@ inline ToolSetup twist_drill(std::map<std::string, double> set = {}) {
     }
     return setup;
 }
+
+inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) { return drill("twist_drill", set); }
+inline ToolSetup step_drill(const std::map<std::string, double>& set = {}) { return drill("step_drill", set); }
 
 inline ToolOutline outline(const ToolSetup& setup) {
     ToolOutline out;

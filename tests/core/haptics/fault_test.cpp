@@ -81,6 +81,22 @@ TEST(Fault, WhileTheDeviceIsGoneThereIsNoForce) {
     EXPECT_EQ(rig.events, (std::vector<std::string>{"haptics.hand_lost", "haptics.anchored_again"}));
 }
 
+TEST(Fault, TwoMissedTicksAreHeldAndThreeFadeTheForce) {
+    for (const std::uint32_t missed : {1u, 2u, 3u, 100u}) {
+        Pressed rig;
+        const double pressed = felt(rig.tick(test::at_depth(1.0_mm)));
+        // Meanwhile the hand went on by 0.1 mm a tick.
+        const TickResult after = rig.simulation.tick({test::at_depth(1.0_mm + 0.1_mm * std::min(missed, 10u)), missed});
+        rig.simulation.after_tick();
+        EXPECT_EQ(after.is_barred, missed >= 3) << missed;
+        if (missed < 3) {
+            EXPECT_NEAR(felt(after), pressed + 0.048 * missed, 0.1) << "held, and the rate is not taken for a tick's";
+        } else {
+            EXPECT_LT(felt(after), pressed);
+        }
+    }
+}
+
 TEST(Fault, ARotationThatIsNoneIsNoPose) {
     Pressed rig;
     EXPECT_TRUE(rig.tick({{0, 0, -1.0_mm}, {0, 0, 0, 0}}).is_barred);

@@ -269,6 +269,47 @@ TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     EXPECT_NEAR(removed.total() / (frustum + pi * r * r * (depth - tip)), 1.0, 0.01);
 }
 
+// A step drill: whatever the angles of its cones, the lips together clear the widest circle.
+TEST(StepDrill, ItsTorqueIsTheClosedFormOfItsWidestCircle) {
+    const double k_cut = 1000.0_N_per_mm2, f = 0.12_mm, r_c = 0.5 * 0.15 * 3.2_mm / std::sin(55.0_deg);
+    for (const double angle : {20.0_deg, 90.0_deg}) {
+        const ToolSetup setup = test::step_drill({{"thrust_edge", 0.0}, {"cutting_edge", 0.0}, {"chisel_edge", 0.0}, {"chisel_chip", 0.0},
+                                                  {"thrust_chip", 1.0_N_per_mm2}, {"cutting_chip", k_cut}, {"element_pitch", 0.05_mm},
+                                                  {"shoulder_diameter", 5.0_mm}, {"shoulder_angle", angle}, {"shoulder_depth", 2.0_mm}});
+        const double full = 2.0_mm + 0.9_mm / std::tan(0.5 * angle) + 0.5_mm;  // the whole cone is in
+        const Body body = test::block({-6.0_mm, -6.0_mm, -20.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
+        const auto felt = feed(body, setup, 2.0_mm_per_s, full + 1.0_mm);
+        const double pilot = mean_between(felt, 1.3_mm, 1.9_mm).torque, whole = mean_between(felt, full, full + 1.0_mm).torque;
+        EXPECT_NEAR(pilot / (k_cut * f * (1.6_mm * 1.6_mm - r_c * r_c) / 2.0), 1.0, 0.01) << angle;
+        EXPECT_NEAR(whole / (k_cut * f * (2.5_mm * 2.5_mm - r_c * r_c) / 2.0), 1.0, 0.01) << angle;
+    }
+}
+
+TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
+    const ToolSetup setup = test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
+    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    double at = -1.0_mm;
+    for (; at < 5.0_mm; at += 4.0_um) {
+        (void)simulation.tick_direct({test::at_depth(at)});
+        simulation.after_tick();
+    }
+    simulation.finish();
+    RemovedVolume removed(body);
+    removed.update(simulation.exact());
+    const double tip = 0.9614_mm, cone = 0.9_mm, r = 1.6_mm, w = 2.5_mm;
+    const double volume = pi * r * r * (tip / 3.0 + 3.0_mm - tip) + pi * cone / 3.0 * (r * r + r * w + w * w) + pi * w * w * (5.0_mm - 3.0_mm - cone);
+    EXPECT_NEAR(removed.total() / volume, 1.0, 0.005);
+}
+
+TEST(StepDrill, RefusesAShoulderThatIsNone) {
+    ToolOutline outline;
+    std::string why;
+    EXPECT_FALSE(outline_of(test::step_drill({{"shoulder_diameter", 2.0_mm}}), outline, why));
+    EXPECT_FALSE(outline_of(test::step_drill({{"shoulder_depth", 0.2_mm}}), outline, why));
+    EXPECT_TRUE(outline_of(test::step_drill(), outline, why)) << why;
+}
+
 // ---- layers (C.4, C.9) -------------------------------------------------------------------------------------------
 
 TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {

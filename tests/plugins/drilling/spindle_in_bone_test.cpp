@@ -153,6 +153,7 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
     in.size = sizeof in;
     in.dt = Simulation::dt;
     in.tool_params = rig.setup.tool_parameters.data();
+    in.tool_param_count = static_cast<std::uint32_t>(rig.setup.tool_parameters.size());
     in.force_params = rig.setup.force_parameters.data();
     in.drive = rig.setup.drives.data();
     in.bone = &rig.simulation.bone().query();

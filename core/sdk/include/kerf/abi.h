@@ -174,10 +174,12 @@ typedef struct kerf_tick_in {
     uint32_t hand;              /* index of the hand that holds the tool */
     uint64_t tick;
     double dt;                  /* [s] nominal, always */
-    const double *tool_params;  /* SI, declared order */
+    const double *tool_params;  /* SI, declared order: those of the tool that is held, which may be any of the plugin's */
     const double *force_params;
     const double *drive;        /* the commanded drive values, declared order */
     const kerf_bone_query *bone;
+    uint32_t tool_param_count;
+    uint32_t reserved;
 } kerf_tick_in;
 
 /* What happened in the tick, told once. */

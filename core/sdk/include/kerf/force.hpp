@@ -17,7 +17,7 @@ namespace kerf {
 /// One tick as a force law sees it.
 struct Tick {
     double dt;                     ///< [s]
-    std::span<const double> tool;  ///< tool parameters, declared order, SI
+    std::span<const double> tool;  ///< parameters of the tool that is held, declared order, SI
     std::span<const double> force; ///< force parameters, declared order, SI
     std::span<const double> drive; ///< commanded drive values, declared order, SI
 };
@@ -144,7 +144,7 @@ template <ForceLaw L>
 struct ForceTable {
     static Tick tick_of(const kerf_tick_in& in) noexcept {
         return {in.dt,
-                {in.tool_params, L::tool_parameter_count},
+                {in.tool_params, in.tool_param_count},
                 {in.force_params, L::force_parameter_count},
                 {in.drive, L::drive_count}};
     }
