@@ -42,6 +42,7 @@ struct OutlineShape {
     const kerf_profile_point* point;
     const OutlineSegment* segment;
     std::size_t count;
+    double largest_radius;  ///< [m]
 };
 
 struct BlockKernel {
@@ -58,6 +59,10 @@ struct BlockKernel {
                             double* values) noexcept;
     /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
+    /// As `values[i] = max(values[i], quantised(depth))` where a point is at most `band` [m] outside. Tells whether any
+    /// value was raised.
+    bool (*raise)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+                  std::int16_t* values) noexcept;
 };
 
 /// For any machine.

@@ -155,32 +155,90 @@ inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     return wall;
 }
 
+/// How far four points are from the outline, still squared, and whether inside.
+struct Distance {
+    Four squared, is_inside;
+};
+inline Distance distance_to(const OutlineShape& outline, Four r, Four z) noexcept {
+    const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
+    Four nearest2 = all(1e300);
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const kerf_profile_point& a = outline.point[n];
+        const OutlineSegment& s = outline.segment[n];
+        const Four along_r = all(s.along_r), along_z = all(s.along_z);
+        const Four dr = r - all(a.radius), dz = z - all(a.z);
+        const Four along = (dr * along_r + dz * along_z) * all(s.inverse_length2);
+        const Four t = least(all(1.0), most(_mm256_setzero_pd(), along));
+        const Four off_r = dr - t * along_r, off_z = dz - t * along_z;
+        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+    }
+    if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
+    nearest2 = least(to_cap2(r, z, back), nearest2);
+    const Four is_between = _mm256_and_pd(less(z, all(front.z)), less(all(back.z), z));
+    return {nearest2, _mm256_and_pd(is_between, less(r, wall_at(outline, z)))};
+}
+
+/// `v` where `is_positive`, else −v. Pre: v ≥ 0.
+inline Four with_sign(Four v, Four is_positive) noexcept {
+    return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
+}
+
 void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept {
-    const kerf_profile_point front = outline.point[0], back = outline.point[outline.count - 1];
-    const Four sign = all(-0.0);
     for (std::size_t i = 0; i < count; i += lanes) {
         const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
-        const Four z = _mm256_loadu_pd(in_tool.z + i);
-        const Four r = _mm256_sqrt_pd(x * x + y * y);
-        Four nearest2 = all(1e300);
-        for (std::size_t n = 0; n + 1 < outline.count; ++n) {
-            const kerf_profile_point& a = outline.point[n];
-            const OutlineSegment& s = outline.segment[n];
-            const Four along_r = all(s.along_r), along_z = all(s.along_z);
-            const Four dr = r - all(a.radius), dz = z - all(a.z);
-            const Four along = (dr * along_r + dz * along_z) * all(s.inverse_length2);
-            const Four t = least(all(1.0), most(_mm256_setzero_pd(), along));
-            const Four off_r = dr - t * along_r, off_z = dz - t * along_z;
-            nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
-        }
-        if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
-        nearest2 = least(to_cap2(r, z, back), nearest2);
-
-        const Four is_between = _mm256_and_pd(less(z, all(front.z)), less(all(back.z), z));
-        const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
-        const Four distance = _mm256_sqrt_pd(nearest2);
-        _mm256_storeu_pd(depths + i, _mm256_xor_pd(distance, _mm256_andnot_pd(is_inside, sign)));
+        const Distance d = distance_to(outline, _mm256_sqrt_pd(x * x + y * y), _mm256_loadu_pd(in_tool.z + i));
+        _mm256_storeu_pd(depths + i, with_sign(_mm256_sqrt_pd(d.squared), d.is_inside));
     }
+}
+
+/// To the nearest quantum, kept within ± 32767.
+inline __m128i quantised(Four depth, double quantum) noexcept {
+    const Four q = depth / all(quantum);
+    const Four kept = most(least(q, all(32767.0)), all(-32767.0));
+    const Four half = _mm256_blendv_pd(all(-0.5), all(0.5), not_less(q, _mm256_setzero_pd()));
+    return _mm256_cvttpd_epi32(kept + half);
+}
+
+bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+           std::int16_t* values) noexcept {
+    // Most points raise nothing, and most of those can be told before the roots and quotients: a value rises to v + 1
+    // only from a depth of (v + ½) quanta. Compared as squares with their sign, and a little generously.
+    constexpr double generous = 1e-9;
+    const Four farthest2 = all((outline.largest_radius + band) * (outline.largest_radius + band) * (1.0 + generous));
+    const Four least_square = all(-band * band * (1.0 + generous)), highest = all(32767.0);
+    const Four magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff));
+    bool is_raised = false;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        std::int64_t four;
+        std::memcpy(&four, values + i, sizeof four);
+        const __m128i before = _mm_cvtepi16_epi32(_mm_cvtsi64_si128(four));
+        const Four v = _mm256_cvtepi32_pd(before);
+        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
+        const Four r2 = x * x + y * y;
+        const Four may_rise = _mm256_and_pd(less(v, highest), less(r2, farthest2));
+        if (_mm256_movemask_pd(may_rise) == 0) continue;
+
+        const Distance d = distance_to(outline, _mm256_sqrt_pd(r2), _mm256_loadu_pd(in_tool.z + i));
+        const Four next = (v + all(0.5)) * all(quantum);
+        const Four next_square = next * _mm256_and_pd(next, magnitude);
+        const Four needed = next_square - all(generous) * _mm256_and_pd(next_square, magnitude);
+        const Four rises = not_less(with_sign(d.squared, d.is_inside), most(needed, least_square));
+        if (_mm256_movemask_pd(_mm256_and_pd(may_rise, rises)) == 0) continue;
+
+        const Four depth = with_sign(_mm256_sqrt_pd(d.squared), d.is_inside);
+        const __m128i is_near = narrow(not_less(all(band), _mm256_xor_pd(depth, all(-0.0))));
+        const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, quantum), is_near);
+        const __m128i after = _mm_max_epi32(before, cut);
+        std::int16_t kept[lanes];
+        const std::int64_t packed = _mm_cvtsi128_si64(_mm_packs_epi32(after, after));
+        std::memcpy(kept, &packed, sizeof kept);
+        const std::size_t left = count - i < lanes ? count - i : lanes;
+        for (std::size_t n = 0; n < left; ++n) {
+            is_raised = is_raised || kept[n] > values[i + n];
+            values[i + n] = kept[n];
+        }
+    }
+    return is_raised;
 }
 
 }  // namespace
@@ -192,6 +250,7 @@ constinit const BlockKernel avx2_kernel_table{
     .trilinear_int16 = trilinear_int16,
     .trilinear_float = trilinear_float,
     .depths = depths,
+    .raise = raise,
 };
 
 }  // namespace kerf

@@ -122,6 +122,26 @@ void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_
     }
 }
 
+bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+           std::int16_t* values) noexcept {
+    BlockValues depth;
+    depths(outline, count, in_tool, depth.data());
+    // Without jumps: quanta kept within their range and rounded, half away from zero.
+    std::array<std::int16_t, block_capacity> cut;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double q = depth[i] / quantum;
+        const double kept = q >= 32767.0 ? 32767.0 : (q <= -32767.0 ? -32767.0 : q);
+        const auto rounded = static_cast<std::int32_t>(kept + (q >= 0.0 ? 0.5 : -0.5));
+        cut[i] = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
+    }
+    int raised = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        raised |= cut[i] > values[i];
+        values[i] = cut[i] > values[i] ? cut[i] : values[i];
+    }
+    return raised != 0;
+}
+
 constexpr BlockKernel table{
     .name = "portable",
     .transform = transform,
@@ -129,6 +149,7 @@ constexpr BlockKernel table{
     .trilinear_int16 = interpolate<std::int16_t>,
     .trilinear_float = interpolate<float>,
     .depths = depths,
+    .raise = raise,
 };
 
 }  // namespace

@@ -69,8 +69,14 @@ void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& poin
 }
 
 void RevolutionSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
-    block_kernel().depths({outline_.data(), segments_.data(), outline_.size()}, points_in_tool.count,
+    block_kernel().depths(shape(), points_in_tool.count,
                           points_in_tool.coordinates(), depths.data());
+}
+
+bool RevolutionSolid::raise(const PointBlock& points_in_tool, double band, double quantum,
+                            std::array<std::int16_t, block_capacity>& values) const noexcept {
+    return block_kernel().raise(shape(), points_in_tool.count, points_in_tool.coordinates(), band, quantum,
+                                values.data());
 }
 
 double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {

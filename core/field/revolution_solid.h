@@ -25,6 +25,11 @@ public:
     /// The same with the points given in another frame.
     void depths(const Pose& tool_from_other, const PointBlock& points_in_other, BlockValues& depths) const noexcept;
 
+    /// Raises `values` [quanta] to the depths of a block, rounded to the nearest quantum; points farther than `band` [m]
+    /// outside raise nothing. True if any was raised.   [any] nonblocking.
+    bool raise(const PointBlock& points_in_tool, double band, double quantum,
+               std::array<std::int16_t, block_capacity>& values) const noexcept;
+
     /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
     /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
     [[nodiscard]] double travel_to_leave(Vec3 point_in_tool, Vec3 direction, double tolerance = 1e-9) const noexcept;
@@ -37,6 +42,10 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
+    [[nodiscard]] OutlineShape shape() const noexcept {
+        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_};
+    }
+
     std::vector<kerf_profile_point> outline_;
     std::vector<OutlineSegment> segments_;
     double largest_radius_ = 0.0;

@@ -163,6 +163,34 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
     EXPECT_GT(inside, 3000u);
 }
 
+TEST_F(BothKernels, RaiseTheSameValues) {
+    const RevolutionSolid solid = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
+    constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0;
+    std::size_t raised = 0, kept = 0;
+    for (int n = 0; n < 10 * blocks; ++n) {
+        const PointBlock in = points(3e-3);
+        std::array<std::int16_t, block_capacity> before;
+        for (std::size_t i = 0; i < in.count; ++i) {
+            // What is there already, or a quantum beside it, or anything
+            const double d = solid.distance(in[i]);
+            const int near = std::isfinite(d) ? quantised(-d, quantum) : 0;
+            const int beside = near + static_cast<int>(numbers.below(3)) - 1;
+            before[i] = static_cast<std::int16_t>(
+                std::clamp(numbers.below(3) == 0 ? static_cast<int>(numbers.below(65535)) - 32767 : beside, -32767, 32767));
+        }
+        auto a = before, b = before;
+        const auto raise = [&](const BlockKernel& kernel, auto& values) {
+            const test::WithKernel with(kernel);
+            return solid.raise(in, 2.0 * h, quantum, values);
+        };
+        ASSERT_EQ(raise(plain, a), raise(*fast, b));
+        expect_same(a, b, in.count, "value");
+        for (std::size_t i = 0; i < in.count; ++i) ++(a[i] > before[i] ? raised : kept);
+    }
+    EXPECT_GT(raised, 5000u);
+    EXPECT_GT(kept, 5000u);
+}
+
 TEST_F(BothKernels, CutTheSameBone) {
     std::uint64_t hash[2];
     for (int n = 0; n < 2; ++n) {
