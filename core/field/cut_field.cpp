@@ -36,7 +36,8 @@ CutField::CutField(const Body& body, std::size_t reserve_bricks)
       clamp_(body.grid().clamp()),
       quantum_(body.grid().quantum()),
       table_(body.grid().brick_count(), -1),
-      changed_(body.grid().brick_count(), 0) {
+      changed_(body.grid().brick_count(), 0),
+      is_full_(body.grid().brick_count(), 0) {
     chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
     reserve(reserve_bricks);
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
@@ -72,13 +73,11 @@ int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
 
 int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid) {
     const Grid& g = grid();
-    const Pose tool_from_body = inverse(body_from_tool);
 
     // The box of bricks that the solid and its band can reach.
     const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
     const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
-    // Outside the cut, two voxels of distance are all that interpolation and normals ever read.
-    const double band = 2.0 * g.spacing;
+    const double band = PoseStamp::band_voxels * g.spacing;
     const double margin = solid.largest_radius() + band;
     const auto range = [&](double a, double b, double origin, int bricks, int& first, int& last) {
         const double edge = brick_edge * g.spacing;
@@ -90,53 +89,51 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
     range(tip.y, end.y, g.origin.y, g.bricks[1], j0, j1);
     range(tip.z, end.z, g.origin.z, g.bricks[2], k0, k1);
 
-    const double reach = 0.5 * brick_edge * std::sqrt(3.0) * g.spacing + band;
-    const double half_row = 0.5 * brick_edge * g.spacing;
-    const double half = 0.5 * brick_edge * g.spacing;
+    // Of those that hold bone, a block at a time: does the solid reach them?
+    PoseStamp stamp(g, solid, body_from_tool);
+    PointBlock centres;
+    std::array<std::array<int, 3>, block_capacity> places;
     int touched = 0;
+    const auto stamp_block = [&] {
+        touched += stamp_bricks(stamp, centres, places.data());
+        centres.count = 0;
+    };
+    const double half = 0.5 * brick_edge * g.spacing;
     for (int k = k0; k <= k1; ++k)
         for (int j = j0; j <= j1; ++j)
             for (int i = i0; i <= i1; ++i) {
-                const std::size_t index = g.brick_index(i, j, k);
-                if (body_->surface.is_all_air(index)) continue;
+                if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
                 const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
-                if (solid.distance(tool_from_body * (low + Vec3{half, half, half})) >= reach) continue;
-
-                if (table_[index] < 0) {
-                    if (free_bricks() == 0) reserve(1);
-                    table_[index] = static_cast<std::int32_t>(used_++);
-                    std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
-                }
-                ++touched;
-                std::int16_t* v = brick(table_[index]);
-                // Row by row: the tool-frame position moves by a constant step along x. The distance is 1-Lipschitz, so
-                // its value in the middle tells whether a row can be left out; that never changes a bit.
-                const Vec3 step = rotate(tool_from_body.rotation, Vec3{g.spacing, 0, 0});
-                bool is_changed = false;
-                const int x_first = std::max(0, first_[0] - i * brick_edge);
-                const int x_last = std::min(stored_edge - 1, last_[0] - i * brick_edge);
-                for (int z = 0; z < stored_edge; ++z)
-                    for (int y = 0; y < stored_edge; ++y, v += stored_edge) {
-                        const int at_y = j * brick_edge + y, at_z = k * brick_edge + z;
-                        if (at_y < first_[1] || at_y > last_[1] || at_z < first_[2] || at_z > last_[2]) continue;
-                        // From global integer coordinates, so that shared apron samples get equal bits.
-                        const Vec3 row = tool_from_body * g.sample_position(0, at_y, at_z);
-                        const Vec3 middle = row + (static_cast<double>(i * brick_edge) + 0.5 * brick_edge) * step;
-                        if (solid.distance(middle) > band + half_row * (1.0 + 1e-9)) continue;
-                        for (int x = x_first; x <= x_last; ++x) {
-                            if (v[x] == 32767) continue;
-                            const Vec3 p = row + static_cast<double>(i * brick_edge + x) * step;
-                            const double d = solid.distance(p);
-                            if (d > band) continue;
-                            const std::int16_t cut = quantised(-d, quantum_);
-                            if (cut > v[x]) {
-                                v[x] = cut;
-                                is_changed = true;
-                            }
-                        }
-                    }
-                if (is_changed) changed_[index] = 1;
+                places[centres.count] = {i, j, k};
+                centres.add(low + Vec3{half, half, half});
+                if (centres.count == block_capacity) stamp_block();
             }
+    stamp_block();
+    return touched;
+}
+
+int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places) {
+    const double h = grid().spacing;
+    const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band_voxels * h;
+    BlockValues depth;
+    stamp.depths_of(centres, depth);
+    int touched = 0;
+    for (std::size_t n = 0; n < centres.count; ++n) {
+        if (-depth[n] >= reach) continue;
+        const auto [i, j, k] = places[n];
+        const std::size_t index = grid().brick_index(i, j, k);
+        if (table_[index] < 0) {
+            if (free_bricks() == 0) reserve(1);
+            table_[index] = static_cast<std::int32_t>(used_++);
+            std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
+        }
+        ++touched;  // so that what a tick may stamp does not depend on what was cut before
+        if (is_full_[index] != 0) continue;
+        std::int16_t* samples = brick(table_[index]);
+        if (!stamp.raise(samples, i, j, k, first_, last_)) continue;
+        changed_[index] = 1;
+        is_full_[index] = std::all_of(samples, samples + stored_samples, [](std::int16_t s) { return s == 32767; });
+    }
     return touched;
 }
 

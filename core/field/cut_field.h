@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/field/body.h"
-#include "core/field/revolution_solid.h"
+#include "core/field/pose_stamp.h"
 
 /// What has been removed from a body, as a sparse level set: positive where bone is gone.
 namespace kerf {
@@ -66,12 +66,15 @@ private:
         return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
     }
     int stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid);
+    /// Of the bricks with these centres and places, those that the solid reaches.
+    int stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places);
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;
     std::array<int, 3> first_ = {}, last_ = {};  ///< samples that may be cut: those within the body's region
     std::vector<std::int32_t> table_;
     std::vector<std::uint8_t> changed_;
+    std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
     std::vector<std::unique_ptr<std::int16_t[]>> chunks_;
     std::size_t used_ = 0, capacity_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/block_kernel.h"
 #include "core/field/grid.h"
 
 /// Points asked about together. Coordinate by coordinate, so that the same step is taken for many of them at once.
@@ -23,10 +24,13 @@ struct PointBlock {
         ++count;
     }
     [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return {x[i], y[i], z[i]}; }
+    [[nodiscard]] ConstCoordinates coordinates() const noexcept { return {x.data(), y.data(), z.data()}; }
+    [[nodiscard]] Coordinates writable() noexcept { return {x.data(), y.data(), z.data()}; }
 };
 
 /// `count` ≤ `block_capacity` points, taken from frame b to frame a.   [any] pure, nonblocking.
 void transform(const Pose& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
+void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& points_in_a) noexcept;
 
 /// All points moved by the same vector.   [any] pure, nonblocking.
 void shift(const PointBlock& points, Vec3 by, PointBlock& shifted) noexcept;
@@ -59,16 +63,7 @@ class CornerBlock {
 public:
     /// `brick`: its 9³ samples.
     void add(const Sample* brick, const PlaceBlock& places, std::size_t i) noexcept {
-        constexpr int y = stored_edge, z = stored_edge * stored_edge;
-        const Sample* v = brick + places.offset[i];
-        corner_[0][count_] = v[0];
-        corner_[1][count_] = v[1];
-        corner_[2][count_] = v[y];
-        corner_[3][count_] = v[y + 1];
-        corner_[4][count_] = v[z];
-        corner_[5][count_] = v[z + 1];
-        corner_[6][count_] = v[z + y];
-        corner_[7][count_] = v[z + y + 1];
+        corner_[count_] = brick + places.offset[i];
         fx_[count_] = places.fx[i];
         fy_[count_] = places.fy[i];
         fz_[count_] = places.fz[i];
@@ -79,7 +74,7 @@ public:
 
 private:
     std::size_t count_ = 0;
-    std::array<std::array<Sample, block_capacity>, 8> corner_;
+    std::array<const Sample*, block_capacity> corner_;
     BlockValues fx_, fy_, fz_;
     std::array<std::uint8_t, block_capacity> lane_;
 };

@@ -34,7 +34,7 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         segments_.push_back({r, z, 1.0 / (r * r + z * z)});
         if (i == 1) continue;
         // Backwards the outline may only bend towards the axis.
-        const Segment &a = segments_[i - 2], &b = segments_[i - 1];
+        const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
 }
@@ -46,7 +46,7 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
     for (std::size_t i = 0; i < outline_.size() - 1; ++i) {
         // Project onto the segment; its direction and length were worked out once.
         const auto& a = outline_[i];
-        const Segment& s = segments_[i];
+        const OutlineSegment& s = segments_[i];
         const double dr = r - a.radius, dz = p.z - a.z;
         const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
         nearest2 = std::min(nearest2, squared(dr - t * s.along_r) + squared(dz - t * s.along_z));
@@ -63,57 +63,20 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
 
 void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,
                              BlockValues& depths) const noexcept {
-    const std::size_t count = points.count;
-    BlockValues r, z, nearest2, wall;
-    const auto& front = outline_.front();
-    const auto& back = outline_.back();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 p = tool_from_other * points[i];
-        r[i] = std::sqrt(p.x * p.x + p.y * p.y);
-        z[i] = p.z;
-        nearest2[i] = 1e300;
-        wall[i] = back.radius;
-    }
-    for (std::size_t n = 0; n < segments_.size(); ++n) {
-        const auto a = outline_[n];
-        const Segment s = segments_[n];
-        for (std::size_t i = 0; i < count; ++i) {
-            const double dr = r[i] - a.radius, dz = z[i] - a.z;
-            const double along = (dr * s.along_r + dz * s.along_z) * s.inverse_length2;
-            const double t = along < 0.0 ? 0.0 : (1.0 < along ? 1.0 : along);
-            const double off_r = dr - t * s.along_r, off_z = dz - t * s.along_z;
-            const double d2 = off_r * off_r + off_z * off_z;
-            nearest2[i] = d2 < nearest2[i] ? d2 : nearest2[i];
-        }
-    }
-    const auto add_cap = [&](const kerf_profile_point& rim) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const double beside = r[i] - rim.radius, dz = z[i] - rim.z;
-            const double dr = 0.0 < beside ? beside : 0.0;
-            const double d2 = dr * dr + dz * dz;
-            nearest2[i] = d2 < nearest2[i] ? d2 : nearest2[i];
-        }
-    };
-    if (front.radius > 0.0) add_cap(front);
-    add_cap(back);
+    PointBlock in_tool;
+    transform(tool_from_other, points, in_tool);
+    this->depths(in_tool, depths);
+}
 
-    // The outline's radius where the point stands, from the back so that the first segment that holds it stays.
-    for (std::size_t n = outline_.size() - 1; n > 0; --n) {
-        const auto a = outline_[n - 1], b = outline_[n];
-        if (a.radius == b.radius) {  // a cylinder: nothing to divide
-            for (std::size_t i = 0; i < count; ++i) wall[i] = z[i] < b.z ? wall[i] : a.radius;
-            continue;
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            const double radius = a.radius + (b.radius - a.radius) * (a.z - z[i]) / (a.z - b.z);
-            wall[i] = z[i] < b.z ? wall[i] : radius;
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const double distance = std::sqrt(nearest2[i]);
-        const bool is_inside = (z[i] < front.z) & (z[i] > back.z) & (r[i] < wall[i]);
-        depths[i] = is_inside ? distance : -distance;
-    }
+void RevolutionSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
+    block_kernel().depths(shape(), points_in_tool.count,
+                          points_in_tool.coordinates(), depths.data());
+}
+
+bool RevolutionSolid::raise(const PointBlock& points_in_tool, double band, double quantum,
+                            std::array<std::int16_t, block_capacity>& values) const noexcept {
+    return block_kernel().raise(shape(), points_in_tool.count, points_in_tool.coordinates(), band, quantum,
+                                values.data());
 }
 
 double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {

@@ -20,8 +20,15 @@ public:
     /// Exact signed distance [m], negative inside.   [any] pure.
     [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
 
-    /// Minus the distance of a block [m], with the points given in another frame.   [any] pure, nonblocking.
+    /// Minus the distance of a block [m].   [any] pure, nonblocking.
+    void depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept;
+    /// The same with the points given in another frame.
     void depths(const Pose& tool_from_other, const PointBlock& points_in_other, BlockValues& depths) const noexcept;
+
+    /// Raises `values` [quanta] to the depths of a block, rounded to the nearest quantum; points farther than `band` [m]
+    /// outside raise nothing. True if any was raised.   [any] nonblocking.
+    bool raise(const PointBlock& points_in_tool, double band, double quantum,
+               std::array<std::int16_t, block_capacity>& values) const noexcept;
 
     /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
     /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
@@ -35,12 +42,12 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
-    /// From one outline point to the next, in the half plane (r, z).
-    struct Segment {
-        double along_r, along_z, inverse_length2;
-    };
+    [[nodiscard]] OutlineShape shape() const noexcept {
+        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_};
+    }
+
     std::vector<kerf_profile_point> outline_;
-    std::vector<Segment> segments_;
+    std::vector<OutlineSegment> segments_;
     double largest_radius_ = 0.0;
     bool is_convex_ = true;
 };

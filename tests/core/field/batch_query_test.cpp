@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The batch kernel gives every point the bits it would get alone.
+// A batch gives every point the bits it would get alone, with either kernel.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -9,6 +9,7 @@
 
 #include "tests/support/drilled_block.h"
 #include "tests/support/scalar_bone_query.h"
+#include "tests/support/with_kernel.h"
 
 namespace kerf {
 namespace {
@@ -67,7 +68,8 @@ struct Seen {
     int engaged = 0, behind = 0, mixed = 0, normals = 0, pending = 0, air = 0;
 };
 
-void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
+void compare_with(const BlockKernel& kernel, const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
+    const test::WithKernel with(kernel);
     const test::ScalarBoneQuery scalar{hole.body, hole.committed, hole.tracker, hole.at};
     const std::vector<Vec3> points = questions(hole, count);
     const Vec3 direction = normalized(Vec3{0.1, 0.2, 1.0});
@@ -78,11 +80,11 @@ void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
     for (std::size_t i = 0; i < count; ++i) {
         const kerf_bone_sample sample = scalar.sample(points[i], direction);
         ASSERT_EQ(std::memcmp(&sample, &samples[i], sizeof sample), 0)
-            << i << ": engagement " << sample.engagement << " and " << samples[i].engagement << ", gap " << sample.gap
-            << " and " << samples[i].gap;
+            << kernel.name << ' ' << i << ": engagement " << sample.engagement << " and " << samples[i].engagement
+            << ", gap " << sample.gap << " and " << samples[i].gap;
         const kerf_surface_point surface = scalar.nearest(points[i]);
         ASSERT_EQ(std::memcmp(&surface, &nearest[i], sizeof surface), 0)
-            << i << ": distance " << surface.distance << " and " << nearest[i].distance;
+            << kernel.name << ' ' << i << ": distance " << surface.distance << " and " << nearest[i].distance;
         const Vec3 in_body = hole.at * points[i];
         seen.engaged += sample.engagement > 0.0;
         seen.behind += sample.gap > 0.0;
@@ -92,6 +94,13 @@ void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
         const BrickPlace place = locate(hole.body, in_body);
         seen.pending += surface.distance > std::max(hole.body.surface.at(place), hole.committed.at(place));
     }
+}
+
+/// Where there is no AVX2, the portable kernel is all there is.
+void compare(const test::DrilledBlock& hole, std::size_t count, Seen& seen) {
+    compare_with(portable_kernel(), hole, count, seen);
+    Seen again;
+    if (avx2_kernel() != nullptr) compare_with(*avx2_kernel(), hole, count, again);
 }
 
 TEST(BatchQuery, GivesTheScalarBitsWhileCuttingAndAfterTurningBack) {

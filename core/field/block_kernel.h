@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kerf/abi.h"
+
+/// The arithmetic of block queries as a table of plain functions: written once for any machine, once for AVX2.
+///
+/// Both do the same operations on every point in the same order, so both give the same bits; which one a machine runs
+/// changes how long it takes and nothing else. Here are only plain types and pointers: an inline function shared with a
+/// file that is compiled for AVX2 could end up in a program for a machine without it.
+namespace kerf {
+
+/// Where a kernel reads or writes, coordinate by coordinate. All arrays a kernel is given have `block_capacity` places,
+/// and it may write rubbish behind the last point.
+struct ConstCoordinates {
+    const double *x, *y, *z;
+};
+struct Coordinates {
+    double *x, *y, *z;
+};
+
+/// What of a grid `locate` needs.
+struct LatticeShape {
+    double origin[3], spacing;  ///< [m]
+    double samples[3];          ///< per axis
+    std::int32_t row, column;   ///< bricks along x, along y
+};
+struct Places {
+    std::int32_t *brick, *offset;
+    Coordinates fraction;
+};
+
+/// From one outline point to the next, in the half plane (r, z).
+struct OutlineSegment {
+    double along_r, along_z, inverse_length2;
+};
+/// An outline from the tip backwards, `count` points and `count − 1` segments.
+struct OutlineShape {
+    const kerf_profile_point* point;
+    const OutlineSegment* segment;
+    std::size_t count;
+    double largest_radius;  ///< [m]
+};
+
+struct BlockKernel {
+    const char* name;
+
+    /// As pose · point.
+    void (*transform)(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
+    /// As `locate` of one point.
+    void (*locate)(const LatticeShape& grid, std::size_t count, ConstCoordinates points, Places places) noexcept;
+    /// As `trilinear` of one point, times `quantum`. `corner`: each point's low corner among its brick's 9³ samples.
+    void (*trilinear_int16)(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction,
+                            double quantum, double* values) noexcept;
+    void (*trilinear_float)(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                            double* values) noexcept;
+    /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
+    void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
+    /// As `values[i] = max(values[i], quantised(depth))` where a point is at most `band` [m] outside. Tells whether any
+    /// value was raised.
+    bool (*raise)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+                  std::int16_t* values) noexcept;
+};
+
+/// For any machine.
+[[nodiscard]] const BlockKernel& portable_kernel() noexcept;
+/// Null where the machine or the compiler has no AVX2.
+[[nodiscard]] const BlockKernel* avx2_kernel() noexcept;
+
+/// What queries and stamps use: the fastest for this machine.   [any] nonblocking.
+[[nodiscard]] const BlockKernel& block_kernel() noexcept;
+/// The same with another kernel from now on, in the whole process: for tests and benchmarks that compare two.   [main]
+void use_block_kernel(const BlockKernel& kernel) noexcept;
+
+}  // namespace kerf

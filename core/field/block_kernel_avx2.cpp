@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Four points at a time, each with the operations of the portable kernel in its order. Compiled with -mavx2 and entered
+// only where the processor has it; without fused multiply-add, which would round differently.
+#include <immintrin.h>
+
+#include <cstring>
+
+#include "core/field/block_kernel.h"
+
+namespace kerf {
+
+extern const BlockKernel avx2_kernel_table;
+
+namespace {
+
+using Four = __m256d;
+constexpr std::size_t lanes = 4;
+constexpr int brick_bits = 3, stored = 9;  // of core/field/grid.h: 8 samples a brick and axis, 9 with the apron
+
+inline Four all(double v) noexcept { return _mm256_set1_pd(v); }
+/// a < b ? a : b, as the instruction has it for NaN too.
+inline Four least(Four a, Four b) noexcept { return _mm256_min_pd(a, b); }
+/// a > b ? a : b.
+inline Four most(Four a, Four b) noexcept { return _mm256_max_pd(a, b); }
+inline Four less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+inline Four not_less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_GE_OQ); }
+
+struct Four3 {
+    Four x, y, z;
+};
+inline Four3 cross(const Four3& a, const Four3& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+void transform(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Four3 position{all(a_from_b.position.x), all(a_from_b.position.y), all(a_from_b.position.z)};
+    const Four3 u{all(a_from_b.rotation.x), all(a_from_b.rotation.y), all(a_from_b.rotation.z)};
+    const Four w = all(a_from_b.rotation.w), two = all(2.0);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four3 v{_mm256_loadu_pd(in_b.x + i), _mm256_loadu_pd(in_b.y + i), _mm256_loadu_pd(in_b.z + i)};
+        Four3 t = cross(u, v);
+        t = {two * t.x, two * t.y, two * t.z};
+        const Four3 c = cross(u, t);
+        _mm256_storeu_pd(in_a.x + i, position.x + (v.x + w * t.x + c.x));
+        _mm256_storeu_pd(in_a.y + i, position.y + (v.y + w * t.y + c.y));
+        _mm256_storeu_pd(in_a.z + i, position.z + (v.z + w * t.z + c.z));
+    }
+}
+
+/// The four 64-bit masks as 32-bit ones.
+inline __m128i narrow(Four mask) noexcept {
+    const __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(mask));
+    const __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(mask, 1));
+    return _mm_castps_si128(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)));
+}
+
+void locate(const LatticeShape& grid, std::size_t count, ConstCoordinates points, Places places) noexcept {
+    const Four zero = _mm256_setzero_pd(), h = all(grid.spacing);
+    const Four3 origin{all(grid.origin[0]), all(grid.origin[1]), all(grid.origin[2])};
+    const Four3 end{all(grid.samples[0]), all(grid.samples[1]), all(grid.samples[2])};
+    const __m128i row = _mm_set1_epi32(grid.row), column = _mm_set1_epi32(grid.column);
+    const __m128i within = _mm_set1_epi32((1 << brick_bits) - 1), edge = _mm_set1_epi32(stored);
+    for (std::size_t n = 0; n < count; n += lanes) {
+        const Four gx = (_mm256_loadu_pd(points.x + n) - origin.x) / h;
+        const Four gy = (_mm256_loadu_pd(points.y + n) - origin.y) / h;
+        const Four gz = (_mm256_loadu_pd(points.z + n) - origin.z) / h;
+        const Four is_low = _mm256_and_pd(not_less(gx, zero), _mm256_and_pd(not_less(gy, zero), not_less(gz, zero)));
+        const Four is_high = _mm256_and_pd(less(gx, end.x), _mm256_and_pd(less(gy, end.y), less(gz, end.z)));
+        const Four is_inside = _mm256_and_pd(is_low, is_high);
+        const Four x = _mm256_and_pd(is_inside, gx), y = _mm256_and_pd(is_inside, gy), z = _mm256_and_pd(is_inside, gz);
+        const __m128i i = _mm256_cvttpd_epi32(x), j = _mm256_cvttpd_epi32(y), k = _mm256_cvttpd_epi32(z);
+        const __m128i bi = _mm_srli_epi32(i, brick_bits), bj = _mm_srli_epi32(j, brick_bits),
+                      bk = _mm_srli_epi32(k, brick_bits);
+        const __m128i brick = _mm_add_epi32(_mm_mullo_epi32(_mm_add_epi32(_mm_mullo_epi32(bk, column), bj), row), bi);
+        const __m128i outside = _mm_andnot_si128(narrow(is_inside), _mm_set1_epi32(-1));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(places.brick + n), _mm_or_si128(brick, outside));
+        const __m128i oi = _mm_and_si128(i, within), oj = _mm_and_si128(j, within), ok = _mm_and_si128(k, within);
+        const __m128i offset = _mm_add_epi32(_mm_mullo_epi32(_mm_add_epi32(_mm_mullo_epi32(ok, edge), oj), edge), oi);
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(places.offset + n), offset);
+        _mm256_storeu_pd(places.fraction.x + n, x - _mm256_cvtepi32_pd(i));
+        _mm256_storeu_pd(places.fraction.y + n, y - _mm256_cvtepi32_pd(j));
+        _mm256_storeu_pd(places.fraction.z + n, z - _mm256_cvtepi32_pd(k));
+    }
+}
+
+/// Two neighbours along x, for each of four points.
+struct Pairs {
+    Four low, high;
+};
+inline Pairs load(const std::int16_t* const (&corner)[lanes], int at) noexcept {
+    std::int32_t pair[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) std::memcpy(&pair[i], corner[i] + at, sizeof pair[i]);
+    const __m128i both = _mm_setr_epi32(pair[0], pair[1], pair[2], pair[3]);
+    return {_mm256_cvtepi32_pd(_mm_srai_epi32(_mm_slli_epi32(both, 16), 16)),
+            _mm256_cvtepi32_pd(_mm_srai_epi32(both, 16))};
+}
+inline Pairs load(const float* const (&corner)[lanes], int at) noexcept {
+    double pair[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) std::memcpy(&pair[i], corner[i] + at, sizeof pair[i]);
+    const __m128 first = _mm_castpd_ps(_mm_setr_pd(pair[0], pair[1]));
+    const __m128 second = _mm_castpd_ps(_mm_setr_pd(pair[2], pair[3]));
+    return {_mm256_cvtps_pd(_mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 0, 2, 0))),
+            _mm256_cvtps_pd(_mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 1, 3, 1)))};
+}
+
+inline Four lerp(Four a, Four b, Four t) noexcept { return a + (b - a) * t; }
+
+template <class Sample>
+inline void interpolate(const Sample* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                        double* values) noexcept {
+    constexpr int y = stored, z = stored * stored;
+    const Four scale = all(quantum);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Sample* four[lanes];  // behind the last point, the last once more: nothing else may be read there
+        for (std::size_t n = 0; n < lanes; ++n) four[n] = corner[i + n < count ? i + n : count - 1];
+        const Four fx = _mm256_loadu_pd(fraction.x + i), fy = _mm256_loadu_pd(fraction.y + i),
+                   fz = _mm256_loadu_pd(fraction.z + i);
+        const Pairs v00 = load(four, 0), v10 = load(four, y), v01 = load(four, z), v11 = load(four, z + y);
+        const Four c00 = lerp(v00.low, v00.high, fx), c10 = lerp(v10.low, v10.high, fx);
+        const Four c01 = lerp(v01.low, v01.high, fx), c11 = lerp(v11.low, v11.high, fx);
+        _mm256_storeu_pd(values + i, scale * lerp(lerp(c00, c10, fy), lerp(c01, c11, fy), fz));
+    }
+}
+
+void trilinear_int16(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                     double* values) noexcept {
+    interpolate(corner, count, fraction, quantum, values);
+}
+void trilinear_float(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                     double* values) noexcept {
+    interpolate(corner, count, fraction, quantum, values);
+}
+
+/// Squared distance to the flat disc of a rim.
+inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
+    const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
+    return dr * dr + dz * dz;
+}
+
+/// The outline's radius where the points stand.
+inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
+    Four wall = all(outline.point[outline.count - 1].radius);
+    for (std::size_t n = outline.count - 1; n > 0; --n) {
+        const kerf_profile_point &a = outline.point[n - 1], &b = outline.point[n];
+        const Four is_behind = less(z, all(b.z));
+        Four radius = all(a.radius);
+        if (a.radius != b.radius) {
+            // The radius of this segment stays only for points beside it; where there are none, nothing is divided.
+            // (Before the tip it does not count either.)
+            if (_mm256_movemask_pd(_mm256_and_pd(not_less(z, all(b.z)), less(z, all(a.z)))) == 0) continue;
+            radius = all(a.radius) + all(b.radius - a.radius) * (all(a.z) - z) / all(a.z - b.z);
+        }
+        wall = _mm256_blendv_pd(radius, wall, is_behind);
+    }
+    return wall;
+}
+
+/// How far four points are from the outline, still squared, and whether inside.
+struct Distance {
+    Four squared, is_inside;
+};
+inline Distance distance_to(const OutlineShape& outline, Four r, Four z) noexcept {
+    const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
+    Four nearest2 = all(1e300);
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const kerf_profile_point& a = outline.point[n];
+        const OutlineSegment& s = outline.segment[n];
+        const Four along_r = all(s.along_r), along_z = all(s.along_z);
+        const Four dr = r - all(a.radius), dz = z - all(a.z);
+        const Four along = (dr * along_r + dz * along_z) * all(s.inverse_length2);
+        const Four t = least(all(1.0), most(_mm256_setzero_pd(), along));
+        const Four off_r = dr - t * along_r, off_z = dz - t * along_z;
+        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+    }
+    if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
+    nearest2 = least(to_cap2(r, z, back), nearest2);
+    const Four is_between = _mm256_and_pd(less(z, all(front.z)), less(all(back.z), z));
+    return {nearest2, _mm256_and_pd(is_between, less(r, wall_at(outline, z)))};
+}
+
+/// `v` where `is_positive`, else −v. Pre: v ≥ 0.
+inline Four with_sign(Four v, Four is_positive) noexcept {
+    return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
+}
+
+void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept {
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
+        const Distance d = distance_to(outline, _mm256_sqrt_pd(x * x + y * y), _mm256_loadu_pd(in_tool.z + i));
+        _mm256_storeu_pd(depths + i, with_sign(_mm256_sqrt_pd(d.squared), d.is_inside));
+    }
+}
+
+/// To the nearest quantum, kept within ± 32767.
+inline __m128i quantised(Four depth, double quantum) noexcept {
+    const Four q = depth / all(quantum);
+    const Four kept = most(least(q, all(32767.0)), all(-32767.0));
+    const Four half = _mm256_blendv_pd(all(-0.5), all(0.5), not_less(q, _mm256_setzero_pd()));
+    return _mm256_cvttpd_epi32(kept + half);
+}
+
+bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+           std::int16_t* values) noexcept {
+    // Most points raise nothing, and most of those can be told before the roots and quotients: a value rises to v + 1
+    // only from a depth of (v + ½) quanta. Compared as squares with their sign, and a little generously.
+    constexpr double generous = 1e-9;
+    const Four farthest2 = all((outline.largest_radius + band) * (outline.largest_radius + band) * (1.0 + generous));
+    const Four least_square = all(-band * band * (1.0 + generous)), highest = all(32767.0);
+    const Four magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff));
+    bool is_raised = false;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        std::int64_t four;
+        std::memcpy(&four, values + i, sizeof four);
+        const __m128i before = _mm_cvtepi16_epi32(_mm_cvtsi64_si128(four));
+        const Four v = _mm256_cvtepi32_pd(before);
+        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
+        const Four r2 = x * x + y * y;
+        const Four may_rise = _mm256_and_pd(less(v, highest), less(r2, farthest2));
+        if (_mm256_movemask_pd(may_rise) == 0) continue;
+
+        const Distance d = distance_to(outline, _mm256_sqrt_pd(r2), _mm256_loadu_pd(in_tool.z + i));
+        const Four next = (v + all(0.5)) * all(quantum);
+        const Four next_square = next * _mm256_and_pd(next, magnitude);
+        const Four needed = next_square - all(generous) * _mm256_and_pd(next_square, magnitude);
+        const Four rises = not_less(with_sign(d.squared, d.is_inside), most(needed, least_square));
+        if (_mm256_movemask_pd(_mm256_and_pd(may_rise, rises)) == 0) continue;
+
+        const Four depth = with_sign(_mm256_sqrt_pd(d.squared), d.is_inside);
+        const __m128i is_near = narrow(not_less(all(band), _mm256_xor_pd(depth, all(-0.0))));
+        const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, quantum), is_near);
+        const __m128i after = _mm_max_epi32(before, cut);
+        std::int16_t kept[lanes];
+        const std::int64_t packed = _mm_cvtsi128_si64(_mm_packs_epi32(after, after));
+        std::memcpy(kept, &packed, sizeof kept);
+        const std::size_t left = count - i < lanes ? count - i : lanes;
+        for (std::size_t n = 0; n < left; ++n) {
+            is_raised = is_raised || kept[n] > values[i + n];
+            values[i + n] = kept[n];
+        }
+    }
+    return is_raised;
+}
+
+}  // namespace
+
+constinit const BlockKernel avx2_kernel_table{
+    .name = "avx2",
+    .transform = transform,
+    .locate = locate,
+    .trilinear_int16 = trilinear_int16,
+    .trilinear_float = trilinear_float,
+    .depths = depths,
+    .raise = raise,
+};
+
+}  // namespace kerf

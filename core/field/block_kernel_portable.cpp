@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference: stage by stage, in loops that a compiler takes for several points at a time.
+#include <cmath>
+
+#include "core/field/block_kernel.h"
+#include "core/field/point_block.h"
+
+namespace kerf {
+
+namespace {
+
+void transform(const Pose &a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Pose pose = a_from_b;
+    const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
+    double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 p = pose * Vec3{x[i], y[i], z[i]};
+        to_x[i] = p.x;
+        to_y[i] = p.y;
+        to_z[i] = p.z;
+    }
+}
+
+void locate(const LatticeShape &shape, std::size_t count, ConstCoordinates points, Places places) noexcept {
+    const LatticeShape grid = shape;
+    const double *__restrict px = points.x, *__restrict py = points.y, *__restrict pz = points.z;
+    std::int32_t *__restrict bricks = places.brick, *__restrict offsets = places.offset;
+    double *__restrict fx = places.fraction.x, *__restrict fy = places.fraction.y, *__restrict fz = places.fraction.z;
+    const double nx = grid.samples[0], ny = grid.samples[1], nz = grid.samples[2];
+    for (std::size_t n = 0; n < count; ++n) {
+        const double gx = (px[n] - grid.origin[0]) / grid.spacing;
+        const double gy = (py[n] - grid.origin[1]) / grid.spacing;
+        const double gz = (pz[n] - grid.origin[2]) / grid.spacing;
+        // Written so that NaN is outside; `&` because a jump would stop the others.
+        const bool is_inside = (gx >= 0.0) & (gy >= 0.0) & (gz >= 0.0) & (gx < nx) & (gy < ny) & (gz < nz);
+        const double x = is_inside ? gx : 0.0, y = is_inside ? gy : 0.0, z = is_inside ? gz : 0.0;
+        const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), k = static_cast<std::int32_t>(z);
+        const std::int32_t brick = (k / brick_edge * grid.column + j / brick_edge) * grid.row + i / brick_edge;
+        bricks[n] = is_inside ? brick : PlaceBlock::outside;
+        offsets[n] = ((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge;
+        fx[n] = x - i;
+        fy[n] = y - j;
+        fz[n] = z - k;
+    }
+}
+
+template <class Sample>
+void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                 double *values) noexcept {
+    constexpr int y = stored_edge, z = stored_edge * stored_edge;
+    std::array<std::array<Sample, block_capacity>, 8> c;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Sample *v = corner[i];
+        c[0][i] = v[0];
+        c[1][i] = v[1];
+        c[2][i] = v[y];
+        c[3][i] = v[y + 1];
+        c[4][i] = v[z];
+        c[5][i] = v[z + 1];
+        c[6][i] = v[z + y];
+        c[7][i] = v[z + y + 1];
+    }
+    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
+    const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
+    double *__restrict to = values;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
+        const double c01 = lerp(c[4][i], c[5][i], fx[i]), c11 = lerp(c[6][i], c[7][i], fx[i]);
+        to[i] = quantum * lerp(lerp(c00, c10, fy[i]), lerp(c01, c11, fy[i]), fz[i]);
+    }
+}
+
+void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
+            double *__restrict depths) noexcept {
+    BlockValues r, nearest2, wall;
+    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
+    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+    for (std::size_t i = 0; i < count; ++i) {
+        r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        nearest2[i] = 1e300;
+        wall[i] = back.radius;
+    }
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const auto a = outline.point[n];
+        const OutlineSegment s = outline.segment[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const double dr = r[i] - a.radius, dz = z[i] - a.z;
+            const double along = (dr * s.along_r + dz * s.along_z) * s.inverse_length2;
+            const double t = along < 0.0 ? 0.0 : (1.0 < along ? 1.0 : along);
+            const double off_r = dr - t * s.along_r, off_z = dz - t * s.along_z;
+            const double d2 = off_r * off_r + off_z * off_z;
+            nearest2[i] = d2 < nearest2[i] ? d2 : nearest2[i];
+        }
+    }
+    const auto add_cap = [&](const kerf_profile_point &rim) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double beside = r[i] - rim.radius, dz = z[i] - rim.z;
+            const double dr = 0.0 < beside ? beside : 0.0;
+            const double d2 = dr * dr + dz * dz;
+            nearest2[i] = d2 < nearest2[i] ? d2 : nearest2[i];
+        }
+    };
+    if (front.radius > 0.0) add_cap(front);
+    add_cap(back);
+
+    // The outline's radius where the point stands, from the back so that the first segment that holds it stays.
+    for (std::size_t n = outline.count - 1; n > 0; --n) {
+        const auto a = outline.point[n - 1], b = outline.point[n];
+        if (a.radius == b.radius) {  // a cylinder: nothing to divide
+            for (std::size_t i = 0; i < count; ++i) wall[i] = z[i] < b.z ? wall[i] : a.radius;
+            continue;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const double radius = a.radius + (b.radius - a.radius) * (a.z - z[i]) / (a.z - b.z);
+            wall[i] = z[i] < b.z ? wall[i] : radius;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const double distance = std::sqrt(nearest2[i]);
+        const bool is_inside = (z[i] < front.z) & (z[i] > back.z) & (r[i] < wall[i]);
+        depths[i] = is_inside ? distance : -distance;
+    }
+}
+
+bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
+           std::int16_t* values) noexcept {
+    BlockValues depth;
+    depths(outline, count, in_tool, depth.data());
+    // Without jumps: quanta kept within their range and rounded, half away from zero.
+    std::array<std::int16_t, block_capacity> cut;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double q = depth[i] / quantum;
+        const double kept = q >= 32767.0 ? 32767.0 : (q <= -32767.0 ? -32767.0 : q);
+        const auto rounded = static_cast<std::int32_t>(kept + (q >= 0.0 ? 0.5 : -0.5));
+        cut[i] = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
+    }
+    int raised = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        raised |= cut[i] > values[i];
+        values[i] = cut[i] > values[i] ? cut[i] : values[i];
+    }
+    return raised != 0;
+}
+
+constexpr BlockKernel table{
+    .name = "portable",
+    .transform = transform,
+    .locate = locate,
+    .trilinear_int16 = interpolate<std::int16_t>,
+    .trilinear_float = interpolate<float>,
+    .depths = depths,
+    .raise = raise,
+};
+
+}  // namespace
+
+const BlockKernel &portable_kernel() noexcept { return table; }
+
+}  // namespace kerf

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Both kernels give the same bits, stage by stage. That their answers are right, the batch query's tests say for each.
+#include "core/field/block_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "core/field/cut_log.h"
+#include "tests/support/drilled_block.h"
+#include "tests/support/with_kernel.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr int blocks = 800;  // of 1 … 64 points
+
+/// Within ±1, and now and then something that no point should be.
+class Numbers {
+public:
+    double operator()() {
+        constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+        constexpr double odd[] = {nan, inf, -inf, 1e300, -1e300, 1e-310, 0.0, -0.0, 3e9, -3e9};
+        return random_() % 50 == 0 ? odd[random_() % std::size(odd)] : unit_(random_);
+    }
+    double sound() { return unit_(random_); }
+    std::size_t below(std::size_t n) { return random_() % n; }
+
+private:
+    std::mt19937 random_{5};
+    std::uniform_real_distribution<double> unit_{-1.0, 1.0};
+};
+
+class BothKernels : public testing::Test {
+protected:
+    void SetUp() override {
+        if (avx2_kernel() == nullptr) GTEST_SKIP() << "this machine has no AVX2: there is only the portable kernel";
+        fast = avx2_kernel();
+    }
+    PointBlock points(double size) {
+        PointBlock block;
+        for (std::size_t n = 1 + numbers.below(block_capacity); n > 0; --n)
+            block.add({size * numbers(), size * numbers(), size * numbers()});
+        return block;
+    }
+    const BlockKernel& plain = portable_kernel();
+    const BlockKernel* fast = nullptr;
+    Numbers numbers;
+};
+
+/// Which of several NaNs comes out of a sum is the compiler's choice; nothing downstream tells them apart.
+template <class Values>
+void expect_same(const Values& a, const Values& b, std::size_t count, const char* what) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (a[i] != a[i] && b[i] != b[i]) continue;
+        ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof a[i]), 0) << what << ' ' << i << ": " << a[i] << ", " << b[i];
+    }
+}
+
+TEST_F(BothKernels, MovePointsAlike) {
+    for (int n = 0; n < blocks; ++n) {
+        const PointBlock in = points(0.05);
+        const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        const Pose pose{{numbers.sound(), numbers.sound(), numbers.sound()}, turn};
+        PointBlock a, b;
+        plain.transform(pose, in.count, in.coordinates(), a.writable());
+        fast->transform(pose, in.count, in.coordinates(), b.writable());
+        expect_same(a.x, b.x, in.count, "x");
+        expect_same(a.y, b.y, in.count, "y");
+        expect_same(a.z, b.z, in.count, "z");
+    }
+}
+
+TEST_F(BothKernels, FindTheSamePlaces) {
+    const LatticeShape grid{{-0.011, -0.012, -0.013}, 0.4e-3, {56, 64, 72}, 7, 8};
+    std::size_t inside = 0, outside = 0;
+    for (int n = 0; n < blocks; ++n) {
+        PointBlock in = points(0.016);
+        for (std::size_t i = 0; i < in.count; i += 3)  // right on a sample, the grid's first and its end among them
+            in.x[i] = grid.origin[0] + grid.spacing * static_cast<double>(numbers.below(57));
+        PlaceBlock a, b;
+        for (auto* places : {&a, &b})
+            (places == &a ? plain : *fast)
+                .locate(grid, in.count, in.coordinates(),
+                        {places->brick.data(),
+                         places->offset.data(),
+                         {places->fx.data(), places->fy.data(), places->fz.data()}});
+        expect_same(a.brick, b.brick, in.count, "brick");
+        expect_same(a.offset, b.offset, in.count, "offset");
+        expect_same(a.fx, b.fx, in.count, "fx");
+        expect_same(a.fy, b.fy, in.count, "fy");
+        expect_same(a.fz, b.fz, in.count, "fz");
+        for (std::size_t i = 0; i < in.count; ++i) ++(a.brick[i] == PlaceBlock::outside ? outside : inside);
+    }
+    EXPECT_GT(inside, 5000u);
+    EXPECT_GT(outside, 1000u);
+}
+
+template <class Sample>
+void interpolate_alike(Numbers& numbers, const BlockKernel& plain, const BlockKernel& fast, double size) {
+    constexpr std::size_t bricks = 20;
+    std::vector<Sample> pool(bricks * stored_samples);
+    for (Sample& s : pool) s = static_cast<Sample>(size * numbers.sound());
+    for (int n = 0; n < blocks; ++n) {
+        const std::size_t count = 1 + numbers.below(block_capacity);
+        std::array<const Sample*, block_capacity> corner;
+        BlockValues fx, fy, fz, a, b;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t x = numbers.below(8), y = numbers.below(8), z = numbers.below(8);
+            corner[i] = &pool[numbers.below(bricks) * stored_samples + (z * stored_edge + y) * stored_edge + x];
+            for (auto* f : {&fx, &fy, &fz}) (*f)[i] = numbers.below(8) == 0 ? 0.0 : std::abs(numbers.sound());
+        }
+        const ConstCoordinates fraction{fx.data(), fy.data(), fz.data()};
+        for (auto* values : {&a, &b}) {
+            const BlockKernel& kernel = values == &a ? plain : fast;
+            if constexpr (std::is_same_v<Sample, float>)
+                kernel.trilinear_float(corner.data(), count, fraction, 1.0, values->data());
+            else
+                kernel.trilinear_int16(corner.data(), count, fraction, 6.1e-8, values->data());
+        }
+        expect_same(a, b, count, "value");
+    }
+}
+
+TEST_F(BothKernels, InterpolateAlike) {
+    interpolate_alike<std::int16_t>(numbers, plain, *fast, 32767.9);
+    interpolate_alike<float>(numbers, plain, *fast, 2000.0);
+}
+
+TEST_F(BothKernels, MeasureTheSameDepths) {
+    const std::vector<std::vector<kerf_profile_point>> outlines = {
+        {{0.0, 0.0}, {-0.96_mm, 1.6_mm}, {-30.0_mm, 1.6_mm}},
+        {{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-6.0_mm, 1.5_mm}, {-7.0_mm, 4.0_mm}, {-30.0_mm, 4.0_mm}},  // a step drill
+        {{0.5_mm, 2.0_mm}, {-5.0_mm, 2.0_mm}},                                                      // a flat face
+        {{0.0, 1.0_mm}, {-2.0_mm, 3.0_mm}, {-4.0_mm, 0.5_mm}},                                      // a waist
+    };
+    std::size_t inside = 0;
+    for (const auto& outline : outlines) {
+        const RevolutionSolid solid(outline);
+        for (int n = 0; n < blocks; ++n) {
+            PointBlock in = points(8e-3);
+            for (std::size_t i = 0; i < in.count; i += 5) in.z[i] = outline[numbers.below(outline.size())].z;
+            for (std::size_t i = 0; i < in.count; i += 7) in.x[i] = in.y[i] = 0.0;
+            BlockValues a, b;
+            for (auto* depths : {&a, &b}) {
+                const test::WithKernel with(depths == &a ? plain : *fast);
+                solid.depths(in, *depths);
+            }
+            expect_same(a, b, in.count, "depth");
+            for (std::size_t i = 0; i < in.count; ++i) {
+                if (std::isfinite(in.x[i] + in.y[i] + in.z[i])) {
+                    ASSERT_EQ(a[i], -solid.distance(in[i])) << i;
+                }
+                inside += a[i] > 0.0;
+            }
+        }
+    }
+    EXPECT_GT(inside, 3000u);
+}
+
+TEST_F(BothKernels, RaiseTheSameValues) {
+    const RevolutionSolid solid = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
+    constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0;
+    std::size_t raised = 0, kept = 0;
+    for (int n = 0; n < 10 * blocks; ++n) {
+        const PointBlock in = points(3e-3);
+        std::array<std::int16_t, block_capacity> before;
+        for (std::size_t i = 0; i < in.count; ++i) {
+            // What is there already, or a quantum beside it, or anything
+            const double d = solid.distance(in[i]);
+            const int near = std::isfinite(d) ? quantised(-d, quantum) : 0;
+            const int beside = near + static_cast<int>(numbers.below(3)) - 1;
+            before[i] = static_cast<std::int16_t>(
+                std::clamp(numbers.below(3) == 0 ? static_cast<int>(numbers.below(65535)) - 32767 : beside, -32767, 32767));
+        }
+        auto a = before, b = before;
+        const auto raise = [&](const BlockKernel& kernel, auto& values) {
+            const test::WithKernel with(kernel);
+            return solid.raise(in, 2.0 * h, quantum, values);
+        };
+        ASSERT_EQ(raise(plain, a), raise(*fast, b));
+        expect_same(a, b, in.count, "value");
+        for (std::size_t i = 0; i < in.count; ++i) ++(a[i] > before[i] ? raised : kept);
+    }
+    EXPECT_GT(raised, 5000u);
+    EXPECT_GT(kept, 5000u);
+}
+
+TEST_F(BothKernels, CutTheSameBone) {
+    std::uint64_t hash[2];
+    for (int n = 0; n < 2; ++n) {
+        const test::WithKernel with(n == 0 ? plain : *fast);
+        test::DrilledBlock hole(0.25_mm,
+                                test::nearest_samples(0.25_mm, {-3.0_mm, -9.0_mm, -5.0_mm}, {3.0_mm, 9.0_mm, 9.0_mm}));
+        hole.move(4.0_mm, 0.03, 2000, true);
+        hole.move(3.0_mm, 0.05, 200, false);
+        hole.move(5.0_mm, -0.02, 2000, true);
+        hole.tracker.flush();
+        hash[n] = hole.committed.hash();
+    }
+    EXPECT_EQ(hash[0], hash[1]);
+    EXPECT_NE(hash[0], test::DrilledBlock(0.25_mm).committed.hash()) << "nothing was cut";
+}
+
+}  // namespace
+}  // namespace kerf
