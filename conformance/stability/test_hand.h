@@ -15,7 +15,8 @@ struct TestHand {
 };
 
 inline constexpr TestHand no_hand{"none", 0.0, 0.0, 0.0};
-/// The middle one is one fitted trial [van-beek-2015]; light and stiff bound what is reported of fingers and arms [assumed].
+/// The middle one is one fitted trial [van-beek-2015]; light and stiff bound what is reported of fingers and arms
+/// [assumed].
 inline constexpr std::array<TestHand, 4> test_hands{
     {no_hand, {"light", 0.05, 1.0, 50.0}, {"nominal", 0.554, 6.45, 135.0}, {"stiff", 1.0, 30.0, 2000.0}}};
 

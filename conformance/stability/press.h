@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "conformance/stability/criterion.h"
+#include "conformance/stability/port.h"
+
+/// For training and research; not for diagnosis, planning or deciding treatment.
+namespace kerf::stability {
+
+/// What makes the force: from the depth that the encoder says [m] to the force against it [N], once a tick.
+using Renderer = std::function<double(double depth)>;
+
+/// The hand at the port pushes with `push` [N] for `ticks`. `cutting_stiffness` [N/m] > 0: work is spent on bone, and
+/// the port may give back no more than a coupling of this stiffness holds.
+[[nodiscard]] inline Trace press(Port& port, const Renderer& render, int ticks, double push,
+                                 double cutting_stiffness = 0.0) {
+    Trace trace;
+    trace.period = port.settings().period;
+    for (int i = 0; i < ticks; ++i) {
+        const double before = port.depth();
+        port.step(render(port.reported()), push);
+        trace.depth.push_back(port.depth());
+        trace.force.push_back(port.held());
+        trace.energy.see(port.held(), port.depth() - before,
+                         cutting_stiffness > 0.0 ? 0.5 * port.held() * port.held() / cutting_stiffness : 1e300);
+    }
+    return trace;
+}
+
+}  // namespace kerf::stability
