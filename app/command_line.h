@@ -22,7 +22,8 @@ struct CommandLine {
     std::string anatomy;             ///< file; empty: the procedure's own
     std::string hand, replay, learner;
     std::string out;                ///< folder; empty: out/ and the procedure's id, or out/stability
-    bool is_quick = false;          ///< of stability
+    std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
+    bool is_quick = false;                 ///< of stability
     std::string mode = "practice";  ///< practice | exam | demo
     bool is_headless = false;       ///< so is every run for now
     std::string format = "text";    ///< of validate: text | json | github

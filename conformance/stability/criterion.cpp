@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "conformance/stability/finding.h"
+
 namespace kerf::stability {
 
 namespace {
@@ -77,6 +79,11 @@ Judged judge(const Trace& trace, double resolution, bool moves) {
     const std::vector<double> late(trace.force.begin() + static_cast<std::ptrdiff_t>(trace.force.size() - held.size()),
                                    trace.force.end());
     return {size / resolution, most_turns(late, trace.period), trace.energy.least()};
+}
+
+std::string in_figures(const Judged& judged) {
+    return figure(judged.counts, "counts") + ", " + std::to_string(judged.turns) + " turns, " +
+           figure(1e3 * judged.least_energy, "mJ");
 }
 
 }  // namespace kerf::stability

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
@@ -11,7 +12,7 @@ namespace kerf::stability {
 ///     W ← min(W + f Δx, V)
 ///
 /// with f the force against the depth that the device made while it went Δx deeper, and V the most that may be given
-/// back. V is unlimited where nothing is cut; where work is spent on bone it is what the coupling's spring can hold, as
+/// back. V is unlimited where nothing is cut; where work is spent on bone it is what the coupling's spring holds, as
 /// a plain sum would hide a fault behind the work of drilling.
 class PortEnergy {
 public:
@@ -41,6 +42,7 @@ struct Judged {
 
     [[nodiscard]] bool is_stable() const noexcept { return counts < 3.0 && turns <= 10 && least_energy >= -1e-4; }
 };
+[[nodiscard]] std::string in_figures(const Judged& judged);
 inline constexpr const char* stable_means = "<3 counts p-p after 0.5 s, <=10 turns in 100 ms, >=-0.1 mJ";
 
 /// Stable: after 0.5 s less than 3 counts from peak to peak, no alternation above 50 Hz and 0.05 N, never more than

@@ -2,6 +2,7 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include "conformance/stability/kerf_loop.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kerf/assert.hpp"
@@ -37,6 +38,14 @@ double KerfLoop::answer(double depth) {
 
 void KerfLoop::wait(double depth, int ticks) {
     for (int i = 0; i < ticks; ++i) (void)answer(depth);
+}
+
+double KerfLoop::stored(double depth) const noexcept {
+    const Setpoint& spring = last_.command.setpoint;
+    if (spring.stiffness <= 0.0) return 0.0;
+    const double stretch =
+        std::min(length(at_depth(depth, tilt_).position - spring.position), spring.limit / spring.stiffness);
+    return 0.5 * spring.stiffness * stretch * stretch;
 }
 
 double KerfLoop::tip() const noexcept { return dot(simulation_.world_from_tool().position, along(tilt_)); }

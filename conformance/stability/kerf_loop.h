@@ -23,6 +23,9 @@ public:
     /// The handle stays for `ticks`: a motor comes to its speed.
     void wait(double depth, int ticks);
 
+    /// What the coupling's spring holds with the handle at `depth` [J, device side]; nothing where none is solved.
+    [[nodiscard]] double stored(double depth) const noexcept;
+
     [[nodiscard]] const TickResult& last() const noexcept { return last_; }
     [[nodiscard]] Simulation& simulation() noexcept { return simulation_; }
     /// How far the tip has gone along the tool's way [m].

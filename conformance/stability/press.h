@@ -12,10 +12,13 @@ namespace kerf::stability {
 /// What makes the force: from the depth that the encoder says [m] to the force against it [N], once a tick.
 using Renderer = std::function<double(double depth)>;
 
-/// The hand at the port pushes with `push` [N] for `ticks`. `cutting_stiffness` [N/m] > 0: work is spent on bone, and
-/// the port may give back no more than a coupling of this stiffness holds.
+/// What may be given back at most [J], the port as deep as this [m].
+using Stored = std::function<double(double depth)>;
+
+/// The hand at the port pushes with `push` [N] for `ticks`. With `stored`, work is spent on bone: the port may give
+/// back what is stored and no more.
 [[nodiscard]] inline Trace press(Port& port, const Renderer& render, int ticks, double push,
-                                 double cutting_stiffness = 0.0) {
+                                 const Stored& stored = {}) {
     Trace trace;
     trace.period = port.settings().period;
     for (int i = 0; i < ticks; ++i) {
@@ -23,8 +26,7 @@ using Renderer = std::function<double(double depth)>;
         port.step(render(port.reported()), push);
         trace.depth.push_back(port.depth());
         trace.force.push_back(port.held());
-        trace.energy.see(port.held(), port.depth() - before,
-                         cutting_stiffness > 0.0 ? 0.5 * port.held() * port.held() / cutting_stiffness : 1e300);
+        trace.energy.see(port.held(), port.depth() - before, stored ? stored(port.depth()) : 1e300);
     }
     return trace;
 }

@@ -4,17 +4,22 @@
 
 #include <algorithm>
 
+#include "conformance/stability/cutting.h"
 #include "conformance/stability/wall.h"
 
 namespace kerf::stability {
 
-std::vector<Finding> run_suite(bool is_quick, const Report& as_found) {
+std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string& plugin, bool is_quick,
+                               const Report& as_found, std::string& error) {
     std::vector<Finding> findings;
+    const auto tool = find_tool(plugins, plugin, error);
+    if (!tool) return findings;
     const Report report = [&](const Finding& finding) {
         findings.push_back(finding);
         if (as_found) as_found(finding);
     };
     const Scope scope = Scope::of(is_quick);
+    look_at_cutting(scope, *tool, report);
     look_at_walls(scope, report);
     return findings;
 }

@@ -82,11 +82,6 @@ void look_at_friction(const Scope& scope, const Report& report) {
         }
 }
 
-std::string in_figures(const Judged& judged) {
-    return figure(judged.counts, "counts") + ", " + std::to_string(judged.turns) + " turns, " +
-           figure(1e3 * judged.least_energy, "mJ");
-}
-
 /// With the coupling's damping as it is: how stiff may its spring be? By halving, to a tenth.
 double stiffest_coupling(const Body& body, const PortSettings& settings, CouplingGains gains, double push) {
     double stable = 0.0, unstable = gains.stiffness;

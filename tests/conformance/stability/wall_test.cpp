@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "tests/conformance/stability/found_tool.h"
+
 namespace kerf::stability {
 namespace {
 
@@ -27,11 +29,7 @@ TEST(Wall, FrictionCarriesWhatDampingCannot) {
 }
 
 TEST(Wall, ARigidWallShakesTheDeviceAsPrintedAndRestsInKerfsLoopUnderAHand) {
-    Scope scope;
-    scope.devices = {*find_device("premium-1.5-6dof")};
-    scope.hands = {test_hands[2]};
-    scope.most_delay = 0;
-    scope.is_quick = true;
+    const Scope scope = only("premium-1.5-6dof", test_hands[2], 0);
     std::vector<Finding> found;
     look_at_walls(scope, [&](const Finding& finding) {
         if (finding.scene == "wall of 20 kN/mm") found.push_back(finding);
