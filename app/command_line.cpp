@@ -106,6 +106,16 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
 
+    CLI::App* stability = add("stability", "Put the haptic loop where methods are known to fail, and print what it does");
+    stability->add_flag("--quick", line.is_quick, "One device, two hands, one delay");
+    add_option(stability, "--plugin", line.plugin, "PLUGIN",
+               "Whose first tool and force are looked at; kerf.drilling if not given",
+               not_empty("the name of a plugin, as `kerf list` shows it"));
+    add_option(stability, "--out", line.out, "FOLDER",
+               "Where stability.csv and stability.svg go; out/stability if not given", not_empty(out_help));
+    stability->footer("Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
+                      std::string(notice_line) + ".");
+
     add("list", "Name the tools and force models that were found");
 }
 

@@ -10,8 +10,11 @@
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
+#include "conformance/stability/atlas.h"
+#include "conformance/stability/suite.h"
 #include "core/session/content_hash.h"
 #include "core/session/read_session.h"
+#include "core/session/recorder.h"
 
 namespace kerf {
 
@@ -150,6 +153,23 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
 }
 
+ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins) {
+    using namespace stability;
+    std::printf("%s.\n%s\n", notice_line, table_head().c_str());
+    const Report print_line = [](const Finding& finding) {
+        std::printf("%s\n", table_line(finding).c_str());
+        std::fflush(stdout);
+    };
+    std::string error;
+    const auto findings = run_suite(plugins, line.plugin, line.is_quick, print_line, error);
+    if (!error.empty()) return complain(error, exit_bad_input);
+    std::fputs(tally(findings).c_str(), stdout);
+    const std::string out = line.out.empty() ? "out/stability" : line.out;
+    if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
+    std::printf("%s/stability.svg\n", out.c_str());
+    return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
+}
+
 ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
     std::string error;
     const auto text = description_of(plugins, line.component, error);
@@ -163,6 +183,7 @@ ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins) {
     if (line.command == "run") return run(line, plugins);
     if (line.command == "validate") return validate(line, plugins);
+    if (line.command == "stability") return look_at_stability(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;

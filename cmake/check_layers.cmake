@@ -5,6 +5,7 @@
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
 #   plugins/<name>  kerf/…, its own folder, std
 #   devices/<name>  the same
+#   conformance/…   kerf/…, core/…, devices/…, conformance/…, third parties; plugins it finds at run time
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
 
@@ -135,6 +136,15 @@ function(check_plugin_include file content directive folder)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
+function(check_conformance_include file content directive)
+  split_include("${directive}" path is_angled)
+  if(path MATCHES "(^|/)\\.\\./" OR path MATCHES "^(plugins|app|tests|bench|examples)/")
+    report("${file}" "${content}" "${directive}" "conformance must not include \"${path}\""
+      "kerf/…, core/…, devices/… and conformance/…, written from the root of the tree")
+    set(violations ${violations} PARENT_SCOPE)
+  endif()
+endfunction()
+
 # ---- core --------------------------------------------------------------------------------------------------------
 
 folders_in(plugins plugins)
@@ -191,6 +201,17 @@ foreach(kind plugins devices)
         check_plugin_include("${file}" "${content}" "${directive}" ${kind}/${name})
       endforeach()
     endforeach()
+  endforeach()
+endforeach()
+
+# ---- conformance -------------------------------------------------------------------------------------------------
+
+file(GLOB_RECURSE sources "${ROOT}/conformance/*.h" "${ROOT}/conformance/*.hpp" "${ROOT}/conformance/*.cpp")
+foreach(file IN LISTS sources)
+  read("${file}" content)
+  find_includes("${content}" includes)
+  foreach(directive IN LISTS includes)
+    check_conformance_include("${file}" "${content}" "${directive}")
   endforeach()
 endforeach()
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "conformance/stability/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/stability/bone_block.h"
+#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/press.h"
+
+namespace kerf::stability {
+
+namespace {
+
+constexpr double above_face = -0.5e-3;               // [m]
+constexpr int pushing = 2000;                        // [ticks]
+constexpr double least_gain = 1e2, most_gain = 1e5;  // [N·s/m] of bone, what published laws span
+
+bool alternates(const PortSettings& settings, double gain, double push) {
+    constexpr int ticks = 2000, looked_at = 200;
+    Port port(settings, 0.0);
+    port.go_along(true);
+    double last = port.reported();
+    const Trace trace = press(
+        port,
+        [&](double depth) {
+            const double rate = (depth - last) / settings.period;
+            last = depth;
+            return std::max(0.0, gain * rate);
+        },
+        ticks, push);
+    for (std::size_t i = ticks - looked_at; i < ticks; ++i)
+        if (std::abs(trace.force[i] - 2.0 * trace.force[i - 1] + trace.force[i - 2]) > 1e-3 * push) return true;
+    return false;
+}
+
+Finding place_of(const DeviceRecord& device, const PortSettings& settings) {
+    Finding finding{.test = "S-01"};
+    finding.device = device.id;
+    finding.hand = settings.hand.id;
+    finding.delay = settings.delay;
+    return finding;
+}
+
+void look_at_damper(const DeviceRecord& device, const PortSettings& settings, double push, double scale,
+                    const Report& report) {
+    Finding finding = place_of(device, settings);
+    finding.scene = "feed law as a damper, gain swept";
+    finding.method = Method::as_printed;
+    const double most = largest_damper(settings, push), limit = 2.0 * settings.moved_mass() / settings.period;
+    finding.measured = "critical gain " + figure(most, "N s/m") + " = " + figure(most / limit) +
+                       " x 2m/T, at the bone " + figure(most / scale, "N s/m");
+    finding.criterion = "stable for " + figure(least_gain) + " ... " + figure(most_gain, "N s/m") +
+                        " of bone, scale 1/" + figure(1.0 / scale);
+    finding.outcome = passes(most >= most_gain * scale);
+    report(finding);
+}
+
+}  // namespace
+
+double largest_damper(PortSettings settings, double push) {
+    settings.friction = settings.resolution = 0.0;
+    double stable = 0.1, unstable = 1e6;  // [N·s/m]
+    while (unstable / stable > 1.002) {
+        const double middle = std::sqrt(stable * unstable);
+        (alternates(settings, middle, push) ? unstable : stable) = middle;
+    }
+    return std::sqrt(stable * unstable);
+}
+
+void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+    const Body body = make({.thickness = 16e-3, .spacing = 0.5e-3});
+    at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
+        const double push = push_of(device);
+        const CouplingGains gains = gains_under_push(device, push, tool, body);
+        look_at_damper(device, settings, push, gains.force_scale, report);
+        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
+            Port port(settings, above_face);
+            port.go_along(true);
+            KerfLoop loop(body, tool.setup, gains, above_face, way);
+            loop.wait(port.reported(), run_up);
+            const Trace trace = press(
+                port, [&](double depth) { return loop.answer(depth); }, pushing, push,
+                [&](double depth) { return loop.stored(depth); });
+            const Judged judged = judge(trace, settings.resolution, true);
+            Finding finding = place_of(device, settings);
+            finding.scene = "the plugin's law, pushed into a block";
+            finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+            finding.measured = "push " + figure(push, "N") + ": " + in_figures(judged) + ", tip " +
+                               figure(1e3 * loop.tip(), "mm") + " deep";
+            finding.criterion = stable_means;
+            finding.outcome = passes(judged.is_stable());
+            report(finding);
+        }
+    });
+}
+
+}  // namespace kerf::stability

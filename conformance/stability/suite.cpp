@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "conformance/stability/suite.h"
+
+#include <algorithm>
+
+#include "conformance/stability/cutting.h"
+#include "conformance/stability/wall.h"
+
+namespace kerf::stability {
+
+std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string& plugin, bool is_quick,
+                               const Report& as_found, std::string& error) {
+    std::vector<Finding> findings;
+    const auto tool = find_tool(plugins, plugin, error);
+    if (!tool) return findings;
+    const Report report = [&](const Finding& finding) {
+        findings.push_back(finding);
+        if (as_found) as_found(finding);
+    };
+    const Scope scope = Scope::of(is_quick);
+    look_at_cutting(scope, *tool, report);
+    look_at_walls(scope, report);
+    return findings;
+}
+
+bool is_kerf_stable(const std::vector<Finding>& findings) {
+    return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.method == Method::kerf && finding.outcome == Outcome::fail;
+    });
+}
+
+}  // namespace kerf::stability

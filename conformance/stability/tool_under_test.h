@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/haptics/simulation.h"
+#include "core/plugin/loader.h"
+
+/// For training and research; not for diagnosis, planning or deciding treatment.
+namespace kerf::stability {
+
+/// A plugin's first tool with its first force, everything at its default.
+struct ToolUnderTest {
+    ToolSetup setup;
+    double full_depth = 0.0;  ///< [m] behind the tip: there the cutting outline has its full radius
+    double radius = 0.0;      ///< [m] of the cutting outline
+};
+/// Error: there is no such plugin, or it has no tool or no force, or the tool cannot be made.   [main]
+[[nodiscard]] std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std::string& plugin,
+                                                     std::string& error);
+
+/// The push at which a device is looked at [N]: 5 N, or what it can hold with something to spare.
+[[nodiscard]] double push_of(const DeviceRecord& device) noexcept;
+/// The default gains, scaled so that this push feeds the tool into the body at 2 mm/s.   [main]
+[[nodiscard]] CouplingGains gains_under_push(const DeviceRecord& device, double push, const ToolUnderTest& tool,
+                                             const Body& body);
+
+inline constexpr int run_up = 600;  ///< [ticks] a motor is given to come to its speed
+
+}  // namespace kerf::stability

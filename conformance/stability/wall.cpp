@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "conformance/stability/wall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/stability/bone_block.h"
+#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/press.h"
+#include "conformance/stability/touch_probe.h"
+
+namespace kerf::stability {
+
+namespace {
+
+constexpr double above_face = -0.1e-3;  // [m] where a press begins
+constexpr int contact_ticks = 1500;
+
+Renderer spring(double stiffness, double most = 1e300) {
+    return [=](double depth) { return std::clamp(stiffness * depth, 0.0, most); };
+}
+
+/// A spring that also pulls, so that what grows goes on growing. Let go a millimetre beside its balance: does the mass
+/// swing further out?
+bool swings_out(const PortSettings& settings, double stiffness) {
+    constexpr double start = 1e-3, seconds = 10.0, window = 3.0, settled = 0.5;
+    Port port(settings, start);
+    const auto ticks = [&](double time) { return static_cast<int>(std::lround(time / settings.period)); };
+    double early = 0.0, late = 0.0;
+    for (int i = 0; i < ticks(seconds); ++i) {
+        port.step(stiffness * port.reported(), 0.0);
+        const double out = std::abs(port.depth());
+        if (out > 100.0 * start) return true;
+        if (i >= ticks(settled) && i < ticks(settled + window)) early = std::max(early, out);
+        if (i >= ticks(seconds - window)) late = std::max(late, out);
+    }
+    return late > early;
+}
+
+void look_at_the_boundary(const Scope& scope, const Report& report) {
+    const std::vector<double> viscosities = scope.is_quick ? std::vector{0.1, 1.0} : std::vector{0.1, 0.3, 1.0, 2.0};
+    const std::vector<double> periods =
+        scope.is_quick ? std::vector{0.5e-3, 1e-3} : std::vector{0.25e-3, 0.5e-3, 1e-3, 2e-3};
+    for (const double viscosity : viscosities)
+        for (const double period : periods) {
+            PortSettings settings{.viscosity = viscosity, .period = period};
+            const double least = stiffest_wall(settings), theory = stiffest_wall_in_theory(settings);
+            Finding finding{.test = "S-02", .scene = "largest stable K, sampled spring", .method = Method::as_printed};
+            const std::string place = "75 g, b " + figure(viscosity) + ", T " + figure(1e3 * period, "ms") + ": ";
+            finding.measured =
+                place + figure(least, "N/m") + ", " + figure(100.0 * (least / theory - 1.0), "%") + " off";
+            finding.criterion = "within 2 % of b/(T/2+t_d) = " + figure(theory, "N/m");
+            finding.outcome = passes(std::abs(least / theory - 1.0) <= 0.02);
+            report(finding);
+            for (settings.delay = 1; settings.delay <= scope.most_delay; ++settings.delay) {
+                const double ratio = stiffest_wall(settings) / least, expected = 1.0 / (1.0 + 2.0 * settings.delay);
+                finding.test = "S-03";
+                finding.delay = settings.delay;
+                finding.measured = place + "ratio " + figure(ratio);
+                finding.criterion = "ratio " + figure(expected) + " +- 5 %";
+                finding.outcome = passes(std::abs(ratio / expected - 1.0) <= 0.05);
+                report(finding);
+            }
+        }
+}
+
+void look_at_friction(const Scope& scope, const Report& report) {
+    for (const DeviceRecord& device : scope.devices)
+        for (int delay = 0; delay <= scope.most_delay; ++delay) {
+            PortSettings settings = port_of(device, no_hand, delay);
+            settings.resolution = 0.0;
+            Finding finding{
+                .test = "S-02", .scene = "largest stable K, with Coulomb friction", .method = Method::as_printed};
+            finding.device = device.id;
+            finding.delay = delay;
+            const double with = stiffest_wall(settings), theory = stiffest_wall_in_theory(settings);
+            finding.measured = figure(with, "N/m");
+            finding.criterion = ">= b/(T/2+t_d) = " + figure(theory, "N/m");
+            finding.outcome = passes(with >= theory);
+            report(finding);
+        }
+}
+
+/// With the coupling's damping as it is: how stiff may its spring be? By halving, to a tenth.
+double stiffest_coupling(const Body& body, const PortSettings& settings, CouplingGains gains, double push) {
+    double stable = 0.0, unstable = gains.stiffness;
+    while (unstable - stable > 0.1 * unstable && unstable > 1.0) {
+        gains.stiffness = 0.5 * (stable + unstable);
+        Port port(settings, above_face);
+        KerfLoop loop(body, touch_probe(1, rigid), gains, above_face);
+        const Trace trace = press(
+            port, [&](double depth) { return loop.answer(depth); }, contact_ticks, push);
+        (judge(trace, settings.resolution, false).is_stable() ? stable : unstable) = gains.stiffness;
+    }
+    return stable;
+}
+
+/// A push of 2 N, or half of what the device has, from a tenth of a millimetre above the face.
+void look_at_contact(const Scope& scope, const Report& report) {
+    const Body body = make({.thickness = 8e-3});
+    at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
+        const double push = std::min(2.0, 0.5 * device.peak_force);
+        Finding finding{.test = "S-02", .criterion = stable_means};
+        finding.device = device.id;
+        finding.hand = settings.hand.id;
+        finding.delay = settings.delay;
+        const CouplingGains gains = gains_for(device, 1.0);
+        const auto look = [&](const char* scene, Method method, const Renderer& render) {
+            Port port(settings, above_face);
+            const Judged judged = judge(press(port, render, contact_ticks, push), settings.resolution, false);
+            finding.scene = scene;
+            finding.method = method;
+            finding.measured = in_figures(judged);
+            finding.outcome = passes(judged.is_stable());
+            finding.reason = method == Method::kerf && !judged.is_stable()
+                                 ? "default K_c " + figure(gains.stiffness, "N/m") + "; it is stable to about " +
+                                       figure(stiffest_coupling(body, settings, gains, push), "N/m")
+                                 : "";
+            report(finding);
+        };
+        look("wall of 20 kN/mm", Method::as_printed, spring(rigid, device.peak_force));
+        look("wall as stiff as the coupling", Method::as_printed, spring(gains.stiffness, device.peak_force));
+        KerfLoop loop(body, touch_probe(1, rigid), gains, above_face);
+        look("wall of 20 kN/mm", Method::kerf, [&](double depth) { return loop.answer(depth); });
+    });
+}
+
+}  // namespace
+
+double stiffest_wall_in_theory(const PortSettings& settings) noexcept {
+    return settings.viscosity / (settings.period * (0.5 + settings.delay));
+}
+
+double stiffest_wall(const PortSettings& settings) {
+    double stable = 2.0, unstable = 1e5;  // [N/m]
+    while (unstable / stable > 1.0005) {
+        const double middle = std::sqrt(stable * unstable);
+        (swings_out(settings, middle) ? unstable : stable) = middle;
+    }
+    return std::sqrt(stable * unstable);
+}
+
+void look_at_walls(const Scope& scope, const Report& report) {
+    look_at_the_boundary(scope, report);
+    look_at_friction(scope, report);
+    look_at_contact(scope, report);
+}
+
+}  // namespace kerf::stability
