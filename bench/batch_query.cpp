@@ -5,12 +5,11 @@
 //
 // "edges" are 60 points on the lips, "shank" 64 points (7 evaluations each) on rings behind the corner, "tip" the same
 // rings on the cone, where every pending record matters.
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "bench/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/scalar_bone_query.h"
 
@@ -18,29 +17,16 @@ namespace {
 
 using namespace kerf;
 
-struct Times {
-    double median, p999;  // [µs]
-};
-Times of(std::vector<double> microseconds) {
-    std::sort(microseconds.begin(), microseconds.end());
-    const auto at = [&](double share) {
-        return microseconds[static_cast<std::size_t>(share * static_cast<double>(microseconds.size() - 1))];
-    };
-    return {at(0.5), at(0.999)};
-}
-
 double sink = 0.0;
 
 template <class Ask>
 double time_of(const Ask& ask) {
-    const auto start = std::chrono::steady_clock::now();
-    sink += ask();
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    return bench::time_of([&] { sink += ask(); });
 }
 
 void report(const char* scene, const char* what, std::size_t points, const std::vector<double>& scalar,
             const std::vector<double>& batch) {
-    const Times one = of(scalar), all = of(batch);
+    const bench::Times one = bench::of(scalar), all = bench::of(batch);
     std::printf("%-9s %-6s %3zu   %8.2f %8.2f   %8.2f %8.2f   %6.1f\n", scene, what, points, one.median, one.p999,
                 all.median, all.p999, one.median / all.median);
 }

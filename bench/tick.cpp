@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside the papers' way written
+// plainly (plain_papers.h), in one run and in turns of 100 ticks. Time on the processor.
+//
+//     loop        all of a tick: as many laws as it needs, contact with normals, the solve, commit, committed cut
+//     no lag      the second field, which the worker stamps: not part of the loop
+//     kerf        both
+//     + points    both, and the papers' points besides: 500 edges with their gap, 2000 contact points with normals
+//     papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
+//     ratio       median of the papers / median of the row; (mean / mean)
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "bench/plain_papers.h"
+#include "bench/times.h"
+#include "core/field/block_kernel.h"
+#include "tests/support/drill_rig.h"
+#include "tests/support/drilled_block.h"
+
+namespace {
+
+using namespace kerf;
+using namespace literals;
+
+constexpr double diameter = 5.4_mm, radius = 0.5 * diameter, point_depth = 0.6008606 * radius;  // 118°
+constexpr double depth = 14.0_mm, approach = 8.0_mm_per_s, feed = 1.0_mm_per_s;
+constexpr int ticks = 4000, turn = 100;  // measured over 4 mm about the depth
+const Vec3 low{-8.0_mm, -8.0_mm, -22.0_mm}, high{8.0_mm, 8.0_mm, 0};
+
+double sink = 0.0;
+
+/// The papers' points, asked of our bone.
+struct ManyPoints {
+    std::vector<Vec3> edges, contact;
+    std::vector<kerf_bone_sample> samples;
+    std::vector<kerf_surface_point> surface;
+
+    ManyPoints() {
+        for (std::size_t n = 0; n < bench::PlainPapers::elements; ++n) {
+            const double r = radius * (static_cast<double>(n / 2) + 0.5) / 250.0;
+            edges.push_back({n % 2 == 0 ? r : -r, 0.0, -r * point_depth / radius});
+        }
+        for (std::size_t n = 0; n < bench::PlainPapers::contact_points; ++n) {
+            const double angle = 2.0 * pi * static_cast<double>(n % 40) / 40.0;
+            const double along = (static_cast<double>(n / 40) + 0.5) / 50.0;
+            contact.push_back({(radius - 0.05_mm) * std::cos(angle), (radius - 0.05_mm) * std::sin(angle),
+                               -point_depth - along * (depth - point_depth)});
+        }
+        samples.resize(edges.size());
+        surface.resize(contact.size());
+    }
+    void ask_edges(const BoneView& bone, std::size_t count) {
+        bone.sample(edges.data(), static_cast<std::uint32_t>(count), {0, 0, 1}, samples.data());
+        sink += samples[7].engagement;
+    }
+    void ask_contact(const BoneView& bone) {
+        bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size()), surface.data());
+        sink += surface[7].distance;
+    }
+};
+
+void print(const char* what, const std::vector<double>& microseconds, const bench::Times* papers = nullptr) {
+    const bench::Times t = bench::of(microseconds);
+    std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
+    if (papers != nullptr) std::printf("   %7.1f (%.1f)", papers->median / t.median, papers->mean / t.mean);
+    std::printf("\n");
+}
+
+/// One law of both kernels by turns, in the hole as it is.
+void compare_kernels(const BoneView& bone, ManyPoints& points) {
+    const BlockKernel& before = block_kernel();
+    if (avx2_kernel() == nullptr) {
+        std::printf("  this machine has no AVX2\n");
+        return;
+    }
+    std::printf("  portable / AVX2, medians:");
+    for (const std::size_t count : {60u, 500u}) {
+        std::vector<double> plain, fast;
+        for (int round = 0; round < 4000; ++round)
+            for (auto* times : {&plain, &fast}) {
+                use_block_kernel(times == &plain ? portable_kernel() : *avx2_kernel());
+                times->push_back(bench::time_of([&] { points.ask_edges(bone, count); }));
+            }
+        const double a = bench::of(plain).median, b = bench::of(fast).median;
+        std::printf("  %zu edge points %.2f / %.2f us = %.2f", count, a, b, a / b);
+    }
+    std::printf("\n");
+    use_block_kernel(before);
+}
+
+void measure(double h) {
+    const Body body = test::shelled_block(low, high, 1.0_mm, h);
+    const ToolSetup setup = test::twist_drill({{"diameter", diameter}});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    double hand = -1.0_mm;
+    const auto move = [&](double rate) { hand += rate * Simulation::dt; };
+    const auto at = [&] { return -simulation.world_from_tool().position.z; };
+    while (at() < depth - 0.5 * ticks * feed * Simulation::dt) {
+        move(approach);
+        sink += simulation.tick({test::at_depth(hand)}).thrust;
+        simulation.after_tick();
+        if (hand > depth + 6.0_mm) {
+            std::printf("the drill does not come so deep: it stands at %.1f mm\n", at() / 1.0_mm);
+            return;
+        }
+    }
+    bench::PlainPapers plain(low, high, h, 300.0, {radius, point_depth, depth + 3.0_mm});
+    for (double z = 0.0; z < at(); z += 0.5 * h) plain.remove(test::at_depth(z));
+
+    std::vector<double> loop, no_lag, both, with_points, papers;
+    std::vector<double> papers_force, papers_removal;
+    ManyPoints points;
+    const double from = at();
+    for (int t = 0; t < ticks; t += turn) {
+        std::vector<Pose> poses;
+        for (int n = 0; n < turn; ++n) {
+            move(feed);
+            const DeviceSample sample{test::at_depth(hand)};
+            const double in_loop = bench::processor_time_of([&] { sink += simulation.tick(sample).thrust; });
+            const double by_worker = bench::processor_time_of([&] { simulation.after_tick(); });
+            const double more = bench::processor_time_of([&] {
+                points.ask_edges(simulation.bone(), points.edges.size());
+                points.ask_contact(simulation.bone());
+            });
+            loop.push_back(in_loop);
+            no_lag.push_back(by_worker);
+            both.push_back(in_loop + by_worker);
+            with_points.push_back(in_loop + by_worker + more);
+            poses.push_back(simulation.world_from_tool());
+        }
+        for (const Pose& pose : poses) {
+            const double force = bench::processor_time_of([&] {
+                const Vec6 cut = plain.cutting(pose, feed * 0.03), touch = plain.contact(pose);
+                sink += cut[2] + touch[0];
+            });
+            const double removal = bench::processor_time_of([&] { sink += static_cast<double>(plain.remove(pose)); });
+            papers_force.push_back(force);
+            papers_removal.push_back(removal);
+            papers.push_back(force + removal);
+        }
+    }
+    const bench::Times baseline = bench::of(papers);
+    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm,
+                block_kernel().name);
+    print("loop", loop, &baseline);
+    print("no lag", no_lag);
+    print("kerf", both, &baseline);
+    print("+ points", with_points, &baseline);
+    print("papers", papers);
+    print(" points", papers_force);
+    print(" removal", papers_removal);
+    compare_kernels(simulation.bone(), points);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::printf("[us]             mean    median     p99.9       max     ratio (of means)\n");
+    for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
+        if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);
+    return sink == 0.125 ? 1 : 0;  // so that no answer is left out
+}
