@@ -25,7 +25,7 @@ std::string column(const std::string& text, std::size_t width) {
 std::string line_of(const std::string& test, const std::string& scene, const std::string& method,
                     const std::string& device, const std::string& hand, const std::string& delay,
                     const std::string& outcome, const std::string& rest) {
-    return column(test, 4) + column(scene, 36) + column(method, 10) + column(device, 16) + column(hand, 7) +
+    return column(test, 4) + column(scene, 38) + column(method, 10) + column(device, 16) + column(hand, 7) +
            column(delay, 5) + column(outcome, 4) + rest;
 }
 

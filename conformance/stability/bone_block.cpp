@@ -21,7 +21,8 @@ double box_distance(Vec3 p, Vec3 low, Vec3 high) {
 }  // namespace
 
 Body make(const BoneBlock& block) {
-    const Vec3 low{-5e-3, -5e-3, -block.thickness}, high{5e-3, 5e-3, 0.0};
+    const double half = 0.5 * block.width;
+    const Vec3 low{-half, -half, -block.thickness}, high{half, half, 0.0};
     const double margin = 6.0 * block.spacing;
     Grid grid = Grid::covering(low - Vec3{margin, margin, margin}, high + Vec3{margin, margin, margin}, block.spacing);
     grid.origin = grid.origin + block.spacing * Vec3{0.3, 0.1, 0.7};

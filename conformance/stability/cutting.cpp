@@ -8,6 +8,7 @@
 #include "conformance/stability/bone_block.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/press.h"
+#include "conformance/stability/unreleased.h"
 
 namespace kerf::stability {
 
@@ -43,6 +44,23 @@ Finding place_of(const DeviceRecord& device, const PortSettings& settings) {
     return finding;
 }
 
+struct Pushed {
+    Judged judged;
+    double tip = 0.0;  ///< [m] deep
+};
+
+Pushed push_into(const Body& body, const ToolUnderTest& tool, const PortSettings& settings, const CouplingGains& gains,
+                 double push, KerfLoop::Way way) {
+    Port port(settings, above_face);
+    port.go_along(true);
+    KerfLoop loop(body, tool.setup, gains, above_face, way);
+    loop.wait(port.reported(), run_up);
+    const Trace trace = press(
+        port, [&](double depth) { return loop.answer(depth); }, pushing, push,
+        [&](double depth) { return loop.stored(depth); });
+    return {judge(trace, settings.resolution, true), loop.tip()};
+}
+
 void look_at_damper(const DeviceRecord& device, const PortSettings& settings, double push, double scale,
                     const Report& report) {
     Finding finding = place_of(device, settings);
@@ -76,21 +94,17 @@ void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report
         const CouplingGains gains = gains_under_push(device, push, tool, body);
         look_at_damper(device, settings, push, gains.force_scale, report);
         for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-            Port port(settings, above_face);
-            port.go_along(true);
-            KerfLoop loop(body, tool.setup, gains, above_face, way);
-            loop.wait(port.reported(), run_up);
-            const Trace trace = press(
-                port, [&](double depth) { return loop.answer(depth); }, pushing, push,
-                [&](double depth) { return loop.stored(depth); });
-            const Judged judged = judge(trace, settings.resolution, true);
+            const Pushed pushed = push_into(body, tool, settings, gains, push, way);
             Finding finding = place_of(device, settings);
             finding.scene = "the plugin's law, pushed into a block";
             finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
-            finding.measured = "push " + figure(push, "N") + ": " + in_figures(judged) + ", tip " +
-                               figure(1e3 * loop.tip(), "mm") + " deep";
+            finding.measured = "push " + figure(push, "N") + ": " + in_figures(pushed.judged) + ", tip " +
+                               figure(1e3 * pushed.tip, "mm") + " deep";
             finding.criterion = stable_means;
-            finding.outcome = passes(judged.is_stable());
+            finding.outcome = passes(pushed.judged.is_stable());
+            if (way == KerfLoop::Way::solved && !pushed.judged.is_stable())
+                finding.reason =
+                    without_release + in_figures(push_into(body, tool, settings, unreleased(gains), push, way).judged);
             report(finding);
         }
     });

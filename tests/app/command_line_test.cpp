@@ -40,6 +40,16 @@ TEST(CommandLine, DescribesAllOrOne) {
     EXPECT_EQ(read({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
 }
 
+TEST(CommandLine, ReadsEveryOptionOfStability) {
+    const CommandLine line = read({"stability", "--quick", "--plugin", "kerf.saw", "--out", "o"});
+    ASSERT_EQ(line.answer, "");
+    EXPECT_EQ(line.command, "stability");
+    EXPECT_TRUE(line.is_quick);
+    EXPECT_EQ(line.plugin, "kerf.saw");
+    EXPECT_EQ(line.out, "o");
+    EXPECT_EQ(read({"stability"}).plugin, "kerf.drilling");
+}
+
 TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
     for (const std::vector<const char*>& words :
          {std::vector<const char*>{"run", "--help"}, {"--help", "run"}, {"run", "p.yaml", "-h"}, {"help", "run"}}) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/stability/bone_block.h"
+#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/scenes.h"
+#include "kerf/units.hpp"
+
+namespace kerf::stability {
+
+namespace {
+
+constexpr double shell = 3e-3;                 // [m]
+constexpr double hard = 1850.0, soft = 585.0;  // [kg/m³] the law takes the square: 10 : 1
+
+struct Crossing {
+    double before = 0.0, after = 0.0, step = 0.0;  ///< [N] thrust on either side, its largest change in a tick
+};
+
+Crossing cross(const Body& body, const ToolUnderTest& tool, const CouplingGains& gains, double feed, double tilt,
+               KerfLoop::Way way) {
+    constexpr double above = -0.5e-3, approach = 2e-3, margin = 0.2e-3;
+    constexpr int longest = 20000;
+    KerfLoop loop(body, tool.setup, gains, above, way, tilt);
+    loop.wait(above, run_up);
+    double hand = above;
+    const double spread = tool.radius * std::tan(tilt);
+    const double from = shell / std::cos(tilt) - spread - margin;
+    const double until = shell / std::cos(tilt) + tool.full_depth + spread + margin;
+    const auto go = [&](double speed) {
+        hand += speed * Simulation::dt;
+        (void)loop.answer(hand);
+    };
+    for (int i = 0; i < longest && loop.tip() < from - 0.3e-3; ++i) go(approach);
+    for (int i = 0; i < longest && loop.tip() < from; ++i) go(feed);
+    Crossing crossing{.before = loop.last().thrust};
+    double last = crossing.before;
+    for (int i = 0; i < longest && loop.tip() < until; ++i) {
+        go(feed);
+        crossing.step = std::max(crossing.step, std::abs(loop.last().thrust - last));
+        last = loop.last().thrust;
+    }
+    crossing.after = last;
+    return crossing;
+}
+
+}  // namespace
+
+void look_at_border(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+    const Body body = make({.thickness = 10e-3, .density = hard, .shell = shell, .inner = soft});
+    for (const DeviceRecord& device : scope.devices)
+        for (const double tilt : {0.0, 10.0})
+            for (const double feed : {0.5e-3, 2e-3, 10e-3})
+                for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
+                    const CouplingGains gains = gains_under_push(device, push_of(device), tool, body);
+                    const Crossing crossing = cross(body, tool, gains, feed, tilt * pi / 180.0, way);
+                    const double step = crossing.step / crossing.before;
+                    Finding finding{
+                        .test = "S-16", .scene = "border 10 : 1 at " + figure(1e3 * feed, "mm/s"), .hand = led};
+                    finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+                    finding.device = device.id;
+                    finding.measured = figure(tilt, "deg") + ": step " + figure(100.0 * step, "%") + " a tick, " +
+                                       figure(crossing.before, "N") + " -> " + figure(crossing.after, "N");
+                    finding.criterion = "<= 3.2 % of the force before, a tick";
+                    finding.outcome = passes(step <= 0.032);
+                    report(finding);
+                }
+}
+
+}  // namespace kerf::stability

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include <cmath>
+
+#include "conformance/stability/bone_block.h"
+#include "conformance/stability/scenes.h"
+#include "conformance/stability/touch_probe.h"
+#include "kerf/units.hpp"
+
+namespace kerf::stability {
+
+namespace {
+
+/// The probe lies over the face; a hand at its end turns the tip into the bone, moves aside, turns it out.
+Pose lever(double tilt, double shift) {
+    const Vec3 along{std::cos(tilt), 0.0, -std::sin(tilt)};
+    const Vec3 tip{shift + probe_length * (std::cos(tilt) - 1.0), 0.0, 0.3e-3 - probe_length * std::sin(tilt)};
+    return {tip, quat_between({0, 0, 1}, along)};
+}
+
+}  // namespace
+
+void look_at_lever(const Scope& scope, const Report& report) {
+    constexpr int cycles = 10, ticks = 400;
+    const Body body = make({.thickness = 8e-3});
+    const ToolSetup probe = touch_probe(1, 5e5);
+    for (const DeviceRecord& device : scope.devices) {
+        const CouplingGains gains = gains_for(device, 1.0);
+        ToolOutline outline;
+        std::string error;
+        if (!outline_of(probe, outline, error)) return;
+        Simulation simulation(body, probe, outline, gains, lever(0.0, 0.0));
+        const Vec3 grip{0.0, 0.0, outline.grip_z};
+        double work = 0.0, most = 0.0;
+        Pose last = lever(0.0, 0.0);
+        Vec6 wrench{};
+        for (int i = 0; i < cycles * ticks; ++i) {
+            const double phase = 2.0 * pi * (i % ticks) / ticks;
+            const Pose now = lever(0.015 * (1.0 - std::cos(phase)), 1e-3 * std::sin(phase));
+            work += dot(linear(wrench), now * grip - last * grip);
+            if (gains.has_torque)
+                work += dot(angular(wrench),
+                            rotate(last.rotation, small_rotation_vector(conjugate(last.rotation) * now.rotation)));
+            last = now;
+            wrench = simulation.tick({now}).command.wrench;
+            simulation.after_tick();
+            most = std::max(most, length(linear(wrench)));
+        }
+        Finding finding{.test = "A-09", .scene = "lever, ten cycles", .hand = led};
+        finding.device = device.id;
+        finding.measured = figure(1e3 * work, "mJ") + " on the hand, at most " + figure(most, "N");
+        finding.criterion = "<= 1 mJ";
+        finding.outcome = passes(work <= 1e-3 && most > 0.0);
+        report(finding);
+    }
+}
+
+}  // namespace kerf::stability

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "conformance/stability/finding.h"
+#include "conformance/stability/scope.h"
+#include "conformance/stability/tool_under_test.h"
+
+/// Scenes in which a tool's force is known to fail, one file each. For training and research; not for diagnosis,
+/// planning or deciding treatment.
+namespace kerf::stability {
+
+/// S-06: counts of the encoder against a slow feed, and against none.   [main]
+void look_at_noise(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-07: a probe lies flat on bone, then has twice as many points.   [main]
+void look_at_flat(const Scope& scope, const Report& report);
+/// S-12: out of a hole and into it again.   [main]
+void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-15: through a shell of 1 mm into air.   [main]
+void look_at_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-16: across a border behind which bone resists a tenth.   [main]
+void look_at_border(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-19: the motor is switched off under a push.   [main]
+void look_at_switching_off(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+/// S-21: the loop misses ticks while a hand moves on a wall.   [main]
+void look_at_missed_ticks(const Scope& scope, const Report& report);
+/// A9: a lever cycle gives no work.   [main]
+void look_at_lever(const Scope& scope, const Report& report);
+
+}  // namespace kerf::stability
