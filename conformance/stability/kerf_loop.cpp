@@ -29,8 +29,8 @@ KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains
                    double tilt)
     : way_(way), tilt_(tilt), simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt)) {}
 
-double KerfLoop::answer(double depth) {
-    const DeviceSample sample{at_depth(depth, tilt_)};
+double KerfLoop::answer(double depth, std::uint32_t missed) {
+    const DeviceSample sample{at_depth(depth, tilt_), missed};
     last_ = way_ == Way::solved ? simulation_.tick(sample) : simulation_.tick_direct(sample);
     simulation_.after_tick();
     return -dot(linear(last_.command.wrench), along(tilt_));

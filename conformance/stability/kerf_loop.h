@@ -18,8 +18,8 @@ public:
     KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way = Way::solved,
              double tilt = 0.0);
 
-    /// One tick.
-    double answer(double depth);
+    /// One tick, after `missed` that did not run.
+    double answer(double depth, std::uint32_t missed = 0);
     /// The handle stays for `ticks`: a motor comes to its speed.
     void wait(double depth, int ticks);
 

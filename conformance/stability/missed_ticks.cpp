@@ -38,7 +38,7 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
         if (is_missed)
             port.step_unanswered(now);
         else
-            port.step(loop.answer(port.reported()), now);
+            port.step(loop.answer(port.reported(), i == stall_from + missed ? static_cast<std::uint32_t>(missed) : 0u), now);
         energy.see(port.held(), port.depth() - before, loop.stored(port.depth()));
         const bool is_fault = loop.last().is_barred;
         stalled.has_faulted = stalled.has_faulted || is_fault;

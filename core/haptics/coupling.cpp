@@ -17,6 +17,7 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale) noexcept
     // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
     gains.has_torque = device.peak_torque > 0.0;
     gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;
+    gains.resolution = device.resolution;
     gains.spare_damping = device.largest_damping - gains.damping;
     gains.force_scale = force_scale;
     return gains;
@@ -44,7 +45,8 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
     if (pull <= 0.0) return;
     out.release_along = (1.0 / pull) * out.force.pull;
     out.release_damping = gains_.release_time * k;
-    out.release_from = dot(out.hand_velocity, out.release_along) + release_from;
+    // From the hand's speed towards the tool on, or from rest: a hand that backs off a wall is not let go by it.
+    out.release_from = std::max(0.0, dot(out.hand_velocity, out.release_along)) + release_from;
 }
 
 void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {

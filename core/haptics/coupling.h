@@ -14,6 +14,7 @@ struct CouplingGains {
     double force_limit = 0.0;    ///< [N]
     double torque_limit = 0.0;   ///< [N·m]
     bool has_torque = false;     ///< the device makes torques: they count for what the hand is given
+    double resolution = 0.0;     ///< [m] of one count of the device's encoders
     double spare_damping = 0.0;  ///< [N·s/m] the most the passivity controller may add
     double force_scale = 1.0;    ///< [–] device newtons per bone newton, one for force and torque
     double rotation_arm = 0.05;  ///< [m] K_rot = K arm², B_rot = B arm² [assumed]

@@ -7,6 +7,8 @@ namespace kerf {
 
 void PassivityGuard::observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored) noexcept {
     moved_ = linear(moved);
+    const double way = length(moved_);
+    if (way > 0.0 && way < 1.5 * count_) supplied += unseen_;
     energy_ = std::min(energy_ - dot(wrench, moved) + supplied, stored);
     least_ = std::min(least_, energy_);
 }

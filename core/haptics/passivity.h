@@ -21,7 +21,10 @@ namespace kerf {
 class PassivityGuard {
 public:
     static constexpr double tolerance = 1e-4;  ///< [J]
-    explicit PassivityGuard(double largest_damping) : largest_damping_(largest_damping) {}
+    /// `unseen` [J]: what a spring gives and takes within one count of the encoders, K Δ². A hand that flickers between two
+    /// counts is credited with it, or the balance would fall for ever under a hand that stands still.
+    explicit PassivityGuard(double largest_damping, double unseen = 0.0, double count = 0.0)
+        : largest_damping_(largest_damping), unseen_(unseen), count_(count) {}
 
     /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
     /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
@@ -34,7 +37,7 @@ public:
     [[nodiscard]] std::uint64_t corrections() const noexcept { return corrections_; }
 
 private:
-    double largest_damping_;
+    double largest_damping_, unseen_, count_;
     Vec3 moved_{};
     double energy_ = 0.0, least_ = 0.0;
     std::uint64_t corrections_ = 0;

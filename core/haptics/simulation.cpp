@@ -66,7 +66,7 @@ Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, c
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, {0, 0, outline_.grip_z}),
-      guard_(gains.spare_damping) {
+      guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
     const kerf_force& force = *setup_.force->force;
     state_storage_ = std::make_unique<std::byte[]>(force.state_size + force.state_align);
     void* aligned = state_storage_.get();

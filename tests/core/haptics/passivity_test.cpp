@@ -42,6 +42,26 @@ TEST(PassivityGuard, TakesBackWhatCameOutTooMuchAndNoFasterThanTheDeviceCan) {
     EXPECT_EQ(guard.corrections(), 2u);
 }
 
+TEST(PassivityGuard, AHandThatFlickersBetweenTwoCountsIsNotDamped) {
+    const double k = 3000.0, count = 10.0_um;
+    for (const double unseen : {0.0, k * count * count}) {
+        PassivityGuard guard(20.0, unseen, count);
+        double at = 1.0_mm;
+        std::uint64_t corrected = 0;
+        for (int i = 0; i < 3000; ++i) {  // the force is that of the last tick's reading
+            const double force = k * at, next = i % 2 == 0 ? 1.0_mm + count : 1.0_mm;
+            guard.observe({force, 0, 0, 0, 0, 0}, {at - next, 0, 0, 0, 0, 0}, 0.0, 0.5 * k * next * next);
+            corrected += guard.correction(1e-3).x != 0.0;
+            at = next;
+        }
+        if (unseen > 0.0) {
+            EXPECT_EQ(corrected, 0u);
+        } else {
+            EXPECT_GT(corrected, 100u) << "so it would be";
+        }
+    }
+}
+
 /// A bare mass thrown at a wall by nobody, through the whole loop. Returns how fast it comes back, per how fast it
 /// came.
 double rebound(double spare_damping) {
