@@ -83,7 +83,7 @@ void locate(const LatticeShape& grid, std::size_t count, ConstCoordinates points
     }
 }
 
-/// Two neighbours along x, for each of four points.
+/// Two neighbours along x, for each of four points. Plain loads: a gather took 1.6 times as long where it was measured.
 struct Pairs {
     Four low, high;
 };

@@ -39,6 +39,7 @@ struct Body {
     return locate(body.grid(), body.region.nearest(point_in_body));
 }
 inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBlock& places) noexcept {
+    if (body.region.is_everywhere()) return locate(body.grid(), points_in_body, places);
     PointBlock within;
     clamp(points_in_body, body.region.low, body.region.high, within);
     locate(body.grid(), within, places);

@@ -138,14 +138,14 @@ int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const st
 }
 
 void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
-    CornerBlock<std::int16_t> corners;
+    CornerBlock<std::int16_t> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
             places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
         if (slot < 0)
             cut[i] = -clamp_;
         else
-            corners.add(brick(slot), places, i);
+            corners.add(brick(slot), i);
     }
     corners.interpolate(quantum_, cut);
 }

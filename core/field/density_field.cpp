@@ -28,14 +28,14 @@ DensityField DensityField::build(const Grid& grid, const std::function<bool(std:
 }
 
 void DensityField::at(const PlaceBlock& places, double elsewhere, BlockValues& densities) const noexcept {
-    CornerBlock<float> corners;
+    CornerBlock<float> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {
         const bool is_known = !is_empty() && places.brick[i] != PlaceBlock::outside;
         const std::int32_t slot = is_known ? table_[static_cast<std::size_t>(places.brick[i])] : -1;
         if (slot < 0)
             densities[i] = elsewhere;
         else
-            corners.add(brick(slot), places, i);
+            corners.add(brick(slot), i);
     }
     corners.interpolate(1.0, densities);
 }

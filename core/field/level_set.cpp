@@ -39,14 +39,14 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
 }
 
 void LevelSet::at(const PlaceBlock& places, BlockValues& distances) const noexcept {
-    CornerBlock<std::int16_t> corners;
+    CornerBlock<std::int16_t> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
             places.brick[i] == PlaceBlock::outside ? air : table_[static_cast<std::size_t>(places.brick[i])];
         if (slot < 0)
             distances[i] = slot == air ? clamp_ : -clamp_;
         else
-            corners.add(brick(slot), places, i);
+            corners.add(brick(slot), i);
     }
     corners.interpolate(quantum_, distances);
 }

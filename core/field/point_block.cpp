@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/point_block.h"
 
-#include <type_traits>
-
 namespace kerf {
 
 void transform(const Pose& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept {
@@ -53,15 +51,31 @@ void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noex
         {places.brick.data(), places.offset.data(), {places.fx.data(), places.fy.data(), places.fz.data()}});
 }
 
+namespace {
+void trilinear(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+               BlockValues& values) noexcept {
+    block_kernel().trilinear_int16(corner, count, fraction, quantum, values.data());
+}
+void trilinear(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+               BlockValues& values) noexcept {
+    block_kernel().trilinear_float(corner, count, fraction, quantum, values.data());
+}
+}  // namespace
+
 template <class Sample>
 void CornerBlock<Sample>::interpolate(double quantum, BlockValues& values) const noexcept {
     if (count_ == 0) return;
-    BlockValues result;
-    const ConstCoordinates fraction{fx_.data(), fy_.data(), fz_.data()};
-    if constexpr (std::is_same_v<Sample, float>)
-        block_kernel().trilinear_float(corner_.data(), count_, fraction, quantum, result.data());
-    else
-        block_kernel().trilinear_int16(corner_.data(), count_, fraction, quantum, result.data());
+    if (count_ == places_->count) {  // nobody left out: nothing to gather
+        trilinear(corner_.data(), count_, {places_->fx.data(), places_->fy.data(), places_->fz.data()}, quantum, values);
+        return;
+    }
+    BlockValues fx, fy, fz, result;
+    for (std::size_t i = 0; i < count_; ++i) {
+        fx[i] = places_->fx[lane_[i]];
+        fy[i] = places_->fy[lane_[i]];
+        fz[i] = places_->fz[lane_[i]];
+    }
+    trilinear(corner_.data(), count_, {fx.data(), fy.data(), fz.data()}, quantum, result);
     for (std::size_t i = 0; i < count_; ++i) values[lane_[i]] = result[i];
 }
 

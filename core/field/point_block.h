@@ -61,21 +61,20 @@ void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noex
 template <class Sample>
 class CornerBlock {
 public:
-    /// `brick`: its 9³ samples.
-    void add(const Sample* brick, const PlaceBlock& places, std::size_t i) noexcept {
-        corner_[count_] = brick + places.offset[i];
-        fx_[count_] = places.fx[i];
-        fy_[count_] = places.fy[i];
-        fz_[count_] = places.fz[i];
+    explicit CornerBlock(const PlaceBlock& places) noexcept : places_(&places) {}
+
+    /// `brick`: its 9³ samples. Points in ascending order.
+    void add(const Sample* brick, std::size_t i) noexcept {
+        corner_[count_] = brick + places_->offset[i];
         lane_[count_++] = static_cast<std::uint8_t>(i);
     }
     /// Trilinear values times `quantum`, each to where its point stood in the block.
     void interpolate(double quantum, BlockValues& values) const noexcept;
 
 private:
+    const PlaceBlock* places_;
     std::size_t count_ = 0;
     std::array<const Sample*, block_capacity> corner_;
-    BlockValues fx_, fy_, fz_;
     std::array<std::uint8_t, block_capacity> lane_;
 };
 

@@ -2,6 +2,7 @@
 #include "core/field/pose_stamp.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace kerf {
 
@@ -18,7 +19,7 @@ void PoseStamp::start_rows(int j, int k) noexcept {
 
 std::size_t PoseStamp::rows_that_matter(const std::int16_t* samples, int i, const std::array<int, 3>& first,
                                         const std::array<int, 3>& last,
-                                        std::array<std::uint8_t, rows_per_brick>& rows) const noexcept {
+                                        std::array<Row, rows_per_brick>& rows) const noexcept {
     // The distance is 1-Lipschitz: its value in the middle of a row says how deep any sample of it can be.
     const double half_row = 0.5 * brick_edge * grid_->spacing * (1.0 + 1e-9);
     const double to_middle = static_cast<double>(i * brick_edge) + 0.5 * brick_edge;
@@ -37,9 +38,9 @@ std::size_t PoseStamp::rows_that_matter(const std::int16_t* samples, int i, cons
             if (y < first[1] || y > last[1] || z < first[2] || z > last[2]) continue;
             const std::int16_t* v = samples + row * stored_edge;
             const std::int16_t lowest = *std::min_element(v, v + stored_edge);
-            const double deepest = (depth[n] + half_row) / quantum + 1.0;  // rounded up
-            if (lowest == 32767 || lowest >= deepest) continue;
-            rows[count++] = static_cast<std::uint8_t>(row);
+            const double deepest = depth[n] / quantum + 2.0;  // rounded up
+            if (lowest == 32767 || lowest >= deepest + half_row / quantum) continue;
+            rows[count++] = {static_cast<std::uint8_t>(row), static_cast<std::int32_t>(std::min(deepest, 65535.0))};
         }
     }
     return count;
@@ -48,38 +49,49 @@ std::size_t PoseStamp::rows_that_matter(const std::int16_t* samples, int i, cons
 bool PoseStamp::raise(std::int16_t* samples, int i, int j, int k, const std::array<int, 3>& first,
                       const std::array<int, 3>& last) noexcept {
     start_rows(j, k);
-    std::array<std::uint8_t, rows_per_brick> rows;
+    std::array<Row, rows_per_brick> rows;
     const std::size_t row_count = rows_that_matter(samples, i, first, last, rows);
 
+    constexpr int a_voxel = 8192;  // quanta, rounded up
+    constexpr int lowest_kept = -static_cast<int>(band_voxels) * a_voxel;
     std::array<Vec3, stored_edge> along;
-    for (int x = 0; x < stored_edge; ++x) along[x] = static_cast<double>(i * brick_edge + x) * step_;
+    std::array<int, stored_edge> deeper;  // than the middle of its row [quanta], at most
+    for (int x = 0; x < stored_edge; ++x) {
+        along[x] = static_cast<double>(i * brick_edge + x) * step_;
+        deeper[x] = a_voxel * std::abs(x - brick_edge / 2);
+    }
     const int x_first = std::max(0, first[0] - i * brick_edge);
     const int x_last = std::min(stored_edge - 1, last[0] - i * brick_edge);
 
-    constexpr std::size_t rows_per_block = block_capacity / stored_edge;
+    PointBlock points;
+    std::array<std::int16_t, block_capacity> values;
+    std::array<std::uint16_t, block_capacity> places;
     bool is_changed = false;
-    for (std::size_t begin = 0; begin < row_count; begin += rows_per_block) {
-        const std::size_t end = std::min(begin + rows_per_block, row_count);
-        PointBlock points;
-        std::array<std::int16_t, block_capacity> values;
-        for (std::size_t n = begin; n < end; ++n) {
-            const Vec3 start = start_of(rows[n]);
-            const std::int16_t* v = samples + rows[n] * stored_edge;
-            for (int x = 0; x < stored_edge; ++x) {
-                values[points.count] = v[x];
-                points.add(start + along[x]);
-            }
+    const auto raise_block = [&] {
+        if (solid_->raise(points, band_, grid_->quantum(), values)) {
+            is_changed = true;
+            for (std::size_t n = 0; n < points.count; ++n) samples[places[n]] = values[n];
         }
-        if (!solid_->raise(points, band_, grid_->quantum(), values)) continue;
-        const std::int16_t* raised = values.data();
-        for (std::size_t n = begin; n < end; ++n, raised += stored_edge) {
-            std::int16_t* v = samples + rows[n] * stored_edge;
-            for (int x = x_first; x <= x_last; ++x) {
-                is_changed = is_changed || raised[x] > v[x];
-                v[x] = raised[x];
-            }
+        points.count = 0;
+    };
+    for (std::size_t n = 0; n < row_count; ++n) {
+        if (points.count + stored_edge > block_capacity) raise_block();
+        const Vec3 start = start_of(rows[n].row);
+        const std::size_t place = static_cast<std::size_t>(rows[n].row) * stored_edge;
+        std::size_t at = points.count;
+        for (int x = x_first; x <= x_last; ++x) {
+            const int value = samples[place + static_cast<std::size_t>(x)], deepest = rows[n].deepest + deeper[x];
+            values[at] = static_cast<std::int16_t>(value);
+            places[at] = static_cast<std::uint16_t>(place + static_cast<std::size_t>(x));
+            points.x[at] = start.x + along[x].x;
+            points.y[at] = start.y + along[x].y;
+            points.z[at] = start.z + along[x].z;
+            // The next one is written over it if it cannot rise.
+            at += (value < 32767) & (value < deepest) & (deepest > lowest_kept);
         }
+        points.count = at;
     }
+    raise_block();
     return is_changed;
 }
 

@@ -31,11 +31,16 @@ private:
     static constexpr std::size_t rows_per_brick = static_cast<std::size_t>(stored_edge * stored_edge);
     static constexpr std::size_t first_half = 5 * stored_edge;  ///< 81 rows are more than a block holds
 
+    struct Row {
+        std::uint8_t row;
+        std::int32_t deepest;  ///< no less than the depth in its middle [quanta]
+    };
+
     void start_rows(int j, int k) noexcept;
     /// Those rows, of the brick's 81, in which a sample may rise; returns how many.
     std::size_t rows_that_matter(const std::int16_t* samples, int i, const std::array<int, 3>& first,
                                  const std::array<int, 3>& last,
-                                 std::array<std::uint8_t, rows_per_brick>& rows) const noexcept;
+                                 std::array<Row, rows_per_brick>& rows) const noexcept;
     [[nodiscard]] Vec3 start_of(std::size_t row) const noexcept {
         return row < first_half ? starts_[0][row] : starts_[1][row - first_half];
     }

@@ -16,6 +16,9 @@ struct Region {
     Vec3 low{-nowhere, -nowhere, -nowhere}, high{nowhere, nowhere, nowhere};
 
     [[nodiscard]] bool is_bounded() const noexcept { return is_finite(low) && is_finite(high); }
+    [[nodiscard]] bool is_everywhere() const noexcept {
+        return low == Vec3{-nowhere, -nowhere, -nowhere} && high == Vec3{nowhere, nowhere, nowhere};
+    }
     /// Strictly: on a face nothing is cut any more.
     [[nodiscard]] bool contains(Vec3 p) const noexcept {
         return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
