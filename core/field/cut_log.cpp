@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/azimuths.h"
 #include "core/field/reach.h"
 
 namespace kerf {
@@ -188,16 +189,13 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
 
     // Elsewhere: does the outline stand in present bone by more than the wall is exact?
     const double limit = -wall_voxels * body_->grid().spacing;
-    constexpr int azimuths = 8;
-    constexpr double c = 0.70710678118654752440;
-    constexpr double ring[azimuths][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
     const auto& outline = solid_->outline();
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
         for (int step = 0; step <= 4; ++step) {
             const double t = 0.25 * step;
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const auto& direction : ring) {
+            for (const auto& direction : azimuths) {
                 const Vec3 p = at * Vec3{r * direction[0], r * direction[1], z};
                 if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);

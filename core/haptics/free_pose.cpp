@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/azimuths.h"
+
 namespace kerf {
 
 namespace {
 
 constexpr double farthest = 0.3;  // [m]
-constexpr double c = 0.70710678118654752440;
-constexpr double ring[][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
 
 bool is_free(const Body& body, const RevolutionSolid& whole, const Pose& at) {
     const double h = body.grid().spacing;
@@ -20,7 +20,7 @@ bool is_free(const Body& body, const RevolutionSolid& whole, const Pose& at) {
         const int steps = static_cast<int>(std::ceil(std::hypot(dz, dr) / h)) + 1;
         for (int step = 0; step <= steps; ++step) {
             const double t = static_cast<double>(step) / steps, r = outline[i].radius + t * dr;
-            for (const auto& direction : ring)
+            for (const auto& direction : azimuths)
                 if (body.surface.at(locate(body.grid(),
                                            at * Vec3{r * direction[0], r * direction[1], outline[i].z + t * dz})) < 0.0)
                     return false;

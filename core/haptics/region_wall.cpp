@@ -3,14 +3,13 @@
 
 #include <algorithm>
 
+#include "core/field/azimuths.h"
 #include "kerf/force.hpp"
 
 namespace kerf {
 
 namespace {
 constexpr double stiffness = 1e6;  // [N/m], of bone that is not to be entered [assumed]
-constexpr double c = 0.70710678118654752440;
-constexpr double ring[][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
 }  // namespace
 
 bool region_wall(const Body& body, const BoneView& view, const RevolutionSolid& cutting, const Pose& body_from_tool,
@@ -25,7 +24,7 @@ bool region_wall(const Body& body, const BoneView& view, const RevolutionSolid& 
     Vec3 at{}, outwards{};
     const auto& outline = cutting.outline();
     for (const auto& [z, radius] : outline)
-        for (const auto& way : ring) {
+        for (const auto& way : azimuths) {
             const Vec3 in_tool{radius * way[0], radius * way[1], z}, p = body_from_tool * in_tool;
             const double beyond = region.distance_outside(p);
             if (beyond <= farthest || view.present_distance(p) >= 0.0) continue;

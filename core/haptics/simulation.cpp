@@ -26,6 +26,18 @@ Vec6 turned(Quat q, const Vec6& v) noexcept { return make_vec6(rotate(q, linear(
 
 }  // namespace
 
+kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
+    kerf_tick_in in{};
+    in.size = sizeof in;
+    in.dt = dt;
+    in.tool_params = setup.tool_parameters.data();
+    in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
+    in.force_params = setup.force_parameters.data();
+    in.drive = setup.drives.data();
+    in.bone = &bone;
+    return in;
+}
+
 bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     constexpr std::uint32_t capacity = 64;
     kerf_profile_point points[capacity];
@@ -88,15 +100,8 @@ Simulation::~Simulation() = default;
 // ---- asking and solving -------------------------------------------------------------------------------------------
 
 kerf_tick_in Simulation::tick_in(double step) const noexcept {
-    kerf_tick_in in{};
-    in.size = sizeof in;
+    kerf_tick_in in = tick_in_of(setup_, view_.query(), step);
     in.tick = tick_;
-    in.dt = step;
-    in.tool_params = setup_.tool_parameters.data();
-    in.tool_param_count = static_cast<std::uint32_t>(setup_.tool_parameters.size());
-    in.force_params = setup_.force_parameters.data();
-    in.drive = setup_.drives.data();
-    in.bone = &view_.query();
     return in;
 }
 

@@ -53,6 +53,9 @@ struct ToolSetup {
     std::vector<double> tool_parameters, force_parameters, drives;  ///< SI, declared order
 };
 
+/// What its law is asked with, in a step of `dt` [s]. `setup` and `bone` must outlive the answer.   [any] nonblocking.
+[[nodiscard]] kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept;
+
 /// A tool's outline as the plugin gives it.
 struct ToolOutline {
     RevolutionSolid cutting;  ///< removes bone
@@ -115,7 +118,7 @@ public:
 private:
     static constexpr int most_parts = 16;
 
-    [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;
+    [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;  ///< of this tick
     [[nodiscard]] bool ask(double step) noexcept;
     /// Holds, asks and solves for one step. False: the law or the solve is unsound.
     [[nodiscard]] bool find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept;

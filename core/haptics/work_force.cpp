@@ -42,10 +42,10 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
 }
 
 /// Lets a powered tool come to its speed in air.
-void run_up(const kerf_force& force, kerf_tick_in in, void* state) {
+void run_up(const ToolSetup& setup, std::uint32_t tissues, void* state) {
     constexpr int longest = 10000;  // ticks
-    const kerf_bone_query air{sizeof(kerf_bone_query), in.bone->tissue_count, 1.0, &sample_air, &nearest_endless, nullptr};
-    in.bone = &air;
+    const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
+    kerf_tick_in in = tick_in_of(setup, air, Simulation::dt);
     double signals[KERF_MAX_SIGNALS];
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_advance advance{};
@@ -54,7 +54,7 @@ void run_up(const kerf_force& force, kerf_tick_in in, void* state) {
     for (int i = 0; i < longest; ++i) {
         in.tick = static_cast<std::uint64_t>(i);
         out.action_count = 0;
-        if (force.commit(&in, &advance, state, &out) != KERF_OK) return;
+        if (setup.force->force->commit(&in, &advance, state, &out) != KERF_OK) return;
     }
 }
 
@@ -67,23 +67,18 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     std::size_t space = force.state_size + force.state_align;
     state = std::align(force.state_align, force.state_size, state, space);
 
+    const auto tissues = static_cast<std::uint32_t>(body.materials.size());
+    force.reset(state);
+    run_up(setup, tissues, state);
+
     double largest = 0.0;
     for (std::size_t m = 0; m < body.materials.size(); ++m) {
         const EndlessBone endless{m, body.materials[m].density};
-        kerf_bone_query query{sizeof(kerf_bone_query), static_cast<std::uint32_t>(body.materials.size()), 1.0,
-                              &sample_endless, &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
-        kerf_tick_in in{};
-        in.size = sizeof in;
-        in.dt = Simulation::dt;
-        in.tool_params = setup.tool_parameters.data();
-        in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
-        in.force_params = setup.force_parameters.data();
-        in.drive = setup.drives.data();
-        in.bone = &query;
+        const kerf_bone_query query{sizeof(kerf_bone_query), tissues, 1.0, &sample_endless, &nearest_endless,
+                                    reinterpret_cast<const kerf_bone*>(&endless)};
+        const kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels, {}};
-        force.reset(state);
-        run_up(force, in, state);
         if (force.resist(&in, state, &law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)

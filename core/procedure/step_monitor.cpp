@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/azimuths.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -26,8 +27,6 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
 }
 
 double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept {
-    constexpr double c = 0.70710678118654752440;
-    constexpr double ring[][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
     const auto& outline = solid.outline();
     double least = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
@@ -35,7 +34,7 @@ double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, cons
             const double t = 0.25 * step;
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const auto& at : ring)
+            for (const auto& at : azimuths)
                 least = std::min(least, distance_to_any(zone.solids, world_from_tool * Vec3{r * at[0], r * at[1], z}));
         }
     return least;

@@ -13,7 +13,7 @@ void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, c
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
-    const LipShare share = share_of_lips(e.drill, last_feed_rate / turning.n);
+    const LipShare share = share_of_lips(e.lag, last_feed_rate / turning.n);
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
@@ -49,7 +49,7 @@ void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, c
     if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
         const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
         heel->d[2] = 1.0;
-        heel->eta = turning.cut_share * tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
+        heel->eta = tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
         heel->gap = least + tick.dt * turning.n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
 }

@@ -21,18 +21,16 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
     drill = drill_of(tick.tool);
     lip = make_lip(drill, tick.force[force_element_pitch]);
     const SinCos a = sin_cos_exact(angle);
-    cos_angle = a.cos;
-    sin_angle = a.sin;
+    lag = drill.lag_of_second_lip();
     for (int k = 0; k < lip_count; ++k) {
         const double side = k == 0 ? 1.0 : -1.0;
         for (std::size_t i = 0; i < lip.count; ++i)
             point[lip_points++] = place_of(lip.element[i], drill.half_web(), side * a.cos, side * a.sin);
     }
     count = lip_points;
-    TwistDrill fitted = drill;
-    fitted.helix_angle = fitted_helix;
+    const SinCos helix = sin_cos_exact(drill.helix_angle), fitted = sin_cos_exact(fitted_helix);
     for (std::size_t i = 0; i < lip.count; ++i) {
-        const double more = (drill.rake_at(lip.element[i].radius) - fitted.rake_at(lip.element[i].radius)) * 180.0 / pi;  // [deg]
+        const double more = (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 / pi;  // [deg]
         rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
     }
     const PointAngle p = half_point_angle(drill);
@@ -48,8 +46,7 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
 }
 
-LipShare share_of_lips(const TwistDrill& drill, double feed) noexcept {
-    const double lag = drill.lag_of_second_lip();
+LipShare share_of_lips(double lag, double feed) noexcept {
     if (lag <= 0.0) return {};
     LipShare share;
     share.chip[1] = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
@@ -62,7 +59,7 @@ Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     const Coefficients k = coefficients(tick.force);
     const double reference = tick.force[force_reference_density];
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
-    const LipShare share = share_of_lips(e.drill, feed_rate / n);
+    const LipShare share = share_of_lips(e.lag, feed_rate / n);
     Side sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);

@@ -20,10 +20,10 @@ inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chis
 struct Edges {
     TwistDrill drill;
     Lip lip;
-    double cos_angle, sin_angle;
     std::array<Vec3, lip_count * largest_element_count + 2 * most_chisel_points> point;
     std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * most_chisel_points> sample;
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
+    double lag = 0.0;  ///< [m] of the second lip
 
     [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
 
@@ -36,7 +36,7 @@ struct Edges {
     [[nodiscard]] std::size_t lip_of(std::size_t i) const noexcept { return i < lip_points && i >= lip.count ? 1 : 0; }
     /// How far a piece is behind the front, less what its lip always is.
     [[nodiscard]] double gap(std::size_t i) const noexcept {
-        return lip_of(i) == 0 ? sample[i].gap : std::max(0.0, sample[i].gap - drill.lag_of_second_lip());
+        return lip_of(i) == 0 ? sample[i].gap : std::max(0.0, sample[i].gap - lag);
     }
 
     /// The least way to the front among edges in bone; 0 when none is.
@@ -57,7 +57,7 @@ struct LipShare {
     double chip[lip_count] = {1.0, 1.0};  ///< [–] of the even chip thickness
     double edge[lip_count] = {1.0, 1.0};  ///< [–] whether the edge is in the cut, softened over a tenth of the feed
 };
-[[nodiscard]] LipShare share_of_lips(const TwistDrill& drill, double feed_per_revolution) noexcept;
+[[nodiscard]] LipShare share_of_lips(double lag, double feed_per_revolution) noexcept;
 
 /// What the edges give at one feed rate: forces that do not work against the feed, per newton of thrust.
 struct Side {

@@ -79,10 +79,11 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     double engaged = 0.0;
     for (std::size_t i = 0; i < edges.count; ++i) engaged += edges.sample[i].engagement;
     const double feed = state.feed_rate / turning.n;
-    const bool is_cutting = turning.removes() && engaged > 0.0 && edges.least_gap() <= state.feed_rate * tick.dt;
+    const double least = edges.least_gap();
+    const bool is_cutting = turning.removes() && engaged > 0.0 && least <= state.feed_rate * tick.dt;
     double load = tick.force[force_friction] * state.shank_force * edges.drill.radius();
     if (is_cutting)
-        load += side_forces(edges, tick, bone.tissue_count(), turning.n, state.feed_rate, edges.least_gap()).torque;
+        load += side_forces(edges, tick, bone.tissue_count(), turning.n, state.feed_rate, least).torque;
     else if (!turning.removes())
         load += torque_of_standing(edges, tick, bone.tissue_count(), pushed_along(advance), state.spindle.speed < 0.0);
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;

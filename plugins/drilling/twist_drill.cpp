@@ -23,8 +23,7 @@ double TwistDrill::lag_of_second_lip() const noexcept {
     return 2.0 * runout * p.cos / p.sin;
 }
 
-double TwistDrill::rake_at(double at) const noexcept {
-    const SinCos h = sin_cos_exact(helix_angle);
+double TwistDrill::rake_at(double at, SinCos h) const noexcept {
     const double slope = at / radius() * h.sin / h.cos;
     return slope / (1.0 + 0.28 * slope * slope);
 }

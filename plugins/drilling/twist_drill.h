@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "kerf/exact_math.hpp"
 #include "kerf/math.hpp"
 
 /// The geometry of a twist drill: its outline, its two lips and its chisel edge.
@@ -36,8 +37,8 @@ struct TwistDrill {
     [[nodiscard]] double cone_end() const noexcept;
     /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
     [[nodiscard]] double lag_of_second_lip() const noexcept;
-    /// Rake of the lips at `radius` [rad]: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
-    [[nodiscard]] double rake_at(double radius) const noexcept;
+    /// Rake of the lips at `radius` [rad] with flutes of this helix: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
+    [[nodiscard]] double rake_at(double radius, SinCos helix) const noexcept;
 };
 
 /// A short piece of one lip. Cylindrical frame at its place: r̂ outwards, ẑ out of the tip, t̂ = ẑ × r̂ the way it runs.

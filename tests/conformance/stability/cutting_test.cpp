@@ -28,7 +28,7 @@ TEST(Cutting, TheLawChattersAtTheDevicesRateAndIsQuietWhenSolved) {
 
 TEST(Cutting, APluginThatIsNotThereIsSaid) {
     std::string error;
-    EXPECT_FALSE(find_tool(built_plugins(), "kerf.none", error));
+    EXPECT_FALSE(find_tool(test::plugins(), "kerf.none", error));
     EXPECT_NE(error.find("`kerf.none`"), std::string::npos) << error;
 }
 

@@ -4,23 +4,15 @@
 #include <stdexcept>
 
 #include "conformance/stability/tool_under_test.h"
+#include "tests/support/drill_rig.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-inline const PluginRegistry& built_plugins() {
-    static const PluginRegistry registry = [] {
-        PluginRegistry r;
-        r.scan({KERF_BUILD_DIR "/lib/kerf"});
-        return r;
-    }();
-    return registry;
-}
-
 /// The drilling plugin, as it was built.
 inline ToolUnderTest the_drill() {
     std::string error;
-    const auto tool = find_tool(built_plugins(), "kerf.drilling", error);
+    const auto tool = find_tool(test::plugins(), "kerf.drilling", error);
     if (!tool) throw std::runtime_error(error);
     return *tool;
 }

@@ -44,14 +44,7 @@ TEST(Tick, AskingForTheLawLeavesTheStateAsItWas) {
     std::vector<std::byte> before(rig.simulation.state(), rig.simulation.state() + rig.simulation.state_size());
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}};
-    kerf_tick_in in{};
-    in.size = sizeof in;
-    in.dt = Simulation::dt;
-    in.tool_params = rig.setup.tool_parameters.data();
-    in.tool_param_count = static_cast<std::uint32_t>(rig.setup.tool_parameters.size());
-    in.force_params = rig.setup.force_parameters.data();
-    in.drive = rig.setup.drives.data();
-    in.bone = &rig.simulation.bone().query();
+    const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
     for (int asked = 0; asked < 3; ++asked) ASSERT_EQ(force.resist(&in, rig.simulation.state(), &law), KERF_OK);
     EXPECT_GT(law.count, 0u);
     EXPECT_EQ(before,

@@ -149,14 +149,7 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
     // A tilted shank is pressed on opposite walls at once; what rubs is the sum of what each carries, k δ at rest.
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}};
-    kerf_tick_in in{};
-    in.size = sizeof in;
-    in.dt = Simulation::dt;
-    in.tool_params = rig.setup.tool_parameters.data();
-    in.tool_param_count = static_cast<std::uint32_t>(rig.setup.tool_parameters.size());
-    in.force_params = rig.setup.force_parameters.data();
-    in.drive = rig.setup.drives.data();
-    in.bone = &rig.simulation.bone().query();
+    const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
     ASSERT_EQ(rig.setup.force->force->resist(&in, rig.simulation.state(), &law), KERF_OK);
     double carried = 0.0;
     for (std::uint32_t c = 0; c < law.count; ++c)

@@ -22,7 +22,7 @@ struct Motor {
 /// revolutions per second, negative in reverse; from one to the other it passes through standing still. A motor that
 /// is held below its crawling speed for 20 ms has stalled: it pulls with all it has until it is switched off.
 ///
-/// Source: resolutions of the design, "Spindle"; docs/models/drilling.md, "The spindle".
+/// Source: docs/models/drilling.md, "The spindle".
 struct Spindle {
     enum class Phase : std::uint32_t { off, spinning_up, running, reversing, bogging, stalled, running_down };
 
