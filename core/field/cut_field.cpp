@@ -9,28 +9,6 @@
 
 namespace kerf {
 
-double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept {
-    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
-    const double r = solid.largest_radius();
-    double largest = 0.0;
-    for (const double z : {solid.tip_z(), solid.end_z()})
-        for (const Vec3 rim : {Vec3{r, 0, z}, Vec3{-r, 0, z}, Vec3{0, r, z}, Vec3{0, -r, z}, Vec3{0, 0, z}})
-            largest = std::max(largest, length(to * rim - from * rim));
-    return largest;
-}
-
-Pose between(const Pose& from, const Pose& to, double t) noexcept {
-    const double sign = from.rotation.w * to.rotation.w + from.rotation.x * to.rotation.x +
-                                    from.rotation.y * to.rotation.y + from.rotation.z * to.rotation.z <
-                                0.0
-                            ? -1.0
-                            : 1.0;
-    const auto mix = [&](double a, double b) { return (1.0 - t) * a + t * sign * b; };
-    const auto &a = from.rotation, &b = to.rotation;
-    return {(1.0 - t) * from.position + t * to.position,
-            normalized(Quat{mix(a.w, b.w), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)})};
-}
-
 CutField::CutField(const Body& body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
@@ -62,32 +40,35 @@ void CutField::reserve(std::size_t count) {
 }
 
 int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
-    const double motion = largest_motion(solid, record.from, record.to);
-    const int poses = std::clamp(static_cast<int>(std::ceil(motion / (0.25 * grid().spacing))), 1, 4096);
+    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
     int touched = 0;
-    for (int i = 1; i <= poses; ++i)
-        touched +=
-            stamp_pose(i == poses ? record.to : between(record.from, record.to, static_cast<double>(i) / poses), solid);
+    for (int i = 1; i <= sweep.sub_poses(); ++i) touched += stamp_pose(sweep.sub_pose(i), solid);
+    clear_ridges(sweep, solid, record);
     return touched;
+}
+
+CutField::BrickBox CutField::bricks_near(const RevolutionSolid& solid, const Pose& body_from_tool,
+                                         double band) const noexcept {
+    const Grid& g = grid();
+    const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
+    const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
+    const double margin = solid.largest_radius() + band;
+    const double edge = brick_edge * g.spacing;
+    BrickBox box;
+    const auto range = [&](std::size_t axis, double a, double b, double origin) {
+        box.first[axis] = std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - origin) / edge)) - 1);
+        box.last[axis] =
+            std::min(g.bricks[axis] - 1, static_cast<int>(std::floor((std::max(a, b) + margin - origin) / edge)));
+    };
+    range(0, tip.x, end.x, g.origin.x);
+    range(1, tip.y, end.y, g.origin.y);
+    range(2, tip.z, end.z, g.origin.z);
+    return box;
 }
 
 int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid) {
     const Grid& g = grid();
-
-    // The box of bricks that the solid and its band can reach.
-    const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
-    const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
-    const double band = PoseStamp::band_voxels * g.spacing;
-    const double margin = solid.largest_radius() + band;
-    const auto range = [&](double a, double b, double origin, int bricks, int& first, int& last) {
-        const double edge = brick_edge * g.spacing;
-        first = std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - origin) / edge)) - 1);
-        last = std::min(bricks - 1, static_cast<int>(std::floor((std::max(a, b) + margin - origin) / edge)));
-    };
-    int i0, i1, j0, j1, k0, k1;
-    range(tip.x, end.x, g.origin.x, g.bricks[0], i0, i1);
-    range(tip.y, end.y, g.origin.y, g.bricks[1], j0, j1);
-    range(tip.z, end.z, g.origin.z, g.bricks[2], k0, k1);
+    const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
 
     // Of those that hold bone, a block at a time: does the solid reach them?
     PoseStamp stamp(g, solid, body_from_tool);
@@ -99,9 +80,9 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
         centres.count = 0;
     };
     const double half = 0.5 * brick_edge * g.spacing;
-    for (int k = k0; k <= k1; ++k)
-        for (int j = j0; j <= j1; ++j)
-            for (int i = i0; i <= i1; ++i) {
+    for (int k = box.first[2]; k <= box.last[2]; ++k)
+        for (int j = box.first[1]; j <= box.last[1]; ++j)
+            for (int i = box.first[0]; i <= box.last[0]; ++i) {
                 if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
                 const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
                 places[centres.count] = {i, j, k};
@@ -110,6 +91,33 @@ int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& soli
             }
     stamp_block();
     return touched;
+}
+
+void CutField::clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record) noexcept {
+    // Only a sample a little outside a sub-pose can lie on a ridge beside it, and where one has raised samples there
+    // are bricks.
+    const Grid& g = grid();
+    const int lowest = -static_cast<int>(sweep.step() / quantum_) - 2;
+    const BrickBox a = bricks_near(solid, record.from, 0.0), b = bricks_near(solid, record.to, 0.0);
+    for (int k = std::min(a.first[2], b.first[2]); k <= std::max(a.last[2], b.last[2]); ++k)
+        for (int j = std::min(a.first[1], b.first[1]); j <= std::max(a.last[1], b.last[1]); ++j)
+            for (int i = std::min(a.first[0], b.first[0]); i <= std::max(a.last[0], b.last[0]); ++i) {
+                const std::size_t index = g.brick_index(i, j, k);
+                if (table_[index] < 0 || is_full_[index] != 0) continue;
+                std::int16_t* samples = brick(table_[index]);
+                for (int s = 0; s < stored_samples; ++s) {
+                    if (samples[s] > 0 || samples[s] < lowest) continue;
+                    const std::array<int, 3> at{i * brick_edge + s % stored_edge,
+                                                j * brick_edge + s / stored_edge % stored_edge,
+                                                k * brick_edge + s / (stored_edge * stored_edge)};
+                    bool is_in_region = true;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        is_in_region = is_in_region && at[axis] >= first_[axis] && at[axis] <= last_[axis];
+                    if (!is_in_region || !sweep.holds(g.sample_position(at[0], at[1], at[2]), 0.5 * quantum_)) continue;
+                    samples[s] = 1;
+                    changed_[index] = 1;
+                }
+            }
 }
 
 int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept {
+    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
+    const double r = solid.largest_radius();
+    double largest = 0.0;
+    for (const double z : {solid.tip_z(), solid.end_z()})
+        for (const Vec3 rim : {Vec3{r, 0, z}, Vec3{-r, 0, z}, Vec3{0, r, z}, Vec3{0, -r, z}, Vec3{0, 0, z}})
+            largest = std::max(largest, length(to * rim - from * rim));
+    return largest;
+}
+
+Pose between(const Pose& from, const Pose& to, double t) noexcept {
+    const double sign = from.rotation.w * to.rotation.w + from.rotation.x * to.rotation.x +
+                                    from.rotation.y * to.rotation.y + from.rotation.z * to.rotation.z <
+                                0.0
+                            ? -1.0
+                            : 1.0;
+    const auto mix = [&](double a, double b) { return (1.0 - t) * a + t * sign * b; };
+    const auto &a = from.rotation, &b = to.rotation;
+    return {(1.0 - t) * from.position + t * to.position,
+            normalized(Quat{mix(a.w, b.w), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)})};
+}
+
+Sweep::Sweep(const RevolutionSolid& solid, const Pose& from, const Pose& to, double step) noexcept
+    : solid_(&solid),
+      from_(from),
+      to_(to),
+      motion_(largest_motion(solid, from, to)),
+      count_(std::clamp(static_cast<int>(std::ceil(motion_ / step)), 1, 4096)) {}
+
+Sweep::Instant Sweep::at(double t, Vec3 point) const noexcept {
+    return {t, -solid_->distance(inverse(between(from_, to_, t)) * point)};
+}
+
+bool Sweep::holds(Vec3 point, double tolerance) const noexcept {
+    Instant before = at(0.0, point);
+    if (before.depth > tolerance) return true;
+    for (int i = 1; i <= count_; ++i) {
+        const Instant next = at(static_cast<double>(i) / count_, point);
+        if (next.depth > tolerance || holds_between(before, next, point, tolerance)) return true;
+        before = next;
+    }
+    return false;
+}
+
+bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
+    const double way = slack * motion_ * (b.t - a.t);
+    if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= tolerance) return false;
+    const Instant middle = at(0.5 * (a.t + b.t), point);
+    if (middle.depth > tolerance) return true;
+    return a.depth > b.depth
+               ? holds_between(a, middle, point, tolerance) || holds_between(middle, b, point, tolerance)
+               : holds_between(middle, b, point, tolerance) || holds_between(a, middle, point, tolerance);
+}
+
+}  // namespace kerf

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/support/block.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// A burr on a thin shank: the line from a point may enter it twice. It is pushed aside, along and turned.
+TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
+    const RevolutionSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}});
+    ASSERT_FALSE(burr.is_convex());
+    const Pose from = test::pointing({0.3_mm, 0, 0}, {0.1, 0.2, -1.0});
+    const Pose to = test::pointing({1.4_mm, 0.9_mm, -0.5_mm}, {0.3, 0.1, -1.0});
+    const Sweep sweep(burr, from, to, 0.2_mm);
+
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> x(-3.0_mm, 4.0_mm), z(-2.0_mm, 10.0_mm);
+    int held = 0, only_between = 0;
+    for (int n = 0; n < 4000; ++n) {
+        const Vec3 p{x(random), x(random), z(random)};
+        constexpr int instants = 4000;
+        double deepest = -1.0, at_sub_poses = -1.0;
+        for (int i = 0; i <= instants; ++i)
+            deepest = std::max(
+                deepest, -burr.distance(inverse(between(from, to, static_cast<double>(i) / instants)) * p));
+        for (int i = 0; i <= sweep.sub_poses(); ++i)
+            at_sub_poses = std::max(at_sub_poses, -burr.distance(inverse(sweep.sub_pose(i)) * p));
+        EXPECT_LE(deepest, at_sub_poses + sweep.step());
+        const double between_instants = 2.0_mm / instants;
+        if (deepest > 0.0 || deepest < -between_instants) {
+            EXPECT_EQ(sweep.holds(p, 0.0), deepest > 0.0) << n;
+        }
+        held += deepest > 0.0;
+        only_between += deepest > 0.0 && at_sub_poses < 0.0;
+    }
+    EXPECT_GT(held, 200);
+    EXPECT_GT(only_between, 0);
+}
+
+TEST(Sweep, AStillSolidHoldsWhatItIsIn) {
+    const RevolutionSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 10.0_mm);
+    const Pose pose = test::pointing({0, 0, 0}, {0, 0, -1.0});
+    const Sweep sweep(drill, pose, pose, 0.1_mm);
+    EXPECT_EQ(sweep.sub_poses(), 1);
+    EXPECT_TRUE(sweep.holds({0, 0, 3.0_mm}, 0.0));
+    EXPECT_FALSE(sweep.holds({0, 0, -1.0_mm}, 0.0));
+}
+
+}  // namespace
+}  // namespace kerf
