@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t first_reserve = 512;  // bricks
 constexpr std::size_t free_margin = 128;    // bricks kept ready for one tick
-constexpr double fastest = 1.0;             // [m/s] of the tool with bone in reach (B9)
+constexpr double fastest = 1.0;             // [m/s] of a tool that bone resists (B9)
 constexpr std::size_t stamp_room = 64;      // records of two ticks at their most
 
 void add(const Vec6& v, double share, Vec6& sum) noexcept {
@@ -158,11 +158,15 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     }
     gate_.step(is_steady && !result.is_quarantined, dt);
     result.is_barred = gate_.is_barred();
+    if (!result.is_barred) coupling_.allow(gate_.gain());
     if (result.is_barred && !was_barred) {
         before_fault_ = commanded_;
         result.add_event(is_steady ? "haptics.quarantined" : "haptics.hand_lost");
     }
-    if (was_barred && !result.is_barred) result.add_event("haptics.anchored_again");
+    if (was_barred && !result.is_barred) {
+        guard_.restart();
+        result.add_event("haptics.anchored_again");
+    }
     if (was_barred || result.is_barred) coupling_.let_go(hand_.pose(), world_from_tool_);
 
     if (channel_count_ > law_channel_count_ && !has_left_region_) {
@@ -198,7 +202,10 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     }
     for (int part = 1;; ++part) {
         if (result.parts > 1) {
-            const double most = std::min(half_voxel, fastest * step), wanted = motion_in(step);
+            const bool is_resisted = std::any_of(motion.lambda.begin(), motion.lambda.begin() + channel_count_,
+                                                 [](double lambda) { return lambda > 0.0; });
+            const double most = is_resisted ? std::min(half_voxel, fastest * step) : half_voxel;
+            const double wanted = motion_in(step);
             if (wanted > most) {
                 for (double& component : motion.rate) component *= most / wanted;
                 motion = at_rate(balance, motion.rate);
@@ -254,25 +261,23 @@ void Simulation::report_bone(const Vec6& bone, double share, TickResult& result)
 
 void Simulation::command(TickResult& result) noexcept {
     const CouplingGains& gains = coupling_.gains();
-    const double gain = gate_.gain();
     Vec6 wrench{};
     if (gate_.is_barred()) {
-        add(before_fault_, gain, wrench);
+        add(before_fault_, gate_.gain(), wrench);
         result.command.setpoint.carried = linear(wrench);
     } else {
         const Vec3 correction = guard_.correction(dt);
-        Vec6 whole{};
-        add(result.limited_on_hand, gains.force_scale, whole);
+        add(result.limited_on_hand, gains.force_scale, wrench);
         const Vec3 released = gains.force_scale * result.released_on_hand;
-        add(make_vec6(clamped(linear(whole) + correction, gains.force_limit), angular(whole)), gain, wrench);
+        wrench = make_vec6(clamped(linear(wrench) + correction, coupling_.force_limit()), angular(wrench));
         const Vec3 grip_rate = linear(result.rate) + cross(angular(result.rate), coupling_.grip());
         const Vec3 origin_from_grip = hand_.pose().position - hand_.pose() * coupling_.grip();
         result.command.setpoint = {coupling_.slack_grip(world_from_tool_) + origin_from_grip,
                                    rotate(world_from_tool_.rotation, grip_rate),
-                                   gain * gains.stiffness,
-                                   gain * gains.damping,
-                                   gain * gains.force_limit,
-                                   gain * (released + correction)};
+                                   gains.stiffness,
+                                   gains.damping,
+                                   coupling_.force_limit(),
+                                   clamped(released + correction, coupling_.force_limit())};
     }
     result.command.wrench = commanded_ = wrench;
 }
