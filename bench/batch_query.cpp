@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "bench/times.h"
+#include "conformance/chart/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/scalar_bone_query.h"
 
@@ -21,12 +21,12 @@ double sink = 0.0;
 
 template <class Ask>
 double time_of(const Ask& ask) {
-    return bench::time_of([&] { sink += ask(); });
+    return chart::time_of([&] { sink += ask(); });
 }
 
 void report(const char* scene, const char* what, std::size_t points, const std::vector<double>& scalar,
             const std::vector<double>& batch) {
-    const bench::Times one = bench::of(scalar), all = bench::of(batch);
+    const chart::Times one = chart::of(scalar), all = chart::of(batch);
     std::printf("%-9s %-6s %3zu   %8.2f %8.2f   %8.2f %8.2f   %6.1f\n", scene, what, points, one.median, one.p999,
                 all.median, all.p999, one.median / all.median);
 }

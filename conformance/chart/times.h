@@ -8,7 +8,7 @@
 #include <vector>
 
 /// How long something took, over many rounds.
-namespace kerf::bench {
+namespace kerf::chart {
 
 struct Times {
     double mean, median, p999, longest;  ///< [µs]
@@ -45,4 +45,4 @@ double processor_time_of(const Work& work) {
     return now() - start;
 }
 
-}  // namespace kerf::bench
+}  // namespace kerf::chart
