@@ -42,18 +42,21 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     chart.processor = processor_name();
     const std::vector<Method> methods = all_methods(plugins, *law, request.is_quick);
     for (const Method& method : methods) {
-        chart.methods.push_back(standing_of(method, *law));
-        const Standing& standing = chart.methods.back();
-        say(method.id + " " + method.title + ": " + (standing.fails.empty() ? "passes" : "fails " + drawing::joined(standing.fails)) +
-            (standing.told.empty() ? "" : " (" + standing.told + ")"));
+        chart.methods.push_back({method.id, method.title, method.is_as_printed, stiffest(method, *law)});
+        for (const Fineness& fineness : method.sweep) {
+            const Standing& standing = chart.standings.emplace_back(standing_of(method, *law, fineness));
+            say("tests  " + method.id + "  " + standing.knob + "  " +
+                (standing.fails.empty() ? "passes" : "fails " + drawing::joined(standing.fails)) + " (" + standing.told + ")");
+        }
     }
     const int grids = request.is_quick ? 1 : 2;
     for (const Scene& scene : scenes) {
         chart.scenes.push_back({scene.id, scene.title});
-        for (std::size_t m = 0; m < methods.size(); ++m)
-            for (const Fineness& fineness : methods[m].sweep) {
-                Row row{scene.id, methods[m].id, knob_text(methods[m], fineness), fineness,
-                        measure(methods[m], scene, *law, fineness, grids), chart.methods[m].fails};
+        std::size_t standing = 0;
+        for (const Method& method : methods)
+            for (const Fineness& fineness : method.sweep) {
+                Row row{scene.id, method.id, knob_text(method, fineness), fineness,
+                        measure(method, scene, *law, fineness, grids), chart.standings[standing++].fails};
                 if (row.measured.peak_step > largest_step) row.fails.push_back("S-16");
                 say(scene.id + "  " + row.method + "  " + row.knob + "  force error " + percent(row.measured.force_error) +
                     ", volume " + percent(row.measured.volume_error) + ", step " + percent(row.measured.peak_step) + ", p99.9 " +

@@ -19,13 +19,17 @@ struct Row {
     std::vector<std::string> fails{};  ///< tests of this marker and of its method, by id
 };
 
-/// What holds for a method wherever it stands.
+/// How a method at one fineness does in the tests of force, wherever it is used.
 struct Standing {
-    std::string method{}, title{};
-    bool is_as_printed = false;
+    std::string method{}, knob{};
     std::vector<std::string> fails{};  ///< by id
     std::string told{};                ///< what each test measured
-    double stiffest = 0.0;             ///< K_max [N/m]
+};
+
+struct MethodNote {
+    std::string id{}, title{};
+    bool is_as_printed = false;
+    double stiffest = 0.0;  ///< K_max [N/m]
 };
 
 struct SceneTitle { std::string id{}, title{}; };
@@ -33,7 +37,8 @@ struct SceneTitle { std::string id{}, title{}; };
 struct Chart {
     std::string processor{};  ///< what the costs were measured on
     std::vector<SceneTitle> scenes{};
-    std::vector<Standing> methods{};
+    std::vector<MethodNote> methods{};
+    std::vector<Standing> standings{};  ///< of every method at every fineness
     std::vector<Row> rows{};
 };
 

@@ -49,6 +49,21 @@ std::string told_of(const Row& row) {
            " us" + (row.fails.empty() ? "; passes" : "; fails " + joined(row.fails));
 }
 
+/// Tests that every marker of a method fails on a scene.
+std::vector<std::string> always_failed(const Chart& chart, const std::string& scene, const std::string& method) {
+    std::vector<std::string> common;
+    bool is_first = true;
+    for (const Row* row : rows_of(chart, scene)) {
+        if (row->method != method) continue;
+        if (is_first) common = row->fails;
+        is_first = false;
+        std::erase_if(common, [&](const std::string& id) {
+            return std::find(row->fails.begin(), row->fails.end(), id) == row->fails.end();
+        });
+    }
+    return common;
+}
+
 /// The ends of an axis: whole decades about the values.
 void fit(drawing::Axis& axis, double least, double most) {
     axis.low = std::pow(10.0, std::floor(std::log10(least)));
@@ -65,12 +80,12 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
     panel.x.guides = {{100.0, "100 us"}, {1000.0, "1 ms"}};
     panel.y.title = what;
     double least_x = 1e300, most_x = 0.0, least_y = 1e300, most_y = 0.0;
-    for (const Standing& standing : chart.methods) {
-        drawing::Curve curve{.colour = colour_of(standing.method),
-                             .is_dashed = standing.is_as_printed,
-                             .is_bold = standing.method == "M9"};
+    for (const MethodNote& method : chart.methods) {
+        drawing::Curve curve{.colour = colour_of(method.id),
+                             .is_dashed = method.is_as_printed,
+                             .is_bold = method.id == "M9"};
         for (const Row* row : rows_of(chart, scene)) {
-            if (row->method != standing.method) continue;
+            if (row->method != method.id) continue;
             const double y = std::max(floor, value(row->measured)), x = row->measured.cost.p999;
             if (!std::isfinite(y)) continue;
             curve.markers.push_back({x, y, row->measured.cost.longest, 0.0, row->fails.empty(), "", told_of(*row)});
@@ -80,7 +95,7 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
             most_y = std::max(most_y, y);
         }
         if (curve.markers.empty()) continue;
-        curve.name = standing.method;
+        curve.name = method.id;
         panel.curves.push_back(std::move(curve));
     }
     if (most_x > 0.0) {
@@ -114,7 +129,7 @@ std::string chart_csv(const Chart& chart) {
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
         const auto at = std::find_if(chart.methods.begin(), chart.methods.end(),
-                                     [&](const Standing& s) { return s.method == row.method; });
+                                     [&](const MethodNote& note) { return note.id == row.method; });
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
         for (const double value : {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error,
                                    m.worst_grid, m.volume_error, m.peak_step, m.off_lateral, m.reference, m.gain,
@@ -134,19 +149,22 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
                           [](const Measured& m) { return m.force_error; });
     force.y.guides = {{just_felt, "7 %: a smaller difference cannot be felt"}};
     for (drawing::Curve& curve : force.curves)
-        for (const Standing& standing : chart.methods)
-            if (standing.method == curve.name) curve.name += " K " + stiffness_text(standing.stiffest);
+        for (const MethodNote& method : chart.methods)
+            if (method.id == curve.name) curve.name += " K " + stiffness_text(method.stiffest);
     for (const Row* row : pareto_front(rows_of(chart, scene)))
         force.front.push_back({row->measured.cost.p999, row->measured.force_error});
-    // Where the tests of one marker differ from its method's, they stand at the marker.
+    // What every marker of a curve fails stands in the legend; the rest beside the marker.
     for (drawing::Curve& curve : force.curves) {
         std::size_t i = 0;
-        for (const Row& row : chart.rows) {
-            if (row.scene != scene || curve.name.rfind(row.method + " ", 0) != 0 || i >= curve.markers.size()) continue;
+        for (const Row* row : rows_of(chart, scene)) {
+            if (curve.name.rfind(row->method + " ", 0) != 0 || i >= curve.markers.size()) continue;
             drawing::Marker& marker = curve.markers[i];
-            if (i == 0 || i + 1 == curve.markers.size()) marker.label = row.knob;
-            if (std::find(row.fails.begin(), row.fails.end(), "S-16") != row.fails.end())
-                marker.label += (marker.label.empty() ? "" : ", ") + std::string("S-16");
+            const auto common = always_failed(chart, scene, row->method);
+            std::vector<std::string> words;
+            if (i == 0 || i + 1 == curve.markers.size()) words.push_back(row->knob);
+            for (const std::string& id : row->fails)
+                if (std::find(common.begin(), common.end(), id) == common.end()) words.push_back(id);
+            marker.label = joined(words, " ");
             ++i;
         }
     }
@@ -162,11 +180,10 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
     content += drawing::panel_svg(volume, 0, top + tall, half, low);
     content += drawing::panel_svg(step, half, top + tall, half, low);
     double y = top + tall + low + 22, x = 12;
-    for (const Standing& standing : chart.methods) {
-        content += drawing::marker_svg(x + 4, y - 4, colour_of(standing.method), standing.fails.empty());
-        content += drawing::text_at(x + 14, y,
-                                    standing.method + " " + standing.title +
-                                        (standing.fails.empty() ? "" : ": fails " + joined(standing.fails, " ")));
+    for (const MethodNote& method : chart.methods) {
+        const auto fails = always_failed(chart, scene, method.id);
+        content += drawing::marker_svg(x + 4, y - 4, colour_of(method.id), fails.empty());
+        content += drawing::text_at(x + 14, y, method.id + " " + method.title + (fails.empty() ? "" : ": fails " + joined(fails, " ")));
         if (x > half) y += 17;
         x = x > half ? 12 : half + 12;
     }
@@ -187,14 +204,21 @@ std::string chart_html(const Chart& chart) {
     html += "figure svg { width: 100%; }</style></head><body><main>\n<header class=\"top\"><div><h1>Accuracy against speed</h1>"
             "<p class=\"soft\">How right the force of a drill is, and what it costs. Costs were measured on " +
             html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
-    html += "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th><th>Fails</th>"
-            "<th class=\"number\">K_max</th><th>Measured</th></tr></thead><tbody>";
-    for (const Standing& standing : chart.methods)
-        html += "<tr><td>" + html_escaped(standing.method) + "</td><td>" + html_escaped(standing.title) + "</td><td class=\"" +
-                (standing.fails.empty() ? "ok\">none" : "broken\">" + html_escaped(joined(standing.fails))) +
-                "</td><td class=\"number\">" + html_escaped(stiffness_text(standing.stiffest)) + "</td><td class=\"small soft\">" +
-                html_escaped(standing.told) + "</td></tr>";
-    html += "</tbody></table></div></section>\n";
+    html += "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th>"
+            "<th class=\"number\">K_max</th><th>Tests failed, by fineness</th></tr></thead><tbody>";
+    for (const MethodNote& method : chart.methods) {
+        html += "<tr><td>" + html_escaped(method.id) + "</td><td>" + html_escaped(method.title) + "</td><td class=\"number\">" +
+                html_escaped(stiffness_text(method.stiffest)) + "</td><td>";
+        for (const Standing& standing : chart.standings)
+            if (standing.method == method.id)
+                html += "<span title=\"" + html_escaped(standing.told) + "\">" + html_escaped(standing.knob) + ": <span class=\"" +
+                        (standing.fails.empty() ? "ok\">none" : "broken\">" + html_escaped(joined(standing.fails, " "))) +
+                        "</span></span><br>";
+        html += "</td></tr>";
+    }
+    html += "</tbody></table></div><p class=\"soft small\">S-01: a hand pushes into a block. S-07: twice the points. S-12: back into a "
+            "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest the pointer "
+            "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {
         html += "<section><h2>" + html_escaped(scene.title) + "</h2><figure>" + scene_svg(chart, scene.id) + "</figure>";
         html += "<details><summary>Figures</summary><div class=\"wide\"><table><thead><tr><th>Method</th><th>Knob</th>"

@@ -2,7 +2,10 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include "conformance/chart/kerf_run.h"
 
+#include <algorithm>
+
 #include "conformance/chart/times.h"
+#include "conformance/stability/tool_under_test.h"
 #include "core/field/removed_volume.h"
 #include "core/haptics/work_force.h"
 #include "kerf/assert.hpp"
@@ -19,9 +22,10 @@ ToolOutline outline(const ToolSetup& setup) {
     return out;
 }
 
+/// Scaled so that a push which the device can hold feeds the drill as the scene does.
 CouplingGains gains(const ToolSetup& setup, const Body& body, double feed) {
     const DeviceRecord& device = *find_device("premium-1.5-6dof");
-    return gains_for(device, force_scale_for(device, work_force(setup, body, feed)));
+    return gains_for(device, std::min(1.0, stability::push_of(device) / work_force(setup, body, feed)));
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
                 measured.is_finite = false;
                 continue;
             }
-            if (!exact.is_within_relief(felt.rate)) {
+            if (!exact.is_within_relief()) {
                 has_last = false;
                 continue;
             }

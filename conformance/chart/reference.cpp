@@ -53,17 +53,17 @@ Engaged exactly_engaged(const ExactBone& bone, const Drill& drill, const Cutting
 
 Vec6 ExactForce::wrench(const Pose& body_from_tool, double rate, double angle) {
     const double from = dot(body_from_tool.position - scene_->entry, scene_->along), to = from + rate * dt;
-    const double advance = to - std::max(from, deepest_);
+    advance_ = to - std::max(from, deepest_);
     deepest_ = std::max(deepest_, to);
-    const double per_lip = advance / (dt * 2.0 * scene_->spindle);
+    const double per_lip = advance_ / (dt * 2.0 * scene_->spindle);
     if (!(per_lip > 0.0)) return {};
     return edge_wrench(scene_->drill, *law_, exactly_engaged(scene_->bone, scene_->drill, *law_, body_from_tool, angle),
                        angle, per_lip);
 }
 
-bool ExactForce::is_within_relief(double rate) const noexcept {
+bool ExactForce::is_within_relief() const noexcept {
     const double most = 2.0 * pi * scene_->drill.radius() * std::tan(law_->relief);
-    return rate / scene_->spindle <= most;
+    return advance_ / (dt * scene_->spindle) <= most;
 }
 
 namespace {

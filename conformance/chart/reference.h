@@ -25,15 +25,15 @@ public:
     ///     per lip (to − max(from, deepest so far)) / (n_lips n dt),  nothing when that is not positive
     [[nodiscard]] Vec6 wrench(const Pose& body_from_tool, double rate, double angle);
 
-    /// Whether the feed stays below what the relief behind the lips allows: beyond it the heel carries, which is not
-    /// part of the edges' law.
-    [[nodiscard]] bool is_within_relief(double rate) const noexcept;
+    /// Whether the feed of the last answer stays below what the relief behind the lips allows: beyond it the heel
+    /// carries, which is not part of the edges' law.
+    [[nodiscard]] bool is_within_relief() const noexcept;
     [[nodiscard]] double deepest() const noexcept { return deepest_; }
 
 private:
     const Scene* scene_;
     const CuttingLaw* law_;
-    double deepest_ = -1.0;
+    double deepest_ = -1.0, advance_ = 0.0;
 };
 
 /// Bone taken by a drill that went straight in until its tip was at `deepest` [m]: cone and cylinder through the exact
