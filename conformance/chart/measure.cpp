@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "conformance/chart/reference.h"
+#include "conformance/chart/replay.h"
 #include "conformance/chart/times.h"
 #include "kerf/units.hpp"
 
@@ -53,6 +54,40 @@ double calibration(const Method& method, const Scene& like, const CuttingLaw& la
     return std::abs(sum) > 1e-12 * count ? right * count / sum : 1.0;
 }
 
+namespace {
+
+/// What one run felt, tick by tick, and what it should have felt.
+struct Track {
+    std::vector<Felt> felt;
+    std::vector<Vec3> reference;        ///< [N] tool frame
+    std::vector<bool> is_compared;
+    double volume = 0.0, volume_reference = 0.0;  ///< [m³]
+};
+
+Track run_through(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, double gain) {
+    const auto run = method.start(scene, fineness, gain);
+    ExactForce exact(scene, law);
+    Track track;
+    for (std::size_t t = 0; t < scene.ticks(); ++t) {
+        const Felt& felt = track.felt.emplace_back(run->tick(scene.pose_at(scene.depth[t + 1])));
+        const double turned = std::max(0.0, static_cast<double>(t) - method.first_lag);
+        track.reference.push_back(linear(exact.wrench(felt.from, felt.rate, 2.0 * pi * scene.spindle * dt * turned)));
+        track.is_compared.push_back(exact.is_within_relief());
+    }
+    track.volume_reference = exact_volume(scene, exact.deepest());
+    track.volume = run->removed_volume();
+    return track;
+}
+
+/// Where a drill that finds its own motion walks, the exact law of a straight way says nothing: its motion is replayed.
+void refer_to_replay(const Method& method, const Scene& scene, Track& track) {
+    const Replayed replayed = replay(method, scene, track.felt);
+    for (std::size_t t = 0; t < track.felt.size(); ++t) track.reference[t] = {0, 0, replayed.axial[t]};
+    track.volume_reference = replayed.volume;
+}
+
+}  // namespace
+
 Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, int grids) {
     Measured measured;
     measured.gain = calibration(method, scene, law, fineness);
@@ -61,30 +96,28 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
     for (int g = 0; g < grids; ++g) {
         Fineness shifted = fineness;
         shifted.offset = shifts[g % 4];
-        const auto run = method.start(scene, shifted, measured.gain);
-        ExactForce exact(scene, law);
+        Track track = run_through(method, scene, law, shifted, measured.gain);
+        if (method.is_solved && scene.is_oblique) refer_to_replay(method, scene, track);
         double wrong = 0.0, right = 0.0, largest = 0.0, step = 0.0;
         Vec3 last_difference{0, 0, 0};
         bool has_last = false;
-        for (std::size_t t = 0; t < scene.ticks(); ++t) {
-            const Felt felt = run->tick(scene.pose_at(scene.depth[t + 1]));
-            costs.push_back(felt.cost);
-            const double turned = std::max(0.0, static_cast<double>(t) - method.first_lag);
-            const Vec3 reference = linear(exact.wrench(felt.from, felt.rate, 2.0 * pi * scene.spindle * dt * turned));
-            if (!is_finite(linear(felt.wrench))) {
+        for (std::size_t t = 0; t < track.felt.size(); ++t) {
+            costs.push_back(track.felt[t].cost);
+            Vec3 force = linear(track.felt[t].wrench), reference = track.reference[t];
+            if (!is_finite(force)) {
                 measured.is_finite = false;
                 continue;
             }
-            if (!exact.is_within_relief()) {
+            if (!track.is_compared[t]) {
                 has_last = false;
                 continue;
             }
-            Vec3 difference = linear(felt.wrench) - reference;
-            if (method.is_solved) difference = {0, 0, difference.z};
+            if (method.is_solved) force = {0, 0, force.z}, reference = {0, 0, reference.z};
             else if (std::hypot(reference.x, reference.y) < 1.0)
-                measured.off_lateral = std::max(measured.off_lateral, std::hypot(felt.wrench[0], felt.wrench[1]));
+                measured.off_lateral = std::max(measured.off_lateral, std::hypot(force.x, force.y));
+            const Vec3 difference = force - reference;
             wrong += dot(difference, difference);
-            right += method.is_solved ? reference.z * reference.z : dot(reference, reference);
+            right += dot(reference, reference);
             largest = std::max(largest, length(reference));
             if (has_last) step = std::max(step, length(difference - last_difference));
             last_difference = difference;
@@ -95,8 +128,7 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
         all_right += right;
         measured.worst_grid = std::max(measured.worst_grid, std::sqrt(wrong / right));
         measured.peak_step = std::max(measured.peak_step, step / largest);
-        const double volume = exact_volume(scene, exact.deepest());
-        measured.volume_error += std::abs(run->removed_volume() - volume) / volume / grids;
+        measured.volume_error += std::abs(track.volume - track.volume_reference) / track.volume_reference / grids;
     }
     measured.force_error = std::sqrt(all_wrong / all_right);
     measured.reference = std::sqrt(all_right / ticks);

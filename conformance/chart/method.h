@@ -54,6 +54,8 @@ struct Method {
     int first_lag = 0;              ///< [ticks] after which its spindle turns
     /// Of solved methods: what is solved with.
     std::function<ToolSetup(const Scene&, const Fineness&)> setup{};
+    /// Of solved methods: the same law at the rate of a prescribed motion, to replay theirs on a finer grid.
+    std::function<std::unique_ptr<Run>(const Scene&, const Fineness&)> replay{};
     /// @param gain  on its force [–]; 1 where it is not calibrated
     std::function<std::unique_ptr<Run>(const Scene&, const Fineness&, double gain)> start{};
 };

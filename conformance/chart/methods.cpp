@@ -115,14 +115,27 @@ Method as_printed(const Plugins& plugins, const CuttingLaw& law, const char* id,
     return method;
 }
 
+/// A drill that finds its own motion walks: its grid is wider.
+Scene with_room(Scene scene) {
+    const double room = scene.is_oblique ? 5.0_mm : 0.0;
+    scene.bone.low = scene.bone.low - Vec3{room, room, room};
+    scene.bone.high = scene.bone.high + Vec3{room, room, room};
+    return scene;
+}
+
 Method on_fields(const Plugins& plugins, const char* id, const char* title, KerfRun::Way way, Knob knob, bool quick) {
     Method method{.id = id, .title = title, .knob = knob};
     method.sweep = knob == Knob::points ? by_points(quick) : by_spacing(quick);
     method.is_solved = way == KerfRun::Way::solved;
-    if (method.is_solved)
+    if (method.is_solved) {
         method.setup = [=](const Scene& scene, const Fineness& fineness) { return own_setup(plugins, scene, fineness); };
+        method.replay = [=](const Scene& scene, const Fineness& fineness) -> std::unique_ptr<Run> {
+            return std::make_unique<KerfRun>(with_room(scene), own_setup(plugins, scene, fineness), fineness, KerfRun::Way::direct);
+        };
+    }
     method.start = [=](const Scene& scene, const Fineness& fineness, double) -> std::unique_ptr<Run> {
-        return std::make_unique<KerfRun>(scene, own_setup(plugins, scene, fineness), fineness, way);
+        return std::make_unique<KerfRun>(way == KerfRun::Way::solved ? with_room(scene) : scene,
+                                         own_setup(plugins, scene, fineness), fineness, way);
     };
     method.first_lag = 1;
     return method;

@@ -24,6 +24,7 @@ Scene pedicle_scene(double medial) {
                   (medial == 0.0 ? "along the planned axis" : "5 mm towards the canal");
     scene.drill.diameter = 3.2_mm;
     scene.drill.point_angle = 118.0_deg;
+    scene.is_oblique = true;
     scene.bone.surface = [phantom = anatomy->phantom](Vec3 p) { return distance_to(phantom, p); };
     const double shell = anatomy->tissues.front().thickness;
     scene.bone.tissues = {{anatomy->tissues[1].id, anatomy->tissues[1].density,

@@ -28,7 +28,7 @@ public:
     /// Whether the feed of the last answer stays below what the relief behind the lips allows: beyond it the heel
     /// carries, which is not part of the edges' law.
     [[nodiscard]] bool is_within_relief() const noexcept;
-    [[nodiscard]] double deepest() const noexcept { return deepest_; }
+    [[nodiscard]] double deepest() const noexcept { return deepest_; }  ///< [m] where the tip has been
 
 private:
     const Scene* scene_;

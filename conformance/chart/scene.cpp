@@ -27,6 +27,7 @@ Scene slab_scene(double tilt) {
     scene.drill.diameter = 5.4_mm;
     scene.drill.point_angle = 118.0_deg;
     scene.along = {std::sin(tilt), 0.0, -std::cos(tilt)};
+    scene.is_oblique = tilt != 0.0;
     scene.bone.surface = [](Vec3 p) { return std::abs(p.z + 0.5 * third) - 0.5 * third; };
     scene.bone.tissues = {
         {"cancellous", 1850.0 * std::sqrt(0.1),

@@ -21,6 +21,7 @@ struct Scene {
     double spindle = 1000.0 / 60.0;  ///< [1/s]
     double feed = 8e-3;              ///< [m/s] at which most of it is drilled: what laws are calibrated at
     Vec3 entry{}, along{0, 0, -1};   ///< the tip at depth 0 [m], and the way it goes (unit)
+    bool is_oblique = false;         ///< bone is met askew: a drill that finds its own motion walks
     std::vector<double> depth{};     ///< [m] of the tip at the end of each tick; the first: where it begins
 
     [[nodiscard]] Pose pose_at(double tip_depth) const noexcept {

@@ -169,7 +169,7 @@ double stiffest(const Method& method, const CuttingLaw& law) {
     const Body body = body_of(bench.scene.bone, bench.fineness.spacing, bench.fineness.offset);
     ToolSetup setup = method.setup(bench.scene, bench.fineness);
     setup.drives[0] = 0.0;
-    double holds = 10.0, swings = 1e5;  // [N/m]
+    double holds = 100.0, swings = 1e5;  // [N/m]
     if (!rests_on_a_wall(body, setup, device, holds)) return 0.0;
     while (swings / holds > 1.05) {
         const double middle = std::sqrt(holds * swings);
