@@ -126,6 +126,12 @@ void describe_to(CLI::App& app, CommandLine& line) {
     stability->footer("Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
                       std::string(notice_line) + ".");
 
+    CLI::App* chart = add("chart", "Hold ways to make a drill's force against exact ones, and draw their error over their cost");
+    chart->add_flag("--quick", line.is_quick, "One scene unless --scene names another, two steps of each knob, one grid");
+    add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; all if not given", not_empty("the id of a scene"));
+    add_option(chart, "-o,--out", line.out, "FOLDER",
+               "Where chart.csv, chart.html and the pictures go; out/chart if not given", not_empty(out_help));
+
     add("list", "Name the tools and force models that were found");
 }
 
