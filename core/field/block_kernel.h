@@ -57,6 +57,11 @@ struct BlockKernel {
                             double quantum, double* values) noexcept;
     void (*trilinear_float)(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
                             double* values) noexcept;
+    /// The same value, and its gradient per voxel, not scaled: from the same eight samples.
+    void (*gradient_int16)(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction,
+                           double quantum, double* values, Coordinates gradient) noexcept;
+    /// As rotate(a_from_b, normalized(v)).
+    void (*unit)(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
     /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
     /// As `values[i] = max(values[i], quantised(depth))` where a point is at most `band` [m] outside. Tells whether any

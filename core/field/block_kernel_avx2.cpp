@@ -131,6 +131,44 @@ void trilinear_float(const float* const* corner, std::size_t count, ConstCoordin
     interpolate(corner, count, fraction, quantum, values);
 }
 
+void gradient_int16(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                    double* values, Coordinates gradient) noexcept {
+    constexpr int y = stored, z = stored * stored;
+    const Four scale = all(quantum);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const std::int16_t* four[lanes];
+        for (std::size_t n = 0; n < lanes; ++n) four[n] = corner[i + n < count ? i + n : count - 1];
+        const Four fx = _mm256_loadu_pd(fraction.x + i), fy = _mm256_loadu_pd(fraction.y + i),
+                   fz = _mm256_loadu_pd(fraction.z + i);
+        const Pairs v00 = load(four, 0), v10 = load(four, y), v01 = load(four, z), v11 = load(four, z + y);
+        const Four x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
+        const Four c00 = v00.low + x00 * fx, c10 = v10.low + x10 * fx, c01 = v01.low + x01 * fx, c11 = v11.low + x11 * fx;
+        const Four y0 = c10 - c00, y1 = c11 - c01;
+        const Four c0 = c00 + y0 * fy, c1 = c01 + y1 * fy;
+        _mm256_storeu_pd(gradient.x + i, lerp(lerp(x00, x10, fy), lerp(x01, x11, fy), fz));
+        _mm256_storeu_pd(gradient.y + i, lerp(y0, y1, fz));
+        _mm256_storeu_pd(gradient.z + i, c1 - c0);
+        _mm256_storeu_pd(values + i, scale * (c0 + (c1 - c0) * fz));
+    }
+}
+
+void unit(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Four3 u{all(a_from_b.x), all(a_from_b.y), all(a_from_b.z)};
+    const Four w = all(a_from_b.w), two = all(2.0);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four x = _mm256_loadu_pd(in_b.x + i), y = _mm256_loadu_pd(in_b.y + i), z = _mm256_loadu_pd(in_b.z + i);
+        const Four l = _mm256_sqrt_pd(x * x + y * y + z * z);
+        const Four has_length = less(_mm256_setzero_pd(), l);
+        const Four3 v{_mm256_and_pd(has_length, x / l), _mm256_and_pd(has_length, y / l), _mm256_and_pd(has_length, z / l)};
+        Four3 t = cross(u, v);
+        t = {two * t.x, two * t.y, two * t.z};
+        const Four3 c = cross(u, t);
+        _mm256_storeu_pd(in_a.x + i, v.x + w * t.x + c.x);
+        _mm256_storeu_pd(in_a.y + i, v.y + w * t.y + c.y);
+        _mm256_storeu_pd(in_a.z + i, v.z + w * t.z + c.z);
+    }
+}
+
 /// Squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
     const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
@@ -249,6 +287,8 @@ constinit const BlockKernel avx2_kernel_table{
     .locate = locate,
     .trilinear_int16 = trilinear_int16,
     .trilinear_float = trilinear_float,
+    .gradient_int16 = gradient_int16,
+    .unit = unit,
     .depths = depths,
     .raise = raise,
 };

@@ -70,6 +70,53 @@ void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinate
     }
 }
 
+void gradient(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+              double* values, Coordinates gradient) noexcept {
+    constexpr int y = stored_edge, z = stored_edge * stored_edge;
+    std::array<std::array<double, block_capacity>, 8> c;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int16_t* v = corner[i];
+        c[0][i] = v[0];
+        c[1][i] = v[1];
+        c[2][i] = v[y];
+        c[3][i] = v[y + 1];
+        c[4][i] = v[z];
+        c[5][i] = v[z + 1];
+        c[6][i] = v[z + y];
+        c[7][i] = v[z + y + 1];
+    }
+    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
+    const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
+    double *__restrict to = values, *__restrict gx = gradient.x, *__restrict gy = gradient.y, *__restrict gz = gradient.z;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x00 = c[1][i] - c[0][i], x10 = c[3][i] - c[2][i];
+        const double x01 = c[5][i] - c[4][i], x11 = c[7][i] - c[6][i];
+        const double c00 = c[0][i] + x00 * fx[i], c10 = c[2][i] + x10 * fx[i];
+        const double c01 = c[4][i] + x01 * fx[i], c11 = c[6][i] + x11 * fx[i];
+        const double y0 = c10 - c00, y1 = c11 - c01;
+        const double c0 = c00 + y0 * fy[i], c1 = c01 + y1 * fy[i];
+        gx[i] = lerp(lerp(x00, x10, fy[i]), lerp(x01, x11, fy[i]), fz[i]);
+        gy[i] = lerp(y0, y1, fz[i]);
+        gz[i] = c1 - c0;
+        to[i] = quantum * (c0 + (c1 - c0) * fz[i]);
+    }
+}
+
+void unit(const Quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Quat q = a_from_b;
+    const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
+    double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double l = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        const double nx = x[i] / l, ny = y[i] / l, nz = z[i] / l;
+        const bool has_length = l > 0.0;
+        const Vec3 n = rotate(q, {has_length ? nx : 0.0, has_length ? ny : 0.0, has_length ? nz : 0.0});
+        to_x[i] = n.x;
+        to_y[i] = n.y;
+        to_z[i] = n.z;
+    }
+}
+
 void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
             double *__restrict depths) noexcept {
     BlockValues r, nearest2, wall;
@@ -148,6 +195,8 @@ constexpr BlockKernel table{
     .locate = locate,
     .trilinear_int16 = interpolate<std::int16_t>,
     .trilinear_float = interpolate<float>,
+    .gradient_int16 = gradient,
+    .unit = unit,
     .depths = depths,
     .raise = raise,
 };

@@ -158,6 +158,20 @@ void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
     corners.interpolate(quantum_, cut);
 }
 
+bool CutField::at(const PlaceBlock& places, SlopeBlock& cut) const noexcept {
+    CornerBlock<std::int16_t> corners(places);
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            cut.set(i, -clamp_);
+        else
+            corners.add(brick(slot), i);
+    }
+    corners.interpolate(quantum_, cut);
+    return !corners.is_empty();
+}
+
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {
     const Grid& g = grid();
     if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;

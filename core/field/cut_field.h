@@ -44,6 +44,8 @@ public:
     }
     /// The same for a block.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, BlockValues& cut) const noexcept;
+    /// The same with gradients, zero where nothing was cut in the brick. False where that is so everywhere.
+    bool at(const PlaceBlock& places, SlopeBlock& cut) const noexcept;
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);

@@ -26,6 +26,8 @@ public:
     }
     /// The same for a block.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, BlockValues& distances) const noexcept;
+    /// The same with gradients, zero where the brick is uniform. False where they all are.
+    bool at(const PlaceBlock& places, SlopeBlock& distances) const noexcept;
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 

@@ -61,6 +61,38 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
     return is_inside ? -std::sqrt(nearest2) : std::sqrt(nearest2);
 }
 
+Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+
+    // From the nearest point of the outline to the point, and inwards where there is no such way.
+    double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;
+    const auto consider = [&](double dr, double dz, double inwards_r, double inwards_z) {
+        const double d2 = squared(dr) + squared(dz);
+        if (d2 >= nearest2) return;
+        nearest2 = d2;
+        off_r = dr;
+        off_z = dz;
+        in_r = inwards_r;
+        in_z = inwards_z;
+    };
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const OutlineSegment& s = segments_[i];
+        const double dr = r - outline_[i].radius, dz = p.z - outline_[i].z;
+        const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
+        consider(dr - t * s.along_r, dz - t * s.along_z, s.along_z, -s.along_r);
+    }
+    const auto &front = outline_.front(), &back = outline_.back();
+    if (front.radius > 0.0) consider(std::max(0.0, r - front.radius), p.z - front.z, 0.0, -1.0);
+    consider(std::max(0.0, r - back.radius), p.z - back.z, 0.0, 1.0);
+
+    const double sign = distance(p) < 0.0 ? 1.0 : -1.0;
+    if (nearest2 > 0.0) {
+        in_r = sign * off_r;
+        in_z = sign * off_z;
+    }
+    return normalized(r > 0.0 ? Vec3{in_r * p.x / r, in_r * p.y / r, in_z} : Vec3{0.0, 0.0, in_z});
+}
+
 void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,
                              BlockValues& depths) const noexcept {
     PointBlock in_tool;

@@ -30,6 +30,10 @@ public:
     bool raise(const PointBlock& points_in_tool, double band, double quantum,
                std::array<std::int16_t, block_capacity>& values) const noexcept;
 
+    /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
+    /// outside; on the surface inwards.   [any] pure.
+    [[nodiscard]] Vec3 way_in(Vec3 point_in_tool) const noexcept;
+
     /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
     /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
     [[nodiscard]] double travel_to_leave(Vec3 point_in_tool, Vec3 direction, double tolerance = 1e-9) const noexcept;

@@ -76,6 +76,24 @@ TEST_F(BothKernels, MovePointsAlike) {
     }
 }
 
+TEST_F(BothKernels, MakeTheSameNormals) {
+    for (int n = 0; n < blocks; ++n) {
+        PointBlock in = points(3e4);
+        in.x[0] = in.y[0] = in.z[0] = 0.0;
+        const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        PointBlock a, b;
+        plain.unit(turn, in.count, in.coordinates(), a.writable());
+        fast->unit(turn, in.count, in.coordinates(), b.writable());
+        expect_same(a.x, b.x, in.count, "x");
+        expect_same(a.y, b.y, in.count, "y");
+        expect_same(a.z, b.z, in.count, "z");
+        for (std::size_t i = 0; i < in.count; ++i) {
+            if (!is_finite(in[i]) || !(dot(in[i], in[i]) < 1e300)) continue;
+            ASSERT_TRUE(a[i] == rotate(turn, normalized(in[i]))) << i;
+        }
+    }
+}
+
 TEST_F(BothKernels, FindTheSamePlaces) {
     const LatticeShape grid{{-0.011, -0.012, -0.013}, 0.4e-3, {56, 64, 72}, 7, 8};
     std::size_t inside = 0, outside = 0;
@@ -124,6 +142,18 @@ void interpolate_alike(Numbers& numbers, const BlockKernel& plain, const BlockKe
                 kernel.trilinear_int16(corner.data(), count, fraction, 6.1e-8, values->data());
         }
         expect_same(a, b, count, "value");
+        if constexpr (std::is_same_v<Sample, std::int16_t>) {
+            SlopeBlock s, t;
+            for (auto* slopes : {&s, &t})
+                (slopes == &s ? plain : fast)
+                    .gradient_int16(corner.data(), count, fraction, 6.1e-8, slopes->value.data(),
+                                    {slopes->x.data(), slopes->y.data(), slopes->z.data()});
+            expect_same(s.value, a, count, "value beside its gradient");
+            expect_same(s.value, t.value, count, "value beside its gradient");
+            expect_same(s.x, t.x, count, "slope along x");
+            expect_same(s.y, t.y, count, "slope along y");
+            expect_same(s.z, t.z, count, "slope along z");
+        }
     }
 }
 
