@@ -69,6 +69,9 @@ private:
         const auto s = static_cast<std::size_t>(slot);
         return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
     }
+    [[nodiscard]] CellRanges& ranges_of(std::size_t brick_index) noexcept {
+        return ranges_[static_cast<std::size_t>(table_[brick_index])];
+    }
     struct BrickBox {
         std::array<int, 3> first, last;
     };
@@ -88,6 +91,7 @@ private:
     std::vector<std::uint8_t> changed_;
     std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
     std::vector<std::unique_ptr<std::int16_t[]>> chunks_;
+    std::vector<CellRanges> ranges_;  ///< of the bricks in use
     std::size_t used_ = 0, capacity_ = 0;
 };
 

@@ -61,7 +61,7 @@ private:
 
 /// Metres to the nearest quantum, clamped.
 [[nodiscard]] inline std::int16_t quantised(double distance, double quantum) noexcept {
-    const double q = distance / quantum;
+    const double q = distance * (1.0 / quantum);
     if (q >= 32767.0) return 32767;
     if (q <= -32767.0) return -32767;
     return static_cast<std::int16_t>(q >= 0.0 ? q + 0.5 : q - 0.5);
