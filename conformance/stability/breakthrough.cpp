@@ -73,7 +73,8 @@ void look_at_breakthrough(const Scope& scope, const ToolUnderTest& tool, const R
     at_every_port(scope, [&](const DeviceRecord& device, PortSettings settings) {
         settings.friction = 0.0;  // the formula has none
         const double push = push_of(device);
-        const Passage passage = pass_through(settings, body, tool, gains_under_push(device, push, tool, body), push);
+        const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
+        const Passage passage = pass_through(settings, body, tool, gains, push);
         Finding finding{.test = "S-15", .scene = "1 mm shell: force after clearing"};
         finding.device = device.id;
         finding.hand = settings.hand.id;

@@ -17,6 +17,9 @@ namespace kerf::stability {
 class PortEnergy {
 public:
     void see(double force, double deeper, double ceiling = 1e300) noexcept;
+    /// From here on: how low it has been is forgotten.
+    void begin() noexcept { least_ = energy_; }
+    [[nodiscard]] double now() const noexcept { return energy_; }   ///< [J]
     [[nodiscard]] double least() const noexcept { return least_; }  ///< [J]
 
 private:

@@ -91,7 +91,7 @@ void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report
     const Body body = make({.thickness = 16e-3, .spacing = 0.5e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         const double push = push_of(device);
-        const CouplingGains gains = gains_under_push(device, push, tool, body);
+        const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
         look_at_damper(device, settings, push, gains.force_scale, report);
         for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
             const Pushed pushed = push_into(body, tool, settings, gains, push, way);

@@ -26,8 +26,8 @@ ToolOutline outline(const ToolSetup& setup) {
 Pose at_depth(double depth, double tilt) { return {depth * along(tilt), quat_between({0, 0, 1}, along(tilt))}; }
 
 KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way,
-                   double tilt)
-    : way_(way), tilt_(tilt), simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt)) {}
+                   double tilt, double period)
+    : way_(way), tilt_(tilt), simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt), period) {}
 
 double KerfLoop::answer(double depth, std::uint32_t missed) {
     const DeviceSample sample{at_depth(depth, tilt_), missed};

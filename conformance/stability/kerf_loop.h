@@ -16,7 +16,7 @@ public:
 
     /// Pre: `outline_of` succeeds for `setup`. `body` must outlive the loop.   [main]
     KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way = Way::solved,
-             double tilt = 0.0);
+             double tilt = 0.0, double period = Simulation::dt);
 
     /// One tick, after `missed` that did not run.
     double answer(double depth, std::uint32_t missed = 0);

@@ -9,8 +9,6 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-inline constexpr int longest_delay = 2;  ///< [ticks]
-
 /// A haptic device with a hand on it, along one axis. Device newtons.
 struct PortSettings {
     double mass = 0.075;      ///< [kg] of the device
@@ -19,7 +17,7 @@ struct PortSettings {
     double resolution = 0.0;  ///< [m] of one encoder count; 0: exact
     TestHand hand = no_hand;
     double period = 1e-3;  ///< [s] T: a force is held as long
-    int delay = 0;         ///< whole ticks from a sample to the force that answers it, 0 … longest_delay
+    int delay = 0;         ///< whole ticks from a sample to the force that answers it, 0 … longest_latency
 
     [[nodiscard]] double moved_mass() const noexcept { return mass + hand.mass; }
     [[nodiscard]] double damping() const noexcept { return viscosity + hand.damping; }
@@ -62,7 +60,7 @@ private:
     PortSettings settings_;
     double depth_, rate_ = 0.0, aim_, held_ = 0.0;
     bool goes_along_ = false;
-    std::array<double, longest_delay> under_way_{};  ///< forces that have not arrived, the oldest first
+    std::array<double, longest_latency> under_way_{};  ///< forces that have not arrived, the oldest first
 };
 
 }  // namespace kerf::stability

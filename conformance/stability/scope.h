@@ -12,7 +12,7 @@ namespace kerf::stability {
 struct Scope {
     std::vector<DeviceRecord> devices;
     std::vector<TestHand> hands;
-    int most_delay = longest_delay;
+    int most_delay = longest_latency;
     bool is_quick = false;
 
     /// Every device record, every hand, every delay; quick: one device, the bare one and the nominal hand, no delay

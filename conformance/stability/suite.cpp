@@ -22,13 +22,17 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string&
     const Scope scope = Scope::of(is_quick);
     look_at_cutting(scope, *tool, report);
     look_at_walls(scope, report);
+    look_at_tunnelling(scope, *tool, report);
+    look_at_creep(scope, *tool, report);
     look_at_noise(scope, *tool, report);
     look_at_flat(scope, report);
     look_at_re_entry(scope, *tool, report);
     look_at_breakthrough(scope, *tool, report);
     look_at_border(scope, *tool, report);
+    look_at_many_contacts(scope, report);
     look_at_switching_off(scope, *tool, report);
     look_at_missed_ticks(scope, report);
+    look_at_loop_rate(scope, *tool, report);
     look_at_lever(scope, report);
     return findings;
 }

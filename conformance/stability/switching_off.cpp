@@ -23,7 +23,7 @@ struct SwitchedOff {
 SwitchedOff switch_off(const Body& body, const ToolUnderTest& tool, const PortSettings& settings,
                        const CouplingGains& gains, double push) {
     constexpr double above = -0.5e-3, drilled = 2.5e-3;          // [m]
-    constexpr int longest = 6000, after = 1500, looked_at = 50;  // [ticks]
+    constexpr int longest = 6000, after = 4000, looked_at = 50;  // [ticks]
     Port port(settings, above);
     port.go_along(true);
     KerfLoop loop(body, tool.setup, gains, above);
@@ -70,7 +70,7 @@ void look_at_switching_off(const Scope& scope, const ToolUnderTest& tool, const 
             return;
         }
         const double push = push_of(device);
-        const CouplingGains gains = gains_under_push(device, push, tool, body);
+        const CouplingGains gains = gains_under_push(device, push, tool, body, settings.delay);
         const SwitchedOff off = switch_off(body, tool, settings, gains, push);
         const bool does_stand = std::abs(off.stands_on - push) < 0.07 * push + settings.friction;
         finding.measured = in_figures(off, push);

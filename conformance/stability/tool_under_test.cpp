@@ -51,8 +51,9 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
 
 double push_of(const DeviceRecord& device) noexcept { return std::min(5.0, 0.8 * device.peak_force); }
 
-CouplingGains gains_under_push(const DeviceRecord& device, double push, const ToolUnderTest& tool, const Body& body) {
-    return gains_for(device, std::min(1.0, push / work_force(tool.setup, body, nominal_feed)));
+CouplingGains gains_under_push(const DeviceRecord& device, double push, const ToolUnderTest& tool, const Body& body,
+                               int latency) {
+    return gains_for(device, std::min(1.0, push / work_force(tool.setup, body, nominal_feed)), latency);
 }
 
 }  // namespace kerf::stability

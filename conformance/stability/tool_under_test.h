@@ -24,7 +24,7 @@ struct ToolUnderTest {
 [[nodiscard]] double push_of(const DeviceRecord& device) noexcept;
 /// The default gains, scaled so that this push feeds the tool into the body at 2 mm/s.   [main]
 [[nodiscard]] CouplingGains gains_under_push(const DeviceRecord& device, double push, const ToolUnderTest& tool,
-                                             const Body& body);
+                                             const Body& body, int latency = 0);
 
 inline constexpr int run_up = 600;  ///< [ticks] a motor is given to come to its speed
 

@@ -11,6 +11,8 @@ namespace kerf::stability {
 
 namespace {
 
+constexpr std::size_t most_points = 1000;
+
 struct Touch {
     struct State {};
     enum : std::size_t {
@@ -23,21 +25,28 @@ struct Touch {
     };
 
     static void resist(const Tick& tick, const BoneQuery& bone, const State&, Channels& channels) noexcept {
-        std::array<Vec3, KERF_MAX_CHANNELS> place{};
-        std::array<kerf_surface_point, KERF_MAX_CHANNELS> surface{};
+        std::array<Vec3, most_points> place{};
+        std::array<kerf_surface_point, most_points> surface{};
         const auto count = static_cast<std::size_t>(tick.force[points]);
         for (std::size_t i = 1; i < count; ++i)
             place[i].z = -probe_length * static_cast<double>(i) / static_cast<double>(count - 1);
         bone.nearest({place.data(), count}, {surface.data(), count});
-        for (std::size_t i = 0; i < count; ++i) {
-            if (surface[i].body < 0) continue;
-            const Vec3 normal{surface[i].normal.x, surface[i].normal.y, surface[i].normal.z};
-            const Vec6 along = rate_at(place[i], -normal);
-            kerf_channel* touch = channels.add(KERF_CONTACT, static_cast<std::uint32_t>(i + 1));
-            if (touch == nullptr) return;
-            std::copy(along.begin(), along.end(), touch->d);
-            touch->k = tick.force[stiffness];
-            touch->delta = -surface[i].distance;
+        const std::size_t groups = std::min<std::size_t>(count, KERF_MAX_CHANNELS);
+        for (std::size_t g = 0; g < groups; ++g) {
+            Vec6 along{};
+            double depth = 0.0, met = 0.0;
+            for (std::size_t i = g * count / groups; i < (g + 1) * count / groups; ++i) {
+                if (surface[i].body < 0) continue;
+                const Vec6 d = rate_at(place[i], -surface[i].normal);
+                for (std::size_t k = 0; k < 6; ++k) along[k] += d[k];
+                depth -= surface[i].distance;
+                met += 1.0;
+            }
+            if (met == 0.0) continue;
+            kerf_channel* touch = channels.add(KERF_CONTACT, static_cast<std::uint32_t>(g + 1));
+            for (std::size_t k = 0; k < 6; ++k) touch->d[k] = along[k] / met;
+            touch->k = met * tick.force[stiffness];
+            touch->delta = depth / met;
         }
     }
     static void commit(const Tick&, const BoneQuery&, const Advance&, State&, std::span<double>, Actions&) noexcept {}
@@ -63,7 +72,7 @@ constexpr kerf_component components[] = {
 }  // namespace
 
 ToolSetup touch_probe(int points, double stiffness) {
-    const double count = std::clamp(points, 1, static_cast<int>(KERF_MAX_CHANNELS));
+    const double count = std::clamp(points, 1, static_cast<int>(most_points));
     return {&components[0], &components[1], {count}, {count, stiffness}, {}};
 }
 

@@ -6,8 +6,8 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-/// A thin probe of 60 mm that touches at `points` places, spread evenly from the tip to its end, each of `stiffness`
-/// [N/m]: the smallest law with a wall in it. Held at its middle where it has several points, behind its end where it
+/// A thin probe of 60 mm that touches at `points` places (1 … 1000), spread evenly from the tip to its end, each of
+/// `stiffness` [N/m]: the smallest law with a wall in it. More than a law has channels share them, neighbours together. Held at its middle where it has several points, behind its end where it
 /// has one.
 [[nodiscard]] ToolSetup touch_probe(int points, double stiffness);
 

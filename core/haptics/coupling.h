@@ -18,11 +18,16 @@ struct CouplingGains {
     double spare_damping = 0.0;  ///< [N·s/m] the most the passivity controller may add
     double force_scale = 1.0;    ///< [–] device newtons per bone newton, one for force and torque
     double rotation_arm = 0.05;  ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
-    double release_time = 0.15;  ///< [s] release damping = release_time × K_c (docs/ARCHITECTURE.md, release)
+    double release_damping = 0.0;  ///< [N·s/m] between hand and tool at breakthrough (docs/ARCHITECTURE.md)
 };
 
-/// K_c = 0.6 × the device's stiffness, B_c = 0.3 × its damping (resolutions B6; the bisected K_max is not known yet).
-[[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale) noexcept;
+/// What a device may be asked for when its forces come `latency` ticks late (0 … longest_latency, asserted):
+///
+///     K_c = min(0.6 × the stiffness of its record, 0.5 × the stiffest wall that rests on it),   B_c = 0.3 × its damping,
+///     B_x = min(0.15 s × K_c, 0.25 m/T)
+///
+/// B_c and B_x are judgements; all are held against S-01, S-02 (docs/ARCHITECTURE.md).
+[[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency = 0) noexcept;
 
 /// The largest scale at which `work_force` [N, bone] stays within 0.6 of what the device can hold, at most 1 (R5).
 [[nodiscard]] double force_scale_for(const DeviceRecord& device, double work_force) noexcept;
@@ -32,6 +37,11 @@ struct CouplingGains {
 class Coupling {
 public:
     Coupling(const CouplingGains& gains, Vec3 grip) : gains_(gains), grip_(grip) {}
+
+    /// Of its limits, this share is allowed from now on (0 … 1]: the anchor slides so much the sooner. Force comes back after
+    /// a fault by allowing more, not by scaling what it would be: what is scaled up gives more than it took (A10).
+    /// [haptic, nonblocking]
+    void allow(double share) noexcept { share_ = share; }
 
     /// What the solve must balance for a step of `dt`: all of `out` but the channels and what follows them.
     /// [haptic, nonblocking]
@@ -49,6 +59,8 @@ public:
         return world_from_tool * grip_ + slip_;
     }
     [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
+    [[nodiscard]] double force_limit() const noexcept { return share_ * gains_.force_limit; }     ///< [N]
+    [[nodiscard]] double torque_limit() const noexcept { return share_ * gains_.torque_limit; }  ///< [N·m]
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
 
 private:
@@ -63,6 +75,7 @@ private:
 
     CouplingGains gains_;
     Vec3 grip_;
+    double share_ = 1.0;
     Vec3 slip_{};  ///< how far the anchor has slid, world frame [m]
     Quat rotation_slip_{1, 0, 0, 0};
 };

@@ -16,8 +16,14 @@ struct DeviceRecord {
     double viscosity;          ///< [N·s/m]
     double friction;           ///< [N] Coulomb
     double resolution;         ///< [m] of one count
+    /// The stiffest sampled spring that rests on the device alone, its friction counted, when forces come 0, 1 or 2 whole
+    /// ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
+    double stiffest_wall[3];
     const char* source;
 };
+
+/// How late forces reach a device [ticks]; more is not looked at.
+inline constexpr int longest_latency = 2;
 
 /// The records known by name; nullptr for an unknown one.
 [[nodiscard]] const DeviceRecord* find_device(const char* id) noexcept;

@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 
-constexpr double filter_hz = 100.0;
+constexpr double filter_hz = 50.0;
 constexpr std::uint32_t too_many_missed = 3;  // (A10)
 constexpr double leap = 20e-3;  // [m] between two ticks (B9)
 

@@ -17,7 +17,7 @@ public:
     bool take(const DeviceSample& sample, double dt) noexcept;
 
     [[nodiscard]] const Pose& pose() const noexcept { return pose_; }  ///< the last good one
-    /// World frame [m/s, rad/s]: differences through two poles at 100 Hz, never raw ones (resolutions B6).
+    /// World frame [m/s, rad/s]: differences through two poles at 50 Hz, never raw ones.
     [[nodiscard]] const Vec6& rate() const noexcept { return rate_; }
 
 private:

@@ -29,6 +29,9 @@ public:
     /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
     /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
     void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored) noexcept;
+    /// The coupling is anchored anew: what a fault gave while it faded is not taken back from a hand that is not to blame.
+    /// [haptic, nonblocking]
+    void restart() noexcept { energy_ = 0.0; }
     /// The force on the hand that takes back what came out too much. [N]   [haptic, nonblocking]
     [[nodiscard]] Vec3 correction(double dt) noexcept;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t first_reserve = 512;  // bricks
 constexpr std::size_t free_margin = 128;    // bricks kept ready for one tick
-constexpr double fastest = 1.0;             // [m/s] of the tool with bone in reach (B9)
+constexpr double fastest = 1.0;             // [m/s] of a tool that bone resists (B9)
 constexpr std::size_t stamp_room = 64;      // records of two ticks at their most
 
 void add(const Vec6& v, double share, Vec6& sum) noexcept {
@@ -67,8 +67,9 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
 }
 
 Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains,
-                       const Pose& start)
-    : body_(&body),
+                       const Pose& start, double period)
+    : period_(period),
+      body_(&body),
       setup_(std::move(setup)),
       outline_(std::move(outline)),
       committed_(body, first_reserve),
@@ -137,7 +138,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     TickResult result;
     if (tick_ == 0 && is_drawn_back_) result.add_event("haptics.started_in_bone");
     const Pose last_handle = hand_.pose();
-    const bool is_steady = hand_.take(sample, dt);
+    const bool is_steady = hand_.take(sample, period_);
     if (is_steady) {
         const Vec3 grip = coupling_.grip();
         const Quat turn = conjugate(last_handle.rotation) * hand_.pose().rotation;
@@ -150,19 +151,23 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
 
     const bool was_barred = gate_.is_barred();
     if (was_barred || !is_steady) {
-        result.is_quarantined = !ask(dt);
+        result.is_quarantined = !ask(period_);
         rest(result);
     } else {
         result.is_quarantined = !move(last_handle, result);
         if (result.is_quarantined) rest(result);
     }
-    gate_.step(is_steady && !result.is_quarantined, dt);
+    gate_.step(is_steady && !result.is_quarantined, period_);
     result.is_barred = gate_.is_barred();
+    if (!result.is_barred) coupling_.allow(gate_.gain());
     if (result.is_barred && !was_barred) {
         before_fault_ = commanded_;
         result.add_event(is_steady ? "haptics.quarantined" : "haptics.hand_lost");
     }
-    if (was_barred && !result.is_barred) result.add_event("haptics.anchored_again");
+    if (was_barred && !result.is_barred) {
+        guard_.restart();
+        result.add_event("haptics.anchored_again");
+    }
     if (was_barred || result.is_barred) coupling_.let_go(hand_.pose(), world_from_tool_);
 
     if (channel_count_ > law_channel_count_ && !has_left_region_) {
@@ -178,7 +183,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
 bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     Balance balance;
     Motion motion;
-    if (!find_motion(hand_.pose(), dt, balance, motion)) return false;
+    if (!find_motion(hand_.pose(), period_, balance, motion)) return false;
 
     const double half_voxel = 0.5 * body_->grid().spacing;
     const auto motion_in = [&](double step) {
@@ -188,17 +193,20 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
         return part == result.parts ? hand_.pose()
                                     : between(last_handle, hand_.pose(), static_cast<double>(part) / result.parts);
     };
-    const double moved = motion_in(dt);
-    double step = dt;
+    const double moved = motion_in(period_);
+    double step = period_;
     if (moved > half_voxel &&
         is_in_reach_of_bone(*body_, outline_.whole, world_from_tool_, body_->grid().clamp() + moved)) {
         result.parts = static_cast<int>(std::min(std::ceil(moved / half_voxel), static_cast<double>(most_parts)));
-        step = dt / result.parts;
+        step = period_ / result.parts;
         if (!find_motion(handle_in(1), step, balance, motion)) return false;
     }
     for (int part = 1;; ++part) {
         if (result.parts > 1) {
-            const double most = std::min(half_voxel, fastest * step), wanted = motion_in(step);
+            const bool is_resisted = std::any_of(motion.lambda.begin(), motion.lambda.begin() + channel_count_,
+                                                 [](double lambda) { return lambda > 0.0; });
+            const double most = is_resisted ? std::min(half_voxel, fastest * step) : half_voxel;
+            const double wanted = motion_in(step);
             if (wanted > most) {
                 for (double& component : motion.rate) component *= most / wanted;
                 motion = at_rate(balance, motion.rate);
@@ -223,7 +231,7 @@ void Simulation::rest(TickResult& result) noexcept {
     result.thrust = result.torque = result.power_hand = 0.0;
     if (result.is_quarantined) return;
     constexpr double nothing[KERF_MAX_CHANNELS] = {};
-    commit(Vec6{}, nothing, dt, result);
+    commit(Vec6{}, nothing, period_, result);
 }
 
 void Simulation::report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept {
@@ -254,25 +262,23 @@ void Simulation::report_bone(const Vec6& bone, double share, TickResult& result)
 
 void Simulation::command(TickResult& result) noexcept {
     const CouplingGains& gains = coupling_.gains();
-    const double gain = gate_.gain();
     Vec6 wrench{};
     if (gate_.is_barred()) {
-        add(before_fault_, gain, wrench);
+        add(before_fault_, gate_.gain(), wrench);
         result.command.setpoint.carried = linear(wrench);
     } else {
-        const Vec3 correction = guard_.correction(dt);
-        Vec6 whole{};
-        add(result.limited_on_hand, gains.force_scale, whole);
+        const Vec3 correction = guard_.correction(period_);
+        add(result.limited_on_hand, gains.force_scale, wrench);
         const Vec3 released = gains.force_scale * result.released_on_hand;
-        add(make_vec6(clamped(linear(whole) + correction, gains.force_limit), angular(whole)), gain, wrench);
+        wrench = make_vec6(clamped(linear(wrench) + correction, coupling_.force_limit()), angular(wrench));
         const Vec3 grip_rate = linear(result.rate) + cross(angular(result.rate), coupling_.grip());
         const Vec3 origin_from_grip = hand_.pose().position - hand_.pose() * coupling_.grip();
         result.command.setpoint = {coupling_.slack_grip(world_from_tool_) + origin_from_grip,
                                    rotate(world_from_tool_.rotation, grip_rate),
-                                   gain * gains.stiffness,
-                                   gain * gains.damping,
-                                   gain * gains.force_limit,
-                                   gain * (released + correction)};
+                                   gains.stiffness,
+                                   gains.damping,
+                                   coupling_.force_limit(),
+                                   clamped(released + correction, coupling_.force_limit())};
     }
     result.command.wrench = commanded_ = wrench;
 }
@@ -280,17 +286,17 @@ void Simulation::command(TickResult& result) noexcept {
 TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     TickResult result;
     const Pose last_handle = hand_.pose();
-    if (hand_.take(sample, dt))
+    if (hand_.take(sample, period_))
         guard_.observe(commanded_, make_vec6(hand_.pose().position - last_handle.position, {}), 0.0, 0.0);
     const Pose tool_from_next = inverse(world_from_tool_) * hand_.pose();
     result.rate =
-        make_vec6((1.0 / dt) * tool_from_next.position, (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
+        make_vec6((1.0 / period_) * tool_from_next.position, (1.0 / period_) * small_rotation_vector(tool_from_next.rotation));
 
-    result.is_quarantined = !ask(dt);
+    result.is_quarantined = !ask(period_);
     double lambda[most_channels] = {};
     Vec6 bone = result.is_quarantined ? Vec6{} : law_wrench_;
     for (std::uint32_t c = 0; c < channel_count_; ++c) {
-        lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), dt).lambda;
+        lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), period_).lambda;
         for (std::size_t i = 0; i < 6; ++i) bone[i] += (channels_[c].follow[i] - channels_[c].d[i]) * lambda[c];
     }
     report_bone(bone, 1.0, result);
@@ -301,7 +307,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     add(result.limited_on_hand, gains.force_scale, result.command.wrench);
     commanded_ = result.command.wrench;
     result.power_hand = -dot(bone, result.rate);
-    if (!result.is_quarantined) commit(result.rate, lambda, dt, result);
+    if (!result.is_quarantined) commit(result.rate, lambda, period_, result);
     result.world_from_tool = world_from_tool_;
     ++tick_;
     return result;

@@ -67,12 +67,13 @@ struct ToolOutline {
 
 class Simulation {
 public:
-    static constexpr double dt = 1e-3;  ///< [s] nominal, always
+    static constexpr double dt = 1e-3;  ///< [s] of a tick, unless another period is asked for
 
     /// Pre: `outline_of` succeeded for this setup. Everything is uncut. The tool begins at `start`, where the hand is;
     /// if that lies in bone, drawn back along its axis until it is free, with the event `haptics.started_in_bone`.
     /// [main]
-    Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start);
+    Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start,
+               double period = dt);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
@@ -129,6 +130,7 @@ private:
     void commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept;
     void command(TickResult& result) noexcept;
 
+    double period_;  ///< [s] of a tick
     const Body* body_;
     ToolSetup setup_;
     ToolOutline outline_;

@@ -90,8 +90,9 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     std::array<kerf_surface_point, most_points> surface;
     bone.nearest({c.point.data(), c.count}, {surface.data(), c.count});
 
-    // A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends:
-    // near the tip and far from it, as long as the cutting edges leave no channels for more. It lies where points are deepest.
+    // A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near
+    // the tip and far from it, so that the law knows how stiffly the hole holds a drill that tilts. It lies where points
+    // are deepest.
     constexpr std::size_t none = 16;
     std::array<std::size_t, most_points> slot_of;
     std::array<double, none> deepest;
@@ -100,6 +101,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     const double tip_facing = std::min(0.6, half_point_angle(drill).sin - 0.1);
     const double rear = -drill.cone_end() - drill.diameter * (drill.corner + 0.5 * shank_levels);
     std::array<Facing, most_points> face;
+    std::array<double, most_points> depth;  // [m] less where the bone does not face the tool: as it pushes, so it counts
     for (std::size_t i = 0; i < c.count; ++i) {
         const bool is_tip = i < c.of_tip;
         face[i] = facing(surface[i], c.normal[i], is_tip ? tip_facing : 0.0, bone.reach());
@@ -107,8 +109,9 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         if (face[i].share <= 0.0) continue;
         slot_of[i] = is_tip ? i % around
                             : around + (c.normal[i].x >= 0.0 ? 1u : 0u) + (c.normal[i].y >= 0.0 ? 2u : 0u) +
-                                  (turning.removes() && c.point[i].z < rear ? 4u : 0u);
-        deepest[slot_of[i]] = std::max(deepest[slot_of[i]], -surface[i].distance);
+                                  (c.point[i].z < rear ? 4u : 0u);
+        depth[i] = -surface[i].distance * (surface[i].distance < 0.0 ? face[i].share * face[i].against : 1.0);
+        deepest[slot_of[i]] = std::max(deepest[slot_of[i]], depth[i]);
     }
     // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
     struct Touch {
@@ -118,7 +121,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     std::array<Touch, none> touch{};
     for (std::size_t i = 0; i < c.count; ++i) {
         if (slot_of[i] == none) continue;
-        const double ahead = -surface[i].distance - deepest[slot_of[i]] + nearly;
+        const double ahead = depth[i] - deepest[slot_of[i]] + nearly;
         if (ahead <= 0.0) continue;
         Touch& t = touch[slot_of[i]];
         const double weight = ahead * ahead, against = face[i].against;
@@ -128,11 +131,21 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         t.stiffness += weight * face[i].share * against * against * c.stiffness[i];
         for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
     }
+    // Where there are more than channels for them, those farthest from touching are left out.
+    const bool rubs = shank_force > 0.0;
+    const std::size_t room = KERF_MAX_CHANNELS - channels.count() - (rubs ? 1 : 0);
+    std::size_t touching = 0;
+    for (const Touch& t : touch) touching += t.weight > 0.0;
+    for (; touching > room; --touching) {
+        std::size_t farthest = none;
+        for (std::size_t slot = 0; slot < none; ++slot)
+            if (touch[slot].weight > 0.0 && (farthest == none || deepest[slot] < deepest[farthest])) farthest = slot;
+        touch[farthest].weight = 0.0;
+    }
     for (std::size_t slot = 0; slot < none; ++slot) {
         const Touch& t = touch[slot];
         if (t.weight <= 0.0) continue;
         kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(slot));
-        if (channel == nullptr) return;
         for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.weight;
         channel->k = t.stiffness / t.weight;
         channel->delta = t.depth / t.weight;
@@ -140,7 +153,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     }
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
-    if (shank_force <= 0.0) return;
+    if (!rubs) return;
     if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
         rub->d[2] = 1.0;
         rub->tau = tick.force[force_friction] * shank_force;

@@ -6,7 +6,8 @@
 /// Where the drill touches without cutting: the shank always, the tip as far as it does not cut.
 namespace kerf::drilling {
 
-/// At most eight contact channels while it cuts and twelve when it does not, and friction along the shaft for what the shank carried in the last tick [N].
+/// As many contact channels as the law has room for, and friction along the shaft for what the shank carried in the last
+/// tick [N].
 ///
 /// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
 /// [haptic, nonblocking]

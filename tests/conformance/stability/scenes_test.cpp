@@ -49,6 +49,45 @@ TEST(Scenes, ASlowFeedIsNoiseAtTheDevicesRateAndQuietSolved) {
     EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
 }
 
+TEST(Scenes, AFastHandTunnelsAsPrintedAndFeelsTheShellSolved) {
+    Found found;
+    look_at_tunnelling(nominal, the_drill(), found.report);
+    const char* scene = "0.5 mm shell at 1 m/s";
+    EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail);
+    EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
+    const Finding& taken = found.only("0.5 mm shell at 1 m/s: bone taken", Method::kerf);
+    EXPECT_EQ(taken.outcome, Outcome::pass) << taken.measured;
+}
+
+TEST(Scenes, TheGridIsNotFeltInACreep) {
+    Found found;
+    look_at_creep(nominal, the_drill(), found.report);
+    ASSERT_GE(found.all.size(), 2u);
+    for (const Finding& f : found.all) EXPECT_EQ(f.outcome, Outcome::pass) << f.measured;
+}
+
+TEST(Scenes, ManyPointsGiveEnergyAsPrintedAndAreAsOneSolved) {
+    Found found;
+    look_at_many_contacts(nominal, found.report);
+    const char* scene = "1 to 1000 points meet a plane at once";
+    EXPECT_EQ(found.only(scene, Method::as_printed).outcome, Outcome::fail);
+    EXPECT_EQ(found.only(scene, Method::kerf).outcome, Outcome::pass) << found.only(scene, Method::kerf).measured;
+}
+
+TEST(Scenes, TheLengthOfATickChangesNothing) {
+    Found found;
+    look_at_loop_rate(nominal, the_drill(), found.report);
+    ASSERT_EQ(found.all.size(), 6u);
+    for (const Finding& f : found.all) EXPECT_EQ(f.outcome, Outcome::pass) << f.measured;
+}
+
+TEST(Scenes, MissedTicksAreNotRampedBackInto) {
+    Found found;
+    look_at_missed_ticks(nominal, found.report);
+    ASSERT_EQ(found.all.size(), 3u);
+    for (const Finding& f : found.all) EXPECT_EQ(f.outcome, Outcome::pass) << f.measured;
+}
+
 TEST(Scenes, AHoleIsEmpty) {
     Found found;
     look_at_re_entry(nominal, the_drill(), found.report);

@@ -28,6 +28,18 @@ TEST(Wall, FrictionCarriesWhatDampingCannot) {
     EXPECT_GT(stiffest_wall(with), 1.5 * stiffest_wall_in_theory(with));
 }
 
+TEST(Wall, TheRecordsOfDevicesSayWhatTheBisectionFinds) {
+    int count = 0;
+    const DeviceRecord* devices = all_devices(count);
+    for (int d = 0; d < count; ++d)
+        for (int latency = 0; latency <= longest_latency; ++latency) {
+            PortSettings settings = port_of(devices[d], no_hand, latency);
+            settings.resolution = 0.0;
+            EXPECT_NEAR(devices[d].stiffest_wall[latency] / stiffest_wall(settings), 1.0, 0.01)
+                << devices[d].id << ", " << latency << " ticks: found " << stiffest_wall(settings) << " N/m";
+        }
+}
+
 TEST(Wall, ARigidWallShakesTheDeviceAsPrintedAndRestsInKerfsLoopUnderAHand) {
     const Scope scope = only("premium-1.5-6dof", test_hands[2], 0);
     std::vector<Finding> found;

@@ -52,7 +52,7 @@ TEST(Fault, ALeapOfTheHandFadesTheForceAndGoesOnFromWhereBothAre) {
         last = felt(r);
     }
     EXPECT_EQ(last, 0.0);
-    for (int i = 0; i < 100; ++i) EXPECT_LT(felt(rig.tick(elsewhere)), 1e-3) << "the leap was not stored";
+    for (int i = 0; i < 100; ++i) EXPECT_LT(felt(rig.tick(elsewhere)), 5e-3) << "the leap was not stored; the wall gives back its micrometre";
     EXPECT_EQ(rig.events, (std::vector<std::string>{"haptics.hand_lost", "haptics.anchored_again"}));
 
     // It is held again: half a millimetre on is half a millimetre of spring.

@@ -71,7 +71,7 @@ double rebound(double spare_damping) {
     gains.stiffness = 3000.0;  // far beyond what a bare mass of 45 g can be held by at 1 kHz without damping
     gains.damping = 0.0;
     gains.force_limit = 50.0;
-    gains.release_time = 0.0;  // it would take the energy first
+    gains.release_damping = 0.0;  // it would take the energy first
     gains.spare_damping = spare_damping;
     Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-0.5_mm));
     double depth = -0.5_mm, speed = 0.5;

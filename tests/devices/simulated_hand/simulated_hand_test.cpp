@@ -50,7 +50,7 @@ double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
     gains.stiffness = stiffness;
     gains.damping = 0.0;
     gains.force_limit = 50.0;
-    gains.spare_damping = gains.release_time = 0.0;  // the spring alone
+    gains.spare_damping = gains.release_damping = 0.0;  // the spring alone
     Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
     SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm), dt);
     double low = 1.0, high = -1.0;

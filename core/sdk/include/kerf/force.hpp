@@ -63,6 +63,7 @@ public:
         const Vec6 wrench = make_vec6(force, torque);
         for (std::size_t i = 0; i < 6; ++i) law_->wrench[i] += wrench[i];
     }
+    [[nodiscard]] std::size_t count() const noexcept { return law_->count; }
     [[nodiscard]] int dropped() const noexcept { return dropped_; }
 
 private:

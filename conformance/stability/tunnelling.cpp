@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/stability/bone_block.h"
+#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/scenes.h"
+#include "conformance/stability/touch_probe.h"
+#include "core/field/removed_volume.h"
+#include "kerf/units.hpp"
+
+namespace kerf::stability {
+
+namespace {
+
+constexpr double shell = 0.5e-3, fast = 1.0;  // [m], [m/s]: two shells a tick
+
+/// How many of `passes`, each from a phase of its own within a tick's way, feel nothing on their way through.
+int unfelt(const Body& body, const CouplingGains& gains, int passes, KerfLoop::Way way) {
+    std::uint32_t random = 4;
+    int missed = 0;
+    for (int n = 0; n < passes; ++n) {
+        random = random * 1664525u + 1013904223u;
+        const double step = fast * Simulation::dt, phase = static_cast<double>(random >> 8) / 16777216.0;
+        double depth = -(4.0 + phase) * step;
+        KerfLoop loop(body, touch_probe(1, rigid), gains, depth, way);
+        bool is_felt = false;
+        for (int i = 0; i < 9; ++i) {
+            depth += step;
+            is_felt = is_felt || std::abs(loop.answer(depth)) > 0.05;
+        }
+        missed += !is_felt;
+    }
+    return missed;
+}
+
+/// Bone that a drill led through the shell takes, of what it sweeps [–].
+double taken(const ToolUnderTest& tool, const CouplingGains& gains) {
+    constexpr double start = -5e-3;
+    const Body body = make({.thickness = shell, .spacing = 0.1e-3});
+    KerfLoop loop(body, tool.setup, gains, start, KerfLoop::Way::direct);
+    loop.wait(start, run_up);
+    for (double depth = start; depth < shell + tool.full_depth + 2e-3; depth += fast * Simulation::dt)
+        (void)loop.answer(depth);
+    loop.simulation().finish();
+    CutField& cut = loop.simulation().exact();
+    RemovedVolume removed(body);
+    removed.update(cut);
+    return removed.total() / (pi * tool.radius * tool.radius * shell);
+}
+
+}  // namespace
+
+void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
+    const int times = scope.is_quick ? 100 : 1000;
+    const Body body = make({.thickness = shell, .spacing = 0.1e-3, .width = 2e-3});
+    for (const DeviceRecord& device : scope.devices) {
+        const CouplingGains gains = gains_for(device, 1.0);
+        Finding finding{.test = "S-04", .scene = "0.5 mm shell at 1 m/s", .hand = led};
+        finding.device = device.id;
+        finding.criterion = "contact felt every time";
+        for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
+            const int missed = unfelt(body, gains, times, way);
+            finding.method = way == KerfLoop::Way::solved ? Method::kerf : Method::as_printed;
+            finding.measured = std::to_string(missed) + " of " + std::to_string(times) + " passes feel nothing";
+            finding.outcome = passes(missed == 0);
+            report(finding);
+        }
+    }
+    Finding finding{.test = "S-04", .scene = "0.5 mm shell at 1 m/s: bone taken", .hand = led};
+    const double share = taken(tool, gains_for(scope.devices.front(), 1.0));
+    finding.measured = figure(100.0 * (share - 1.0), "%") + " off what was swept";
+    finding.criterion = "within 1 %";
+    finding.outcome = passes(std::abs(share - 1.0) <= 0.01);
+    report(finding);
+}
+
+}  // namespace kerf::stability
