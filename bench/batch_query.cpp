@@ -3,7 +3,7 @@
 //
 //     ratio = median time of the scalar reference / median time of BoneView
 //
-// "edges" are 60 points on the lips, "shank" 64 points (7 evaluations each) on rings behind the corner, "tip" the same
+// "edges" are 60 points on the lips, "shank" 64 points with normals on rings behind the corner, "tip" the same
 // rings on the cone, where every pending record matters.
 #include <cmath>
 #include <cstdio>

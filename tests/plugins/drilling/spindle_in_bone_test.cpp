@@ -148,7 +148,7 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
 
     // A tilted shank is pressed on opposite walls at once; what rubs is the sum of what each carries, k δ at rest.
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
     const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
     ASSERT_EQ(rig.setup.force->force->resist(&in, rig.simulation.state(), &law), KERF_OK);
     double carried = 0.0;

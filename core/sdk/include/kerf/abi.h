@@ -29,6 +29,7 @@ extern "C" {
 #define KERF_MAX_DRIVES 8u    /* drive channels of one tool                         */
 #define KERF_MAX_TISSUES 4u   /* materials that one sample can mix                  */
 #define KERF_MAX_ACTIONS 8u   /* actions of one commit                              */
+#define KERF_MAX_NOTES 4u     /* numbers that a resist leaves for its commit        */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -167,6 +168,8 @@ typedef struct kerf_law {
     double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
                          reaction. Zero when asked. Together with what follows the channels the host gives at most half
                          of what the coupling can hold. */
+    double note[KERF_MAX_NOTES]; /* out: what commit will want to know and would have to ask the bone again: the host hands
+                                    back those of the law that was solved. Zero when asked; finite. */
 } kerf_law;
 
 typedef struct kerf_tick_in {
@@ -189,6 +192,7 @@ typedef struct kerf_advance {
     double rate[6];           /* the tool's rate that balanced, tool frame [m/s, rad/s] */
     const kerf_channel *channel; /* the law that was solved                    */
     const double *lambda;        /* what each of its channels carried [N]      */
+    const double *note;          /* that law's notes; null when no law was asked */
 } kerf_advance;
 
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_PLACE = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
