@@ -8,8 +8,10 @@
 #include "app/describe.h"
 #include "app/findings.h"
 #include "app/interruption.h"
+#include "app/plan_procedure.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
+#include "conformance/chart/chart_files.h"
 #include "conformance/stability/atlas.h"
 #include "conformance/stability/suite.h"
 #include "core/session/content_hash.h"
@@ -153,6 +155,15 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
 }
 
+ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
+    const auto scene = read_scene(line.files.front(), line, plugins);
+    if (!scene) return exit_bad_input;
+    const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
+    std::fputs(outcome.text.c_str(), stdout);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.text.empty() ? exit_bad_input : exit_fault);
+    return outcome.is_kept ? exit_pass : exit_not_passed;
+}
+
 ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins) {
     using namespace stability;
     std::printf("%s.\n%s\n", notice_line, table_head().c_str());
@@ -170,6 +181,24 @@ ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugin
     return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
 }
 
+ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
+    PluginRegistry printed;
+    printed.scan({printed_folder});
+    for (const auto& refusal : printed.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
+    if (printed.plugins().empty())
+        std::fprintf(stderr, "kerf: the papers as printed are not in %s: the chart goes without them.\n", printed_folder.c_str());
+    std::printf("%s.\n", notice_line);
+    chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
+    request.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+    std::string error;
+    const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
+    if (!error.empty()) return complain(error, exit_bad_input);
+    const std::string out = line.out.empty() ? "out/chart" : line.out;
+    if (error = chart::write_chart(out, drawn); !error.empty()) return complain(error, exit_fault);
+    std::printf("%s/chart.html\n", out.c_str());
+    return exit_pass;
+}
+
 ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
     std::string error;
     const auto text = description_of(plugins, line.component, error);
@@ -180,10 +209,12 @@ ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
 
 }  // namespace
 
-ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins) {
+ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
     if (line.command == "run") return run(line, plugins);
     if (line.command == "validate") return validate(line, plugins);
+    if (line.command == "plan") return plan(line, plugins);
     if (line.command == "stability") return look_at_stability(line, plugins);
+    if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;

@@ -20,11 +20,12 @@ int main(int argc, char** argv) {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
-    const kerf::PluginFolders folders = kerf::plugin_folders(
-        plugin_path != nullptr ? plugin_path : "", (program.parent_path().parent_path() / "lib" / "kerf").string());
+    const auto lib = program.parent_path().parent_path() / "lib";
+    const kerf::PluginFolders folders =
+        kerf::plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
     for (const auto& complaint : folders.complaints) std::fprintf(stderr, "kerf: %s\n", complaint.c_str());
     kerf::PluginRegistry plugins;
     plugins.scan(folders.folders);
     for (const auto& refusal : plugins.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
-    return kerf::carry_out(line, plugins);
+    return kerf::carry_out(line, plugins, (lib / "kerf-bench").string());
 }

@@ -16,7 +16,7 @@
 #include <openvdb/tools/Interpolation.h>
 #endif
 
-#include "bench/times.h"
+#include "conformance/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/with_kernel.h"
 
@@ -48,7 +48,7 @@ struct Ours {
 };
 
 void print(const char* what, const char* who, const std::vector<double>& times, double against) {
-    const bench::Times t = bench::of(times);
+    const Times t = times_of(times);
     std::printf("  %-8s %-9s %8.2f %8.2f %8.2f %8.2f   %6.2f", what, who, t.mean, t.median, t.p999, t.longest,
                 1e3 * t.median / count);
     if (against > 0.0) std::printf("   %6.1f", against / t.median);
@@ -89,18 +89,18 @@ void compare(const char* what, const LevelSet& field, const std::vector<Vec3>& p
 #endif
     for (int round = 0; round < rounds; ++round) {
         mine.by = {0, 0, -1e-6 * (round % 100)};
-        ours.push_back(bench::time_of([&] { mine.ask(); }));
+        ours.push_back(time_of([&] { mine.ask(); }));
         {
             const test::WithKernel with(portable_kernel());
-            portable.push_back(bench::time_of([&] { mine.ask(); }));
+            portable.push_back(time_of([&] { mine.ask(); }));
         }
 #ifdef KERF_HAS_OPENVDB
-        theirs.push_back(bench::time_of([&] {
+        theirs.push_back(time_of([&] {
             for (const Vec3 p : points) sink += sampler.wsSample({p.x, p.y, p.z + mine.by.z});
         }));
 #endif
     }
-    const double against = theirs.empty() ? 0.0 : bench::of(theirs).median;
+    const double against = theirs.empty() ? 0.0 : times_of(theirs).median;
     print(what, block_kernel().name, ours, against);
     print(what, "portable", portable, against);
     if (!theirs.empty()) print(what, "OpenVDB", theirs, 0.0);
@@ -147,7 +147,7 @@ int main() {
         std::vector<kerf_bone_sample> samples(count);
         std::vector<double> times;
         for (int round = 0; round < rounds; ++round)
-            times.push_back(bench::time_of([&] {
+            times.push_back(time_of([&] {
                 drilled.view.sample(edges.data(), count, {0, 0, 1}, samples.data());
                 sink += samples[7].engagement;
             }));

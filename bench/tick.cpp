@@ -18,7 +18,7 @@
 
 #include "bench/dense_field.h"
 #include "bench/plain_papers.h"
-#include "bench/times.h"
+#include "conformance/times.h"
 #include "core/field/block_kernel.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
@@ -72,13 +72,13 @@ struct ManyPoints {
 };
 
 struct Baselines {
-    bench::Times papers, dense;
+    Times papers, dense;
 };
 void print(const char* what, const std::vector<double>& microseconds, const Baselines* baselines = nullptr) {
-    const bench::Times t = bench::of(microseconds);
+    const Times t = times_of(microseconds);
     std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
     if (baselines != nullptr)
-        for (const bench::Times& b : {baselines->papers, baselines->dense})
+        for (const Times& b : {baselines->papers, baselines->dense})
             std::printf("   %7.1f (%.1f)", b.mean / t.mean, b.median / t.median);
     std::printf("\n");
 }
@@ -96,9 +96,9 @@ void compare_kernels(const BoneView& bone, ManyPoints& points) {
         for (int round = 0; round < 4000; ++round)
             for (auto* times : {&plain, &fast}) {
                 use_block_kernel(times == &plain ? portable_kernel() : *avx2_kernel());
-                times->push_back(bench::time_of([&] { points.ask_edges(bone, count); }));
+                times->push_back(time_of([&] { points.ask_edges(bone, count); }));
             }
-        const double a = bench::of(plain).median, b = bench::of(fast).median;
+        const double a = times_of(plain).median, b = times_of(fast).median;
         std::printf("  %zu edge points %.2f / %.2f us = %.2f", count, a, b, a / b);
     }
     std::printf("\n");
@@ -137,9 +137,9 @@ void measure(double h) {
         for (int n = 0; n < turn; ++n) {
             move(feed);
             const DeviceSample sample{test::at_depth(hand)};
-            const double in_loop = bench::processor_time_of([&] { sink += simulation.tick(sample).thrust; });
-            const double by_worker = bench::processor_time_of([&] { simulation.after_tick(); });
-            const double more = bench::processor_time_of([&] {
+            const double in_loop = processor_time_of([&] { sink += simulation.tick(sample).thrust; });
+            const double by_worker = processor_time_of([&] { simulation.after_tick(); });
+            const double more = processor_time_of([&] {
                 points.ask_edges(simulation.bone(), points.edges.size());
                 points.ask_contact(simulation.bone());
             });
@@ -150,21 +150,21 @@ void measure(double h) {
             poses.push_back(simulation.world_from_tool());
         }
         for (const Pose& pose : poses) {
-            const double force = bench::processor_time_of([&] {
+            const double force = processor_time_of([&] {
                 const Vec6 cut = plain.cutting(pose, feed * 0.03), touch = plain.contact(pose);
                 sink += cut[2] + touch[0];
             });
-            const double removal = bench::processor_time_of([&] { sink += static_cast<double>(plain.remove(pose)); });
+            const double removal = processor_time_of([&] { sink += static_cast<double>(plain.remove(pose)); });
             papers_force.push_back(force);
             papers_removal.push_back(removal);
             papers.push_back(force + removal);
-            dense.push_back(bench::processor_time_of([&] {
+            dense.push_back(processor_time_of([&] {
                 sink += field.cutting(pose, points.edges) + field.contact(pose, points.contact).x;
                 field.remove(pose);
             }));
         }
     }
-    const Baselines baselines{bench::of(papers), bench::of(dense)};
+    const Baselines baselines{times_of(papers), times_of(dense)};
     std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s; a border within a voxel of %zu of the 2000 contact points\n",
                 h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name, points.near(h));
     print("loop", loop, &baselines);

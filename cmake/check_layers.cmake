@@ -4,7 +4,7 @@
 # Who may know whom (docs/ARCHITECTURE.md):
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
 #   plugins/<name>  kerf/…, its own folder, std
-#   devices/<name>  the same
+#   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
 #   conformance/…   kerf/…, core/…, devices/…, conformance/…, third parties; plugins it finds at run time
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
@@ -191,7 +191,8 @@ endif()
 
 # ---- plugins and devices -----------------------------------------------------------------------------------------
 
-foreach(kind plugins devices)
+set(bench as_printed)
+foreach(kind plugins devices bench)
   foreach(name IN LISTS ${kind})
     file(GLOB_RECURSE sources "${ROOT}/${kind}/${name}/*.h" "${ROOT}/${kind}/${name}/*.hpp" "${ROOT}/${kind}/${name}/*.cpp")
     foreach(file IN LISTS sources)

@@ -5,18 +5,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "conformance/drawing/svg.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
 
 namespace kerf::stability {
 
 namespace {
-
-std::string quoted(const std::string& field) {
-    std::string text = "\"";
-    for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return text + "\"";
-}
 
 std::string column(const std::string& text, std::size_t width) {
     return text + std::string(text.size() < width ? width - text.size() : 0, ' ') + "  ";
@@ -59,8 +54,8 @@ std::string atlas_csv(std::span<const Finding> findings) {
         for (const std::string& field :
              {f.test, f.scene, f.device, f.hand, std::to_string(f.delay), std::string(to_text(f.method)), f.measured,
               f.criterion, std::string(to_text(f.outcome))})
-            text += quoted(field) + ",";
-        text += quoted(f.reason) + "\n";
+            text += drawing::csv_quoted(field) + ",";
+        text += drawing::csv_quoted(f.reason) + "\n";
     }
     return text;
 }

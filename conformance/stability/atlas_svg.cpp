@@ -6,12 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/drawing/svg.h"
 #include "conformance/stability/atlas.h"
 #include "core/session/recorder.h"
+#include "core/session/report_data.h"
 
 namespace kerf::stability {
 
 namespace {
+
+using drawing::text_at;
 
 constexpr int cell = 18, left = 372, top = 118, gap = 10;  // px
 
@@ -32,12 +36,6 @@ std::size_t index_in(std::vector<T>& known, const T& item) {
     if (at != known.end()) return static_cast<std::size_t>(at - known.begin());
     known.push_back(item);
     return known.size() - 1;
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    return out;
 }
 
 int severity(Outcome outcome) { return outcome == Outcome::fail ? 2 : outcome == Outcome::pass ? 1 : 0; }
@@ -85,18 +83,13 @@ struct Layout {
     }
 };
 
-std::string text_at(double x, double y, const std::string& text, const std::string& more = "") {
-    return "<text x=\"" + std::to_string(static_cast<int>(x)) + "\" y=\"" + std::to_string(static_cast<int>(y)) +
-           "\" " + more + ">" + escaped(text) + "</text>\n";
-}
-
 std::string mark(int x, int y, Outcome outcome, Method method, const std::string& told) {
     const std::string place = "x=\"" + std::to_string(x + 2) + "\" y=\"" + std::to_string(y + 2) + "\" ";
     const std::string size = "width=\"" + std::to_string(cell - 4) + "\" height=\"" + std::to_string(cell - 4) + "\" ";
     std::string style = "class=\"na\" ";
     if (outcome == Outcome::pass) style = method == Method::kerf ? "class=\"ours\" " : "class=\"theirs\" ";
     if (outcome == Outcome::fail) style = "class=\"bad\" ";
-    std::string text = "<g><title>" + escaped(told) + "</title><rect " + place + size + style + "/>";
+    std::string text = "<g><title>" + html_escaped(told) + "</title><rect " + place + size + style + "/>";
     const auto line = [&](int x1, int y1, int x2, int y2, const char* kind) {
         return "<path class=\"" + std::string(kind) + "\" d=\"M" + std::to_string(x + x1) + " " +
                std::to_string(y + y1) + "L" + std::to_string(x + x2) + " " + std::to_string(y + y2) + "\"/>";

@@ -127,14 +127,6 @@ Json mesh_json(const Mesh& mesh, Vec3 look) {
             {"triangles", base64(triangles)}};
 }
 
-/// A round number: about a fifth of `range`.
-double round_step(double range) {
-    const double power = std::pow(10.0, std::floor(std::log10(range / 5.0)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= range / 5.0 * 0.999) return factor * power;
-    return 10.0 * power;
-}
-
 }  // namespace
 
 std::string base64(std::span<const unsigned char> bytes) {
@@ -197,6 +189,13 @@ std::string unit_for_people(const std::string& unit) {
     for (const auto& [plain, nice] : pretty)
         if (unit == plain) return nice;
     return unit;
+}
+
+double round_step(double range) {
+    const double power = std::pow(10.0, std::floor(std::log10(range / 5.0)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= range / 5.0 * 0.999) return factor * power;
+    return 10.0 * power;
 }
 
 double lateral_force(const TickRow& row) noexcept {

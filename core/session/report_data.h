@@ -26,6 +26,9 @@ namespace kerf {
 /// A unit as people write it: mm³ for mm3, N·m for N*m. Others as they are.   [any]
 [[nodiscard]] std::string unit_for_people(const std::string& unit);
 
+/// A round number for the step of an axis: about a fifth of `range`.   [any]
+[[nodiscard]] double round_step(double range);
+
 /// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
 [[nodiscard]] double lateral_force(const TickRow& row) noexcept;
 

@@ -62,7 +62,7 @@ TEST(SpindleInBone, AWeakMotorBogsDownUnderAHardPushAndRecoversWhenLet) {
 }
 
 TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedOff) {
-    Rig rig({{"run_up", 0.05}, {"motor_torque", 20.0_Nmm}});
+    Rig rig({{"run_up", 0.05}, {"motor_torque", 20.0_Nmm}, {"inertia", 5e-6}});
     for (int i = 0; i < 300; ++i) (void)rig.push(0.0);
     TickResult r;
     for (int i = 0; i < 3000 && rig.events.back() != "drilling.stalled"; ++i) r = rig.push(250.0);

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "conformance/chart/standing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/chart/reference.h"
+#include "conformance/drawing/svg.h"
+#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/press.h"
+#include "conformance/stability/tool_under_test.h"
+#include "conformance/stability/wall.h"
+#include "core/haptics/coupling.h"
+#include "kerf/units.hpp"
+
+namespace kerf::chart {
+
+namespace {
+
+using namespace literals;
+using drawing::figure;
+using stability::Port;
+using stability::PortSettings;
+
+constexpr double felt = 0.05;  // [N]
+
+/// What the tests are done with.
+struct Bench {
+    const Method& method;
+    const CuttingLaw& law;
+    Fineness fineness;
+    Scene scene;  ///< a block
+    double gain;
+
+    Bench(const Method& m, const CuttingLaw& l, const Fineness& f)
+        : method(m), law(l), fineness(f), scene(block_scene(slab_scene(0.0), 5.0_mm)), gain(calibration(m, scene, l, f)) {
+        fineness.offset = {0.31, 0.17, 0.73};
+    }
+    [[nodiscard]] double thrust() const {
+        return -edge_wrench(scene.drill, law, wholly_engaged(scene.drill), 0.0, scene.feed / (2.0 * scene.spindle))[2];
+    }
+    [[nodiscard]] std::unique_ptr<Run> start() const { return start(fineness); }
+    [[nodiscard]] std::unique_ptr<Run> start(const Fineness& at) const {
+        return method.start(scene, at, gain);
+    }
+};
+
+struct Verdict {
+    bool passes;
+    std::string told;
+};
+
+/// Mean force over the last millimetre of a way into the block [N].
+double steady_force(const Bench& bench, const Fineness& fineness) {
+    const auto run = bench.start(fineness);
+    double sum = 0.0, count = 0.0;
+    for (std::size_t t = 0; t < bench.scene.ticks(); ++t) {
+        const Felt one = run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
+        if (bench.scene.depth[t] < bench.scene.depth.back() - 1.0_mm) continue;
+        sum += length(linear(one.wrench));
+        count += 1.0;
+    }
+    return sum / count;
+}
+
+Verdict with_twice_the_points(const Bench& bench) {
+    Fineness twice = bench.fineness;
+    twice.points *= 2;
+    const double change = steady_force(bench, twice) / steady_force(bench, bench.fineness) - 1.0;
+    return {std::abs(change) < 0.05, "twice the points: " + figure(100.0 * change) + " %"};
+}
+
+/// Out of the hole to 1 mm and into it again at 20 mm/s: whatever is felt 0.05 mm and more before the deepest point.
+Verdict back_into_the_hole(const Bench& bench) {
+    constexpr double before = 0.05_mm, speed = 20.0_mm_per_s;
+    const auto run = bench.start();
+    Scene way = bench.scene;
+    const double bottom = way.depth.back();
+    const std::size_t drilled = way.ticks();
+    go_to(way, 1.0_mm, speed);
+    go_to(way, bottom, speed);
+    double most = 0.0, deepest = -1.0;
+    for (std::size_t t = 0; t < way.ticks(); ++t) {
+        const Felt one = run->tick(way.pose_at(way.depth[t + 1]));
+        const double from = dot(one.from.position - way.entry, way.along), to = from + one.rate * dt;
+        const bool is_in_the_hole = t > drilled && std::max(from, to) < deepest - before;
+        if (is_in_the_hole) most = std::max(most, length(linear(one.wrench)));
+        deepest = std::max(deepest, to);
+    }
+    return {most < felt, "back in the hole: " + figure(most) + " N"};
+}
+
+/// The handle stands still in bone: first the drill turns, then it does not.
+std::pair<Verdict, Verdict> standing_still(const Bench& bench) {
+    const auto run = bench.start();
+    double turning = 0.0, last = 0.0;
+    bool is_finite_always = true;
+    const auto stand = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            const Felt one = run->tick(bench.scene.pose_at(bench.scene.depth.back()));
+            is_finite_always = is_finite_always && is_finite(linear(one.wrench));
+            last = length(linear(one.wrench));
+        }
+    };
+    for (std::size_t t = 0; t < bench.scene.ticks(); ++t) (void)run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
+    stand(50);
+    turning = last;
+    run->command_spindle(0.0);
+    stand(50);
+    return {{turning < felt, "standing, turning: " + figure(turning) + " N"},
+            {is_finite_always, is_finite_always ? "" : "spindle off: not finite"}};
+}
+
+/// A hand pushes for two seconds, at a scale at which its push is what the scene's feed needs.
+Verdict pushed_by_a_hand(const Bench& bench) {
+    const DeviceRecord& device = *find_device("premium-1.5-6dof");
+    const double push = stability::push_of(device), scale = std::min(1.0, push / bench.thrust());
+    const PortSettings settings = port_of(device, stability::test_hands[2], 0);
+    constexpr double above = -0.5_mm;
+    constexpr int ticks = 2000;
+    Port port(settings, above);
+    port.go_along(true);
+    Scene scene = bench.scene;
+    scene.depth.front() = above;
+    scene.bone.low.z = -60.0_mm;  // deep enough for whatever happens
+    const auto run = bench.method.start(scene, bench.fineness, bench.gain);
+    for (int i = 0; i < 2; ++i) (void)run->tick(scene.pose_at(above));
+    bool is_lost = false;
+    const auto trace = stability::press(
+        port,
+        [&](double depth) {
+            if (is_lost || depth > 50.0_mm || depth < -200.0_mm) {
+                is_lost = true;
+                return 0.0;
+            }
+            const Felt one = run->tick(scene.pose_at(depth));
+            const double force = bench.method.is_solved ? one.commanded : -scale * one.wrench[2];
+            if (!std::isfinite(force)) is_lost = true;
+            return is_lost ? 0.0 : std::clamp(force, -device.peak_force, device.peak_force);
+        },
+        ticks, push);
+    const auto judged = stability::judge(trace, settings.resolution, true);
+    return {judged.is_stable() && !is_lost,
+            std::string("pushed: ") + (is_lost ? "thrown out of the block" : stability::in_figures(judged))};
+}
+
+// ---- K_max --------------------------------------------------------------------------------------------------------
+
+bool rests_on_a_wall(const Body& body, const ToolSetup& setup, const DeviceRecord& device, double stiffness) {
+    CouplingGains gains = gains_for(device, 1.0);
+    gains.stiffness = stiffness;
+    const PortSettings settings = port_of(device, stability::no_hand, 0);
+    constexpr double above = -0.1_mm, push = 2.0;
+    Port port(settings, above);
+    stability::KerfLoop loop(body, setup, gains, above);
+    const auto trace = stability::press(port, [&](double depth) { return loop.answer(depth); }, 1500, push);
+    return stability::judge(trace, settings.resolution, false).is_stable();
+}
+
+}  // namespace
+
+double stiffest(const Method& method, const CuttingLaw& law) {
+    const DeviceRecord& device = *find_device("premium-1.5-6dof");
+    PortSettings settings = port_of(device, stability::no_hand, 0);
+    settings.friction = settings.resolution = 0.0;
+    if (!method.is_solved) return stability::stiffest_wall(settings);
+    const Bench bench(method, law, {.spacing = 0.5_mm, .points = 31});
+    const Body body = body_of(bench.scene.bone, bench.fineness.spacing, bench.fineness.offset);
+    ToolSetup setup = method.setup(bench.scene, bench.fineness);
+    setup.drives[0] = 0.0;
+    double holds = 100.0, swings = 1e5;  // [N/m]
+    if (!rests_on_a_wall(body, setup, device, holds)) return 0.0;
+    while (swings / holds > 1.05) {
+        const double middle = std::sqrt(holds * swings);
+        (rests_on_a_wall(body, setup, device, middle) ? holds : swings) = middle;
+    }
+    return holds;
+}
+
+Standing standing_of(const Method& method, const CuttingLaw& law, const Fineness& fineness) {
+    const Bench bench(method, law, fineness);
+    Standing standing{.method = method.id, .knob = knob_text(method, fineness)};
+    std::vector<std::string> told;
+    const auto add = [&](const char* id, const Verdict& verdict) {
+        if (!verdict.passes) standing.fails.push_back(id);
+        if (!verdict.told.empty()) told.push_back(std::string(id) + " " + verdict.told);
+    };
+    add("S-01", pushed_by_a_hand(bench));
+    add("S-07", with_twice_the_points(bench));
+    add("S-12", back_into_the_hole(bench));
+    const auto [turning, off] = standing_still(bench);
+    if (!method.is_solved) add("P9", turning);
+    add("S-19", off);
+    standing.told = drawing::joined(told, "; ");
+    return standing;
+}
+
+}  // namespace kerf::chart
