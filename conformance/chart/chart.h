@@ -36,6 +36,7 @@ struct SceneTitle { std::string id{}, title{}; };
 
 struct Chart {
     std::string processor{};  ///< what the costs were measured on
+    CuttingLaw law{};         ///< that all but the papers share
     std::vector<SceneTitle> scenes{};
     std::vector<MethodNote> methods{};
     std::vector<Standing> standings{};  ///< of every method at every fineness

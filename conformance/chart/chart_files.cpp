@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "conformance/chart/published_files.h"
 #include "conformance/drawing/plot.h"
 #include "conformance/drawing/svg.h"
 #include "core/session/recorder.h"
@@ -99,7 +100,8 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
         panel.curves.push_back(std::move(curve));
     }
     if (most_x > 0.0) {
-        fit(panel.x, least_x, std::max(most_x, 1000.0));
+        panel.x.low = 0.8 * least_x;
+        panel.x.high = 1.25 * std::max(most_x, 1000.0);
         fit(panel.y, least_y, most_y);
     }
     return panel;
@@ -145,14 +147,14 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
     for (const SceneTitle& one : chart.scenes)
         if (one.id == scene) title = one.title;
 
-    auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref|", 1e-6,
-                          [](const Measured& m) { return m.force_error; });
-    force.y.guides = {{just_felt, "7 %: a smaller difference cannot be felt"}};
+    auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref| in %", 1e-4,
+                          [](const Measured& m) { return 100.0 * m.force_error; });
+    force.y.guides = {{100.0 * just_felt, "7 %: a smaller difference cannot be felt"}};
     for (drawing::Curve& curve : force.curves)
         for (const MethodNote& method : chart.methods)
             if (method.id == curve.name) curve.name += " K " + stiffness_text(method.stiffest);
     for (const Row* row : pareto_front(rows_of(chart, scene)))
-        force.front.push_back({row->measured.cost.p999, row->measured.force_error});
+        force.front.push_back({row->measured.cost.p999, 100.0 * row->measured.force_error});
     // What every marker of a curve fails stands in the legend; the rest beside the marker.
     for (drawing::Curve& curve : force.curves) {
         std::size_t i = 0;
@@ -168,11 +170,11 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
             ++i;
         }
     }
-    const auto volume = panel_of(chart, scene, "Removed volume", "|V - V_exact| / V_exact", 1e-5,
-                                 [](const Measured& m) { return m.volume_error; });
-    auto step = panel_of(chart, scene, "Largest step from tick to tick", "of the largest |F_ref|", 1e-5,
-                         [](const Measured& m) { return m.peak_step; });
-    step.y.guides = {{1.0 / 31.0, "S-16: one point of 31"}};
+    const auto volume = panel_of(chart, scene, "Removed volume", "|V - V_exact| / V_exact in %", 1e-3,
+                                 [](const Measured& m) { return 100.0 * m.volume_error; });
+    auto step = panel_of(chart, scene, "Largest step from tick to tick", "in % of the largest |F_ref|", 1e-3,
+                         [](const Measured& m) { return 100.0 * m.peak_step; });
+    step.y.guides = {{100.0 / 31.0, "S-16: one point of 31"}};
 
     constexpr double half = 0.5 * picture_width, top = 40, tall = 410, low = 300;
     std::string content = drawing::text_at(12, 24, title, "class=\"kp-title\"");
@@ -220,7 +222,7 @@ std::string chart_html(const Chart& chart) {
             "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest the pointer "
             "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {
-        html += "<section><h2>" + html_escaped(scene.title) + "</h2><figure>" + scene_svg(chart, scene.id) + "</figure>";
+        html += "<section><figure>" + scene_svg(chart, scene.id) + "</figure>";
         html += "<details><summary>Figures</summary><div class=\"wide\"><table><thead><tr><th>Method</th><th>Knob</th>"
                 "<th class=\"number\">Force error</th><th class=\"number\">Volume</th><th class=\"number\">Step</th>"
                 "<th class=\"number\">p99.9</th><th class=\"number\">Longest</th><th>Fails</th></tr></thead><tbody>";
@@ -235,6 +237,7 @@ std::string chart_html(const Chart& chart) {
         }
         html += "</tbody></table></div></details></section>\n";
     }
+    html += published_html(chart.law);
     return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
 }
 
@@ -249,6 +252,8 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     };
     write("chart.csv", chart_csv(chart));
     write("chart.html", chart_html(chart));
+    write("physics.svg", published_svg(chart.law));
+    write("physics.csv", published_csv(chart.law));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
     return wrong;
 }

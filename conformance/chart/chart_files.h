@@ -17,7 +17,7 @@ namespace kerf::chart {
 /// Everything on one page that needs no network and no script.
 [[nodiscard]] std::string chart_html(const Chart& chart);
 
-/// Writes chart.csv, chart.html and one <scene>.svg per scene, each whole or not at all. Returns what went wrong, for
+/// Writes chart.csv, chart.html, one <scene>.svg per scene, physics.csv and physics.svg, each whole or not at all. Returns what went wrong, for
 /// people; empty if nothing did.   [main]
 [[nodiscard]] std::string write_chart(const std::string& folder, const Chart& chart);
 

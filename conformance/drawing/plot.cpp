@@ -3,6 +3,7 @@
 #include "conformance/drawing/plot.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "conformance/drawing/svg.h"
@@ -51,17 +52,26 @@ std::vector<Tick> ticks_of(const Axis& axis) {
     return ticks;
 }
 
+/// Written out as long as that is short.
+std::string tick_text(double value) {
+    const double size = std::abs(value);
+    if (size != 0.0 && (size < 1e-5 || size >= 1e6)) return figure(value);
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, std::round(value * 1e9) / 1e9, std::chars_format::fixed);
+    return {text, end.ptr};
+}
+
 std::string path(const std::string& data, const std::string& more) { return "<path d=\"" + data + "\" " + more + "/>"; }
 
 std::string axes_svg(const Panel& panel, const Scale& x, const Scale& y) {
     std::string svg;
     for (const Tick& tick : ticks_of(panel.x)) {
         svg += path("M" + px(x.at(tick.at)) + " " + px(y.from) + "V" + px(y.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.at(tick.at), y.from + 16, figure(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
+        if (tick.has_number) svg += text_at(x.at(tick.at), y.from + 16, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
     }
     for (const Tick& tick : ticks_of(panel.y)) {
         svg += path("M" + px(x.from) + " " + px(y.at(tick.at)) + "H" + px(x.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.from - 7, y.at(tick.at) + 4, figure(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
+        if (tick.has_number) svg += text_at(x.from - 7, y.at(tick.at) + 4, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
     }
     for (const Guide& guide : panel.x.guides) {
         if (!x.holds(guide.at)) continue;
@@ -86,6 +96,7 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
     for (const Marker& m : curve.markers) {
         const double mx = x.at(m.x), my = y.at(m.y);
         line += (line.empty() ? "M" : "L") + px(mx) + " " + px(my);
+        if (!curve.has_dots) continue;
         std::string one = "<g class=\"" + class_of(curve) + "\"><title>" + html_escaped(m.told) + "</title>";
         if (m.x_most > m.x) one += path("M" + px(mx) + " " + px(my) + "H" + px(x.at(m.x_most)) + "m0 -3v6", "class=\"kp-whisker\"");
         if (m.y_spread > 0.0)
@@ -93,7 +104,9 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
         const bool is_filled = m.is_filled && x.holds(m.x) && y.holds(m.y);
         one += "<circle cx=\"" + px(mx) + "\" cy=\"" + px(my) + "\" r=\"" + (curve.is_bold ? "5" : "4") + "\" class=\"" +
                (is_filled ? "kp-full" : "kp-hollow") + "\"/>";
-        if (!m.label.empty()) one += text_at(mx + 7, my - 6, m.label, "class=\"kp-mark\"");
+        // The last marker's label hangs below it, out of the way of its neighbours'.
+        const bool is_last = &m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line;
+        if (!m.label.empty()) one += text_at(mx + 7, is_last ? my + 13 : my - 6, m.label, "class=\"kp-mark\"");
         marks += one + "</g>\n";
     }
     const std::string style = std::string("class=\"kp-line ") + class_of(curve) + (curve.is_bold ? " kp-bold" : "") +

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/as_printed/tsai_2007.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/bench/as_printed/printed_rig.h"
+
+namespace kerf::as_printed {
+namespace {
+
+using namespace literals;
+
+constexpr double half_web = 0.405_mm;  // of a 5.4 mm drill
+const SinCos half_point = sin_cos_exact(59.0_deg);
+
+double share_that_is_lost(double r) {
+    const ThrustAndRadius to = lip_transform(r, half_web, half_point, 0.0, 1.0);
+    return 1.0 - std::hypot(to.thrust, to.radius);
+}
+
+// P1: a transform keeps the length of a force. This one does not.
+TEST(Tsai2007, LipTransformLosesForceEverywhereAndMostNextToTheWeb) {  // E00-1
+    EXPECT_NEAR(share_that_is_lost(2.7_mm), 0.008, 0.001);
+    EXPECT_NEAR(share_that_is_lost(1.5_mm), 0.027, 0.001);
+    EXPECT_NEAR(share_that_is_lost(0.8_mm), 0.099, 0.001);
+    EXPECT_NEAR(share_that_is_lost(half_web), 0.48, 0.01);
+}
+
+// P3: antipodal elements in one material cancel. These do not.
+TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
+    test::InTheBlock block("000");
+    const Vec3 force = linear(block.go(block.depth() + 8.0_um).wrench);
+    EXPECT_GT(std::hypot(force.x, force.y), std::abs(force.z)) << "where there is no sideways force at all";
+}
+
+TEST(Tsai2007, TheSidewaysForceTurnsWithTheDrill) {
+    const Lateral at_rest = lateral_force(3.0, 4.0, sin_cos_exact(0.0)), turned = lateral_force(3.0, 4.0, sin_cos_exact(90.0_deg));
+    EXPECT_EQ(at_rest.x, 3.0);
+    EXPECT_EQ(at_rest.y, 4.0);
+    EXPECT_NEAR(turned.x, -4.0, 1e-15);
+    EXPECT_NEAR(turned.y, 3.0, 1e-15);
+}
+
+TEST(Tsai2007, TiltLowersTheFeedOnBothSides) {  // E00-4
+    const double straight = feed_per_revolution(2.0_mm_per_s, 2.0_mm, 0.0, 1000.0_rpm);
+    const double tilting = feed_per_revolution(2.0_mm_per_s, 2.0_mm, 0.5, 1000.0_rpm);
+    EXPECT_NEAR(straight, 0.12_mm, 1e-12);
+    EXPECT_NEAR(tilting, 0.06_mm, 1e-12) << "an element on the other side has the same r: its feed should have risen";
+}
+
+TEST(Tsai2007, AStandingDrillHasNoFiniteForce) {  // E00-5, S-19
+    EXPECT_FALSE(std::isfinite(feed_per_revolution(2.0_mm_per_s, 1.0_mm, 0.0, 0.0)));
+    test::InTheBlock block("000");
+    block.run->command_spindle(0.0);
+    EXPECT_FALSE(std::isfinite(block.go(block.depth() + 8.0_um).wrench[2]));
+}
+
+TEST(Tsai2007, MeetsTheMeanItsCoefficientsComeFrom) {
+    chart::Scene femur = chart::block_scene(chart::slab_scene(0.0), 3.0_mm);
+    femur.drill.diameter = 3.2_mm;
+    femur.feed = 2.0_mm_per_s;
+    femur.depth = {-0.2_mm};
+    chart::go_to(femur, 2.0_mm, femur.feed);
+    const auto run = test::method("000").start(femur, {0.5_mm, 31, {}}, 1.0);
+    chart::Felt last;
+    for (std::size_t t = 0; t < femur.ticks(); ++t) last = run->tick(femur.pose_at(femur.depth[t + 1]));
+    EXPECT_NEAR(-last.wrench[2], 198.4, 0.1);
+}
+
+// 00-09: force goes with the feed, and against the speed at a fixed feed rate.
+TEST(Tsai2007, ThrustIsProportionalToTheFeed) {
+    test::InTheBlock block("000");
+    const double d = block.depth();
+    (void)block.go(d + 8.0_um);  // a velocity is felt one interval later
+    const double once = block.go(d + 24.0_um).wrench[2];
+    const double twice = block.go(d + 25.0_um).wrench[2];
+    EXPECT_NEAR(twice / once, 2.0, 1e-9);
+}
+
+// S-12: bone is not updated while drilling.
+TEST(Tsai2007, AFinishedHoleIsFeltAgain) {  // 00-19
+    test::InTheBlock block("000");
+    for (int i = 1; i <= 20; ++i) (void)block.go(block.depth() - i * 50.0_um);
+    (void)block.go(block.depth() - 0.95_mm);
+    EXPECT_LT(block.go(block.depth() - 0.9_mm).wrench[2], -1000.0) << "N, where the hole is empty";
+}
+
+}  // namespace
+}  // namespace kerf::as_printed
