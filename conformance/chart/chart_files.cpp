@@ -237,7 +237,7 @@ std::string chart_html(const Chart& chart) {
         }
         html += "</tbody></table></div></details></section>\n";
     }
-    html += published_html(chart.law);
+    html += published_html(chart.law, chart.checks);
     return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
 }
 
@@ -253,7 +253,7 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     write("chart.csv", chart_csv(chart));
     write("chart.html", chart_html(chart));
     write("physics.svg", published_svg(chart.law));
-    write("physics.csv", published_csv(chart.law));
+    write("physics.csv", published_csv(chart.law, chart.checks));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
     return wrong;
 }

@@ -91,8 +91,9 @@ std::vector<Prediction> predictions(const CuttingLaw& law) {
 std::vector<Check> published_checks(const CuttingLaw& law) {
     std::vector<Check> checks;
     const PublishedSeries human = published_series().front();
+    const auto predicted = predictions(law);
     const auto off = [&](const char* name, const char* quantity, double speed) {
-        for (const Prediction& p : predictions(law))
+        for (const Prediction& p : predicted)
             if (p.law == name && p.quantity == quantity && p.tissue == "human femur" && p.speed == speed) return p;
         return Prediction{};
     };

@@ -97,7 +97,7 @@ std::string published_svg(const CuttingLaw& law) {
     return drawing::picture(width, height, "Physics: laws against published drilling tests", content);
 }
 
-std::string published_csv(const CuttingLaw& law) {
+std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) {
     std::string text = std::string("# ") + notice_line + ".\n# " + calibrated_on +
                        "\nsource,tissue,quantity,speed_rpm,law,predicted,measured,sd,unit,off_in_sd,off_percent\n";
     for (const Prediction& p : predictions(law)) {
@@ -108,17 +108,17 @@ std::string published_csv(const CuttingLaw& law) {
                 (p.sd > 0.0 ? figure(p.off_in_sd()) : "") + "," + figure(100.0 * (p.predicted / p.measured - 1.0)) + "\n";
     }
     text += "\ncheck,what,found,wanted,outcome,remark\n";
-    for (const Check& check : published_checks(law))
+    for (const Check& check : checks)
         text += csv_quoted(check.id) + "," + csv_quoted(check.what) + "," + csv_quoted(check.found) + "," + csv_quoted(check.wanted) + "," +
                 (check.passes ? "pass" : "fail") + "," + csv_quoted(check.remark) + "\n";
     return text;
 }
 
-std::string published_html(const CuttingLaw& law) {
+std::string published_html(const CuttingLaw& law, std::span<const Check> checks) {
     std::string html = "<section><h2>Physics: laws against published drilling tests</h2><figure>" + published_svg(law) +
                        "</figure><p class=\"soft small\">" + html_escaped(calibrated_on) +
                        "</p><div class=\"wide\"><table><thead><tr><th>Check</th><th>What</th><th>Found</th><th>Wanted</th><th>Outcome</th></tr></thead><tbody>";
-    for (const Check& check : published_checks(law))
+    for (const Check& check : checks)
         html += "<tr><td>" + html_escaped(check.id) + "</td><td>" + html_escaped(check.what) +
                 (check.remark.empty() ? "" : "<br><span class=\"soft small\">" + html_escaped(check.remark) + "</span>") + "</td><td>" +
                 html_escaped(check.found) + "</td><td>" + html_escaped(check.wanted) + "</td><td class=\"" +

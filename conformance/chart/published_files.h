@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "conformance/chart/published.h"
@@ -12,8 +13,8 @@ namespace kerf::chart {
 /// off.
 [[nodiscard]] std::string published_svg(const CuttingLaw& law);
 /// A row per prediction, then a row per check.
-[[nodiscard]] std::string published_csv(const CuttingLaw& law);
+[[nodiscard]] std::string published_csv(const CuttingLaw& law, std::span<const Check> checks);
 /// The same for the page: picture, checks, what was calibrated on what.
-[[nodiscard]] std::string published_html(const CuttingLaw& law);
+[[nodiscard]] std::string published_html(const CuttingLaw& law, std::span<const Check> checks);
 
 }  // namespace kerf::chart

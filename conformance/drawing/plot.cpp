@@ -164,7 +164,8 @@ std::string front_svg(const std::vector<Marker>& front, const Scale& x, const Sc
 const char* plot_style() {
     return ".kp{--ink:#1b2126;--soft:#5b666f;--grid:#e9edf0;--paper:#fff;--guide:#b3261e}"
            ".kp text{fill:var(--ink);font:12px system-ui,'DejaVu Sans',sans-serif}"
-           ".kp .kp-soft,.kp .kp-note{fill:var(--soft)}.kp .kp-note,.kp .kp-mark{font-size:10.5px}"
+           ".kp .kp-soft,.kp .kp-note{fill:var(--soft)}.kp .kp-note,.kp .kp-mark{font-size:10.5px;paint-order:stroke;"
+           "stroke:var(--paper);stroke-width:3px;stroke-linejoin:round}"
            ".kp .kp-title{font-size:14px;font-weight:600}.kp .kp-strong{font-weight:700}"
            ".kp-paper{fill:var(--paper)}.kp-grid{stroke:var(--grid);fill:none}.kp-axis{stroke:var(--soft);fill:none}"
            ".kp-guide{stroke:var(--guide);stroke-dasharray:5 4;fill:none;opacity:.75}"
@@ -174,11 +175,11 @@ const char* plot_style() {
            ".kp-lead{stroke:var(--c);opacity:.3;fill:none}"
            ".kp-full{fill:var(--c);stroke:var(--c)}.kp-hollow{fill:var(--paper);stroke:var(--c);stroke-width:1.6}"
            ".kp .kp-name,.kp .kp-mark{fill:var(--c)}"
-           ".kp-c0{--c:#0b6e6e}.kp-c1{--c:#1f5fbf}.kp-c2{--c:#2f7d32}.kp-c3{--c:#b25a00}.kp-c4{--c:#8a6d00}"
-           ".kp-c5{--c:#7b4fb0}.kp-c6{--c:#6b747b}.kp-c7{--c:#a34672}.kp-c8{--c:#c62828}.kp-c9{--c:#a0522d}"
+           ".kp-c0{--c:#0b6e6e}.kp-c1{--c:#1f5fbf}.kp-c2{--c:#2f7d32}.kp-c3{--c:#d97400}.kp-c4{--c:#7d6b00}"
+           ".kp-c5{--c:#7b4fb0}.kp-c6{--c:#868e94}.kp-c7{--c:#a34672}.kp-c8{--c:#c62828}.kp-c9{--c:#6d4534}"
            "@media (prefers-color-scheme: dark){.kp{--ink:#e6eaed;--soft:#9aa6ae;--grid:#2a3136;--paper:#1c2125;--guide:#f2877f}"
            ".kp-c0{--c:#4fc9c2}.kp-c1{--c:#7fb2ff}.kp-c2{--c:#77cf7c}.kp-c3{--c:#f0a35a}.kp-c4{--c:#d9bf4f}"
-           ".kp-c5{--c:#c0a0ee}.kp-c6{--c:#a9b3ba}.kp-c7{--c:#ec93bf}.kp-c8{--c:#ff8a80}.kp-c9{--c:#d9a184}}";
+           ".kp-c5{--c:#c0a0ee}.kp-c6{--c:#a9b3ba}.kp-c7{--c:#ec93bf}.kp-c8{--c:#ff8a80}.kp-c9{--c:#c9a18f}}";
 }
 
 std::string panel_svg(const Panel& panel, double left, double top, double width, double height) {

@@ -16,14 +16,21 @@ namespace {
 
 constexpr const char* notice = "For training and research; not for diagnosis, planning or deciding treatment";
 
-/// One real, quick chart for all tests.
-const Chart& quick_chart() {
-    static const Chart chart = [] {
-        std::string error;
-        Chart made = make_chart({&test::own_plugins(), &test::printed_plugins()}, {.is_quick = true}, error);
-        EXPECT_EQ(error, "");
-        return made;
-    }();
+/// What a chart looks like, without the work: one scene, one method that passes and one that fails.
+Chart small_chart() {
+    Chart chart{.processor = "a <processor>", .law = test::shared_law()};
+    chart.scenes = {{"slab-0", "A slab"}};
+    chart.methods = {{"M2", "chip load, \"binary\" voxels", false, 200.0}, {"M9", "Kerf", false, 1400.0}};
+    for (const char* method : {"M2", "M9"})
+        for (const double spacing : {1e-3, 0.5e-3}) {
+            Row row{.scene = "slab-0", .method = method, .knob = spacing > 0.7e-3 ? "1 mm" : "0.5 mm", .fineness = {spacing, 31, {}}};
+            row.measured.force_error = 10.0 * spacing;
+            row.measured.volume_error = row.measured.peak_step = spacing;
+            row.measured.cost = {10.0, 5e-3 / spacing, 100.0};
+            if (row.method == "M2") row.fails = {"S-01", "S-12"};
+            chart.standings.push_back({row.method, row.knob, row.fails, "S-01 pushed: 3 counts"});
+            chart.rows.push_back(row);
+        }
     return chart;
 }
 
@@ -45,16 +52,26 @@ Row row_at(double cost, double error) {
 }
 
 TEST(Chart, AQuickOneHasEveryMethodOnOneScene) {
-    const Chart& chart = quick_chart();
+    std::string error;
+    int lines = 0;
+    const Chart chart = make_chart({&test::own_plugins(), &test::printed_plugins()},
+                                   {.is_quick = true, .progress = [&](const std::string&) { ++lines; }}, error);
+    ASSERT_EQ(error, "");
     EXPECT_EQ(chart.scenes.size(), 1u);
     EXPECT_EQ(chart.methods.size(), 10u);
     EXPECT_EQ(chart.rows.size(), 20u);
     EXPECT_EQ(chart.standings.size(), 20u);
+    EXPECT_EQ(lines, 40);
     EXPECT_FALSE(chart.processor.empty());
+    for (const Row& row : chart.rows) {
+        EXPECT_TRUE(row.method != "M9" || row.knob != "0.25 mm" || row.fails.empty()) << "Kerf, where it is fine enough";
+        EXPECT_GT(row.measured.cost.longest, 0.0) << row.method;
+    }
+    EXPECT_EQ(scene_svg(chart, "slab-0").find("nan"), std::string::npos);
 }
 
 TEST(Chart, ItsTableIsWellFormed) {
-    std::istringstream csv(chart_csv(quick_chart()));
+    std::istringstream csv(chart_csv(small_chart()));
     std::string line;
     std::getline(csv, line);
     EXPECT_EQ(line, std::string("# ") + notice + ".");
@@ -63,11 +80,11 @@ TEST(Chart, ItsTableIsWellFormed) {
     const std::size_t columns = fields_of(line);
     int rows = 0;
     for (; std::getline(csv, line); ++rows) EXPECT_EQ(fields_of(line), columns) << line;
-    EXPECT_EQ(rows, 20);
+    EXPECT_EQ(rows, 4);
 }
 
 TEST(Chart, ItsPageNeedsNoNetworkAndSaysWhatItIsNotFor) {
-    const std::string html = chart_html(quick_chart());
+    const std::string html = chart_html(small_chart());
     EXPECT_NE(html.find(notice), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
     EXPECT_EQ(html.find("<script"), std::string::npos);
@@ -80,7 +97,7 @@ TEST(Chart, ItsPageNeedsNoNetworkAndSaysWhatItIsNotFor) {
 
 TEST(Chart, ItsFilesAreWrittenWhole) {
     const test::TemporaryFolder folder;
-    ASSERT_EQ(write_chart(folder / "new", quick_chart()), "");
+    ASSERT_EQ(write_chart(folder / "new", small_chart()), "");
     for (const char* name : {"chart.csv", "chart.html", "slab-0.svg", "physics.svg", "physics.csv"})
         EXPECT_GT(test::contents_of(folder / ("new/" + std::string(name))).size(), 500u) << name;
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "new"), {}), 5);
@@ -92,13 +109,18 @@ TEST(Chart, ItsFilesAreWrittenWhole) {
 }
 
 TEST(Chart, AFilledMarkerPassesAndAHollowOneSaysWhatItFails) {
-    const std::string svg = scene_svg(quick_chart(), "slab-0");
-    EXPECT_NE(svg.find("kp-full"), std::string::npos);
-    EXPECT_NE(svg.find("fails S-01"), std::string::npos);
-    for (const Row& row : quick_chart().rows)
-        if (row.method == "M9") {
-            EXPECT_TRUE(row.fails.empty()) << row.knob;
-        }
+    const Chart chart = small_chart();
+    const std::string svg = scene_svg(chart, "slab-0");
+    const auto count = [&](const std::string& what) {
+        std::size_t n = 0;
+        for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
+        return n;
+    };
+    constexpr std::size_t panels = 3, markers = 2, legend = 1;
+    EXPECT_EQ(count("class=\"kp-full\""), panels * markers + legend);
+    EXPECT_EQ(count("class=\"kp-hollow\""), panels * markers + legend);
+    EXPECT_EQ(count("voxels: fails S-01 S-12<"), 1u);
+    EXPECT_EQ(count("a &lt;processor&gt;"), 1u);
 }
 
 TEST(Chart, TheFrontIsWhatNothingElseBeats) {
