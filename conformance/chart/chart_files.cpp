@@ -126,7 +126,7 @@ std::string chart_csv(const Chart& chart) {
     std::string text = std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
                        "; all else is the same wherever it is run\n"
                        "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
-                       "peak_step,lateral_where_none_N,rms_reference_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
+                       "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
                        "K_max_N_per_m,fails\n";
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
@@ -134,11 +134,19 @@ std::string chart_csv(const Chart& chart) {
                                      [&](const MethodNote& note) { return note.id == row.method; });
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
         for (const double value : {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error,
-                                   m.worst_grid, m.volume_error, m.peak_step, m.off_lateral, m.reference, m.gain,
+                                   m.worst_grid, m.volume_error, m.peak_step, m.reference, m.force_error * m.reference, m.off_lateral, m.gain,
                                    m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
             text += figure(value, 5) + ",";
         text += csv_quoted(joined(row.fails, " ")) + "\n";
     }
+    return text;
+}
+
+std::string tests_csv(const Chart& chart) {
+    std::string text = std::string("# ") + notice_line + ".\nmethod,knob,fails,measured\n";
+    for (const Standing& standing : chart.standings)
+        text += csv_quoted(standing.method) + "," + csv_quoted(standing.knob) + "," + csv_quoted(joined(standing.fails, " ")) + "," +
+                csv_quoted(standing.told) + "\n";
     return text;
 }
 
@@ -252,6 +260,7 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     };
     write("chart.csv", chart_csv(chart));
     write("chart.html", chart_html(chart));
+    write("tests.csv", tests_csv(chart));
     write("physics.svg", published_svg(chart.law));
     write("physics.csv", published_csv(chart.law, chart.checks));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));

@@ -11,13 +11,16 @@ namespace kerf::chart {
 /// A row per marker. The first line, a comment, says what it is not for.
 [[nodiscard]] std::string chart_csv(const Chart& chart);
 
+/// A row per method and fineness: which tests of force it fails, and what was measured.
+[[nodiscard]] std::string tests_csv(const Chart& chart);
+
 /// One scene: force error, removed-volume error and largest step, each over the cost of a tick.
 [[nodiscard]] std::string scene_svg(const Chart& chart, const std::string& scene);
 
 /// Everything on one page that needs no network and no script.
 [[nodiscard]] std::string chart_html(const Chart& chart);
 
-/// Writes chart.csv, chart.html, one <scene>.svg per scene, physics.csv and physics.svg, each whole or not at all. Returns what went wrong, for
+/// Writes chart.csv, chart.html, one <scene>.svg per scene, tests.csv, physics.csv and physics.svg, each whole or not at all. Returns what went wrong, for
 /// people; empty if nothing did.   [main]
 [[nodiscard]] std::string write_chart(const std::string& folder, const Chart& chart);
 

@@ -115,7 +115,7 @@ std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) 
 }
 
 std::string published_html(const CuttingLaw& law, std::span<const Check> checks) {
-    std::string html = "<section><h2>Physics: laws against published drilling tests</h2><figure>" + published_svg(law) +
+    std::string html = "<section><figure>" + published_svg(law) +
                        "</figure><p class=\"soft small\">" + html_escaped(calibrated_on) +
                        "</p><div class=\"wide\"><table><thead><tr><th>Check</th><th>What</th><th>Found</th><th>Wanted</th><th>Outcome</th></tr></thead><tbody>";
     for (const Check& check : checks)

@@ -28,6 +28,18 @@ TEST(Tsai2007, LipTransformLosesForceEverywhereAndMostNextToTheWeb) {  // E00-1
     EXPECT_NEAR(share_that_is_lost(half_web), 0.48, 0.01);
 }
 
+TEST(Tsai2007, TheSlipTakesATwentiethOfTheLipsThrust) {  // E00-1, of a 5.4 mm drill
+    const double tool[] = {5.4_mm, 118.0_deg, 0.15, 100.0_mm};
+    const LipPoints lips = lip_points(paper_drill(tool), 0.01_mm, 0.0);
+    double printed = 0.0, right = 0.0;
+    for (std::size_t i = 0; i < lips.count; ++i) {
+        const double thrust = lip_transform(lips.point[i].r, half_web, half_point, 0.0, 1.0).thrust;
+        printed += thrust;
+        right += thrust / (1.0 - share_that_is_lost(lips.point[i].r));
+    }
+    EXPECT_NEAR(1.0 - printed / right, 0.0516, 0.001);
+}
+
 // P3: antipodal elements in one material cancel. These do not.
 TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
     test::InTheBlock block("000");
