@@ -106,6 +106,16 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
 
+    CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
+    add_files(plan, "YAML file of the procedure", 1);
+    add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+               not_empty(yaml_help));
+    add_option(plan, "--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
+               not_empty(out_help));
+    plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which are the values if "
+                 "it has none.\nExit code: 0 if a plan keeps both, 1 if none does.\n" +
+                 std::string(notice_line) + ".");
+
     CLI::App* stability = add("stability", "Put the haptic loop where methods are known to fail, and print what it does");
     stability->add_flag("--quick", line.is_quick, "One device, two hands, one delay");
     add_option(stability, "--plugin", line.plugin, "PLUGIN",

@@ -16,12 +16,12 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "list", "stability", "chart"; empty: `answer` is all
-    std::vector<std::string> files;  ///< procedures; at least one for run, validate and rehearse, exactly one for run
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "list", "plan", "stability", "chart"; empty: `answer` is all
+    std::vector<std::string> files;  ///< procedures; at least one for run, validate, rehearse and plan, exactly one for run and plan
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
     std::string anatomy;             ///< file; empty: the procedure's own
     std::string hand, replay, learner;
-    std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart
+    std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all

@@ -8,6 +8,7 @@
 #include "app/describe.h"
 #include "app/findings.h"
 #include "app/interruption.h"
+#include "app/plan_procedure.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
 #include "conformance/chart/chart_files.h"
@@ -154,6 +155,15 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
 }
 
+ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
+    const auto scene = read_scene(line.files.front(), line, plugins);
+    if (!scene) return exit_bad_input;
+    const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
+    std::fputs(outcome.text.c_str(), stdout);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.text.empty() ? exit_bad_input : exit_fault);
+    return outcome.is_kept ? exit_pass : exit_not_passed;
+}
+
 ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins) {
     using namespace stability;
     std::printf("%s.\n%s\n", notice_line, table_head().c_str());
@@ -202,6 +212,7 @@ ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
     if (line.command == "run") return run(line, plugins);
     if (line.command == "validate") return validate(line, plugins);
+    if (line.command == "plan") return plan(line, plugins);
     if (line.command == "stability") return look_at_stability(line, plugins);
     if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "describe") return describe(line, plugins);

@@ -45,6 +45,10 @@ std::string about(const ComponentInfo& component) {
     for (const SignalInfo& s : component.signals)
         text += "    " + padded(s.id, 20) + (s.display_unit.empty() ? "no unit" : s.display_unit) + "\n        " +
                 s.help + "\n";
+    if (!component.features.empty()) text += "  what `kerf plan` may leave out\n";
+    for (const FeatureInfo& f : component.features)
+        text += "    " + padded(f.id, 20) + component.parameters[f.param].id + " " +
+                shown(f.off, component.parameters[f.param].display_unit) + "\n        " + f.help + "\n";
     return text;
 }
 

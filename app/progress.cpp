@@ -23,6 +23,10 @@ void show_progress(double share, const std::string& what) {
     if (share >= 1.0) std::fputc('\n', stderr);
 }
 
+void show_work(const std::string& what) {
+    if (is_on_terminal()) std::fprintf(stderr, "%s%s%s", clear_line, what.c_str(), what.empty() ? "" : " …");
+}
+
 StillWorking::StillWorking(std::string what) : what_(std::move(what)) {
     if (!is_on_terminal()) return;
     std::fprintf(stderr, "%s%s …", clear_line, what_.c_str());

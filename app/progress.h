@@ -12,6 +12,9 @@ namespace kerf {
 /// Percent and a few words, on the terminal's present line.   [main]
 void show_progress(double share, const std::string& what);
 
+/// What is being done, on the terminal's present line; nothing clears it.   [main]
+void show_work(const std::string& what);
+
 /// While this lives, the terminal says what is being done and for how long: for work that cannot tell how far it is.
 /// [main]
 class StillWorking {

@@ -3,13 +3,13 @@
 //
 //     ratio = median time of the scalar reference / median time of BoneView
 //
-// "edges" are 60 points on the lips, "shank" 64 points (7 evaluations each) on rings behind the corner, "tip" the same
+// "edges" are 60 points on the lips, "shank" 64 points with normals on rings behind the corner, "tip" the same
 // rings on the cone, where every pending record matters.
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/scalar_bone_query.h"
 
@@ -20,13 +20,13 @@ using namespace kerf;
 double sink = 0.0;
 
 template <class Ask>
-double time_of(const Ask& ask) {
-    return chart::time_of([&] { sink += ask(); });
+double time_of_asking(const Ask& ask) {
+    return time_of([&] { sink += ask(); });
 }
 
 void report(const char* scene, const char* what, std::size_t points, const std::vector<double>& scalar,
             const std::vector<double>& batch) {
-    const chart::Times one = chart::of(scalar), all = chart::of(batch);
+    const Times one = times_of(scalar), all = times_of(batch);
     std::printf("%-9s %-6s %3zu   %8.2f %8.2f   %8.2f %8.2f   %6.1f\n", scene, what, points, one.median, one.p999,
                 all.median, all.p999, one.median / all.median);
 }
@@ -53,8 +53,8 @@ void measure(const char* scene, const test::DrilledBlock& hole) {
         one.clear();
         all.clear();
         for (int round = 0; round < rounds; ++round) {
-            one.push_back(time_of(ask_one));
-            all.push_back(time_of(ask_all));
+            one.push_back(time_of_asking(ask_one));
+            all.push_back(time_of_asking(ask_all));
         }
         report(scene, what, points, one, all);
     };

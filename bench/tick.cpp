@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "bench/plain_papers.h"
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "core/field/block_kernel.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
@@ -61,8 +61,8 @@ struct ManyPoints {
     }
 };
 
-void print(const char* what, const std::vector<double>& microseconds, const chart::Times* papers = nullptr) {
-    const chart::Times t = chart::of(microseconds);
+void print(const char* what, const std::vector<double>& microseconds, const Times* papers = nullptr) {
+    const Times t = times_of(microseconds);
     std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
     if (papers != nullptr) std::printf("   %7.1f (%.1f)", papers->median / t.median, papers->mean / t.mean);
     std::printf("\n");
@@ -81,9 +81,9 @@ void compare_kernels(const BoneView& bone, ManyPoints& points) {
         for (int round = 0; round < 4000; ++round)
             for (auto* times : {&plain, &fast}) {
                 use_block_kernel(times == &plain ? portable_kernel() : *avx2_kernel());
-                times->push_back(chart::time_of([&] { points.ask_edges(bone, count); }));
+                times->push_back(time_of([&] { points.ask_edges(bone, count); }));
             }
-        const double a = chart::of(plain).median, b = chart::of(fast).median;
+        const double a = times_of(plain).median, b = times_of(fast).median;
         std::printf("  %zu edge points %.2f / %.2f us = %.2f", count, a, b, a / b);
     }
     std::printf("\n");
@@ -118,9 +118,9 @@ void measure(double h) {
         for (int n = 0; n < turn; ++n) {
             move(feed);
             const DeviceSample sample{test::at_depth(hand)};
-            const double in_loop = chart::processor_time_of([&] { sink += simulation.tick(sample).thrust; });
-            const double by_worker = chart::processor_time_of([&] { simulation.after_tick(); });
-            const double more = chart::processor_time_of([&] {
+            const double in_loop = processor_time_of([&] { sink += simulation.tick(sample).thrust; });
+            const double by_worker = processor_time_of([&] { simulation.after_tick(); });
+            const double more = processor_time_of([&] {
                 points.ask_edges(simulation.bone(), points.edges.size());
                 points.ask_contact(simulation.bone());
             });
@@ -131,17 +131,17 @@ void measure(double h) {
             poses.push_back(simulation.world_from_tool());
         }
         for (const Pose& pose : poses) {
-            const double force = chart::processor_time_of([&] {
+            const double force = processor_time_of([&] {
                 const Vec6 cut = plain.cutting(pose, feed * 0.03), touch = plain.contact(pose);
                 sink += cut[2] + touch[0];
             });
-            const double removal = chart::processor_time_of([&] { sink += static_cast<double>(plain.remove(pose)); });
+            const double removal = processor_time_of([&] { sink += static_cast<double>(plain.remove(pose)); });
             papers_force.push_back(force);
             papers_removal.push_back(removal);
             papers.push_back(force + removal);
         }
     }
-    const chart::Times baseline = chart::of(papers);
+    const Times baseline = times_of(papers);
     std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm,
                 block_kernel().name);
     print("loop", loop, &baseline);

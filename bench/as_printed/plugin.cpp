@@ -126,15 +126,15 @@ constexpr kerf_force dental = table_of<DentalImplant>(dental_signals);
 
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "paper_drill", "A twist drill as the papers have it.", tool_parameters,
-     tool_parameter_count, 0, &paper_drill_tool, nullptr},
+     tool_parameter_count, 0, &paper_drill_tool, nullptr, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "tsai_2007", "[tsai-2007] sections 5.1 to 5.3, as printed.", tsai_parameters,
-     Tsai2007::force_parameter_count, 0, nullptr, &tsai},
+     Tsai2007::force_parameter_count, 0, nullptr, &tsai, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "touch_count", "[tsai-2007] section 4, as printed.", touch_parameters,
-     TouchCount::force_parameter_count, 0, nullptr, &touch},
+     TouchCount::force_parameter_count, 0, nullptr, &touch, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "volumetric_drilling", "[volumetric-drilling] equations 1 and 2, as printed.",
-     volumetric_parameters, VolumetricDrilling::force_parameter_count, 0, nullptr, &volumetric},
+     volumetric_parameters, VolumetricDrilling::force_parameter_count, 0, nullptr, &volumetric, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "dental_implant", "[dental-implant-2013] equations 4 to 13, as printed.",
-     dental_parameters, DentalImplant::force_parameter_count, 0, nullptr, &dental},
+     dental_parameters, DentalImplant::force_parameter_count, 0, nullptr, &dental, nullptr},
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "conformance/stability/tool_under_test.h"
 #include "core/field/removed_volume.h"
 #include "core/haptics/work_force.h"

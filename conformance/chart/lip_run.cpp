@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "core/field/removed_volume.h"
 #include "kerf/units.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "conformance/chart/reference.h"
 #include "conformance/chart/replay.h"
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "kerf/units.hpp"
 
 namespace kerf::chart {
@@ -132,7 +132,7 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
     }
     measured.force_error = std::sqrt(all_wrong / all_right);
     measured.reference = std::sqrt(all_right / ticks);
-    const Times times = of(std::move(costs));
+    const Times times = times_of(std::move(costs));
     measured.cost = {times.median, times.p999, times.longest};
     return measured;
 }

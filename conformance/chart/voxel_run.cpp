@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "conformance/chart/times.h"
+#include "conformance/times.h"
 #include "core/haptics/channel.h"
 
 namespace kerf::chart {

@@ -66,8 +66,8 @@ constexpr kerf_force force{
     sizeof(kerf_force),        sizeof(Touch::State),       alignof(Touch::State),     nullptr, 0, 5000,
     &ForceTable<Touch>::reset, &ForceTable<Touch>::resist, &ForceTable<Touch>::commit};
 constexpr kerf_component components[] = {
-    {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "touch", "", nullptr, 0, 0, nullptr, &force}};
+    {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "touch", "", nullptr, 0, 0, nullptr, &force, nullptr}};
 
 }  // namespace
 

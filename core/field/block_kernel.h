@@ -36,6 +36,8 @@ struct Places {
 /// From one outline point to the next, in the half plane (r, z).
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
+    double slope;  ///< [–] how the radius grows backwards
+    double normal_r, normal_z, offset;  ///< of its line: normal_r r + normal_z z = offset; unit, outwards
 };
 /// An outline from the tip backwards, `count` points and `count − 1` segments.
 struct OutlineShape {
@@ -43,6 +45,18 @@ struct OutlineShape {
     const OutlineSegment* segment;
     std::size_t count;
     double largest_radius;  ///< [m]
+    bool is_convex;
+};
+
+/// Some of a brick's samples in three layers, three neighbouring rows of each.
+struct SampleCell {
+    ConstCoordinates row;    ///< where the layers' nine rows each would begin at x = 0, tool frame [m]
+    ConstCoordinates along;  ///< from there to the nine samples of a row [m]
+    int first_x, last_x;     ///< 4 or 5 of each row
+    int first_y;
+    /// No sample of the cell is deeper than base + x per_x + y per_y + layer per_layer, x and y counted in the brick
+    /// [quanta], give or take one for rounding.
+    float base, per_x, per_y, per_layer;
 };
 
 struct BlockKernel {
@@ -57,12 +71,21 @@ struct BlockKernel {
                             double quantum, double* values) noexcept;
     void (*trilinear_float)(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
                             double* values) noexcept;
+    /// The same value, and its gradient per voxel, not scaled: from the same eight samples.
+    void (*gradient_int16)(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction,
+                           double quantum, double* values, Coordinates gradient) noexcept;
+    /// As rotate(a_from_b, normalized(v)).
+    void (*unit)(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
     /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
-    /// As `values[i] = max(values[i], quantised(depth))` where a point is at most `band` [m] outside. Tells whether any
-    /// value was raised.
-    bool (*raise)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
-                  std::int16_t* values) noexcept;
+    /// A plane each that a convex solid does not cross: near a point nothing is deeper than
+    /// depth + gradient · (from the point) [m], [–].
+    void (*tangents)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
+                     Coordinates gradients) noexcept;
+    /// As `sample = max(sample, quantised(depth))` where a sample is at most `band` [m] outside; `samples`: the layers'
+    /// 3 × 9 × 9. Tells whether any was raised, and in which range they are then.
+    bool (*raise)(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
+                  std::int16_t& lowest, std::int16_t& highest) noexcept;
 };
 
 /// For any machine.

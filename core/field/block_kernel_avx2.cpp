@@ -131,6 +131,44 @@ void trilinear_float(const float* const* corner, std::size_t count, ConstCoordin
     interpolate(corner, count, fraction, quantum, values);
 }
 
+void gradient_int16(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                    double* values, Coordinates gradient) noexcept {
+    constexpr int y = stored, z = stored * stored;
+    const Four scale = all(quantum);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const std::int16_t* four[lanes];
+        for (std::size_t n = 0; n < lanes; ++n) four[n] = corner[i + n < count ? i + n : count - 1];
+        const Four fx = _mm256_loadu_pd(fraction.x + i), fy = _mm256_loadu_pd(fraction.y + i),
+                   fz = _mm256_loadu_pd(fraction.z + i);
+        const Pairs v00 = load(four, 0), v10 = load(four, y), v01 = load(four, z), v11 = load(four, z + y);
+        const Four x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
+        const Four c00 = v00.low + x00 * fx, c10 = v10.low + x10 * fx, c01 = v01.low + x01 * fx, c11 = v11.low + x11 * fx;
+        const Four y0 = c10 - c00, y1 = c11 - c01;
+        const Four c0 = c00 + y0 * fy, c1 = c01 + y1 * fy;
+        _mm256_storeu_pd(gradient.x + i, lerp(lerp(x00, x10, fy), lerp(x01, x11, fy), fz));
+        _mm256_storeu_pd(gradient.y + i, lerp(y0, y1, fz));
+        _mm256_storeu_pd(gradient.z + i, c1 - c0);
+        _mm256_storeu_pd(values + i, scale * (c0 + (c1 - c0) * fz));
+    }
+}
+
+void unit(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Four3 u{all(a_from_b.x), all(a_from_b.y), all(a_from_b.z)};
+    const Four w = all(a_from_b.w), two = all(2.0);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four x = _mm256_loadu_pd(in_b.x + i), y = _mm256_loadu_pd(in_b.y + i), z = _mm256_loadu_pd(in_b.z + i);
+        const Four l = _mm256_sqrt_pd(x * x + y * y + z * z);
+        const Four has_length = less(_mm256_setzero_pd(), l);
+        const Four3 v{_mm256_and_pd(has_length, x / l), _mm256_and_pd(has_length, y / l), _mm256_and_pd(has_length, z / l)};
+        Four3 t = cross(u, v);
+        t = {two * t.x, two * t.y, two * t.z};
+        const Four3 c = cross(u, t);
+        _mm256_storeu_pd(in_a.x + i, v.x + w * t.x + c.x);
+        _mm256_storeu_pd(in_a.y + i, v.y + w * t.y + c.y);
+        _mm256_storeu_pd(in_a.z + i, v.z + w * t.z + c.z);
+    }
+}
+
 /// Squared distance to the flat disc of a rim.
 inline Four to_cap2(Four r, Four z, const kerf_profile_point& rim) noexcept {
     const Four dr = most(r - all(rim.radius), _mm256_setzero_pd()), dz = z - all(rim.z);
@@ -143,23 +181,14 @@ inline Four wall_at(const OutlineShape& outline, Four z) noexcept {
     for (std::size_t n = outline.count - 1; n > 0; --n) {
         const kerf_profile_point &a = outline.point[n - 1], &b = outline.point[n];
         const Four is_behind = less(z, all(b.z));
-        Four radius = all(a.radius);
-        if (a.radius != b.radius) {
-            // The radius of this segment stays only for points beside it; where there are none, nothing is divided.
-            // (Before the tip it does not count either.)
-            if (_mm256_movemask_pd(_mm256_and_pd(not_less(z, all(b.z)), less(z, all(a.z)))) == 0) continue;
-            radius = all(a.radius) + all(b.radius - a.radius) * (all(a.z) - z) / all(a.z - b.z);
-        }
+        const Four radius = all(a.radius) + all(outline.segment[n - 1].slope) * (all(a.z) - z);
         wall = _mm256_blendv_pd(radius, wall, is_behind);
     }
     return wall;
 }
 
-/// How far four points are from the outline, still squared, and whether inside.
-struct Distance {
-    Four squared, is_inside;
-};
-inline Distance distance_to(const OutlineShape& outline, Four r, Four z) noexcept {
+/// To the nearest point of the outline.
+inline Four squared_distance(const OutlineShape& outline, Four r, Four z) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     Four nearest2 = all(1e300);
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
@@ -173,9 +202,7 @@ inline Distance distance_to(const OutlineShape& outline, Four r, Four z) noexcep
         nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
     }
     if (front.radius > 0.0) nearest2 = least(to_cap2(r, z, front), nearest2);
-    nearest2 = least(to_cap2(r, z, back), nearest2);
-    const Four is_between = _mm256_and_pd(less(z, all(front.z)), less(all(back.z), z));
-    return {nearest2, _mm256_and_pd(is_between, less(r, wall_at(outline, z)))};
+    return least(to_cap2(r, z, back), nearest2);
 }
 
 /// `v` where `is_positive`, else −v. Pre: v ≥ 0.
@@ -183,62 +210,141 @@ inline Four with_sign(Four v, Four is_positive) noexcept {
     return _mm256_xor_pd(v, _mm256_andnot_pd(is_positive, all(-0.0)));
 }
 
+inline Four to_face(const OutlineSegment& s, Four r, Four z) noexcept {
+    return all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z);
+}
+/// To the plane of the nearest face; no less than the depth in a convex solid.
+inline Four depth_of_planes(const OutlineShape& outline, Four r, Four z) noexcept {
+    Four depth = least(z - all(outline.point[outline.count - 1].z), all(outline.point[0].z) - z);
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) depth = least(to_face(outline.segment[n], r, z), depth);
+    return depth;
+}
+/// The depth in a convex solid from that: the same inside and beside the face, less beyond its edges.
+inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth) noexcept {
+    const Four is_outside = less(depth, _mm256_setzero_pd());
+    if (_mm256_movemask_pd(is_outside) == 0) return depth;
+    const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
+    const auto same = [](Four a, Four b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); };
+    Four is_beside = _mm256_or_pd(_mm256_and_pd(same(all(front.z) - z, depth), not_less(all(front.radius), r)),
+                                  _mm256_and_pd(same(z - all(back.z), depth), not_less(all(back.radius), r)));
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const kerf_profile_point& a = outline.point[n];
+        const OutlineSegment& s = outline.segment[n];
+        const Four along = ((r - all(a.radius)) * all(s.along_r) + (z - all(a.z)) * all(s.along_z)) * all(s.inverse_length2);
+        const Four is_within = _mm256_and_pd(not_less(along, _mm256_setzero_pd()), not_less(all(1.0), along));
+        is_beside = _mm256_or_pd(is_beside, _mm256_and_pd(same(to_face(s, r, z), depth), is_within));
+    }
+    const Four is_beyond = _mm256_andnot_pd(is_beside, is_outside);
+    if (_mm256_movemask_pd(is_beyond) == 0) return depth;
+    const Four distance = _mm256_sqrt_pd(squared_distance(outline, r, z));
+    return _mm256_blendv_pd(depth, _mm256_xor_pd(distance, all(-0.0)), is_beyond);
+}
+/// The depth in any solid.
+inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
+    if (outline.is_convex) return convex_depth(outline, r, z, depth_of_planes(outline, r, z));
+    const Four is_between = _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
+    const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
+    return with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
+}
+
 void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept {
     for (std::size_t i = 0; i < count; i += lanes) {
         const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
-        const Distance d = distance_to(outline, _mm256_sqrt_pd(x * x + y * y), _mm256_loadu_pd(in_tool.z + i));
-        _mm256_storeu_pd(depths + i, with_sign(_mm256_sqrt_pd(d.squared), d.is_inside));
+        _mm256_storeu_pd(depths + i, depth_in(outline, _mm256_sqrt_pd(x * x + y * y), _mm256_loadu_pd(in_tool.z + i)));
+    }
+}
+
+void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
+              Coordinates gradients) noexcept {
+    const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i), z = _mm256_loadu_pd(in_tool.z + i);
+        const Four r = _mm256_sqrt_pd(x * x + y * y);
+        const Four to_front = all(front.z) - z, to_back = z - all(back.z), is_before = less(to_front, to_back);
+        Four depth = _mm256_blendv_pd(to_back, to_front, is_before), gz = _mm256_blendv_pd(all(1.0), all(-1.0), is_before);
+        Four normal_r = _mm256_setzero_pd();
+        for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+            const OutlineSegment& s = outline.segment[n];
+            const Four to_line = all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z), is_less = less(to_line, depth);
+            depth = _mm256_blendv_pd(depth, to_line, is_less);
+            normal_r = _mm256_blendv_pd(normal_r, all(s.normal_r), is_less);
+            gz = _mm256_blendv_pd(gz, all(-s.normal_z), is_less);
+        }
+        const Four inwards = _mm256_xor_pd(normal_r, all(-0.0)) / r, is_off_axis = less(_mm256_setzero_pd(), r);
+        _mm256_storeu_pd(depths + i, depth);
+        _mm256_storeu_pd(gradients.x + i, _mm256_blendv_pd(normal_r, inwards * x, is_off_axis));
+        _mm256_storeu_pd(gradients.y + i, _mm256_and_pd(is_off_axis, inwards * y));
+        _mm256_storeu_pd(gradients.z + i, gz);
     }
 }
 
 /// To the nearest quantum, kept within ± 32767.
-inline __m128i quantised(Four depth, double quantum) noexcept {
-    const Four q = depth / all(quantum);
+inline __m128i quantised(Four depth, Four per_quantum) noexcept {
+    const Four q = depth * per_quantum;
     const Four kept = most(least(q, all(32767.0)), all(-32767.0));
     const Four half = _mm256_blendv_pd(all(-0.5), all(0.5), not_less(q, _mm256_setzero_pd()));
     return _mm256_cvttpd_epi32(kept + half);
 }
 
-bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
-           std::int16_t* values) noexcept {
-    // Most points raise nothing, and most of those can be told before the roots and quotients: a value rises to v + 1
-    // only from a depth of (v + ½) quanta. Compared as squares with their sign, and a little generously.
-    constexpr double generous = 1e-9;
-    const Four farthest2 = all((outline.largest_radius + band) * (outline.largest_radius + band) * (1.0 + generous));
-    const Four least_square = all(-band * band * (1.0 + generous)), highest = all(32767.0);
-    const Four magnitude = _mm256_castsi256_pd(_mm256_set1_epi64x(0x7fffffffffffffff));
-    bool is_raised = false;
-    for (std::size_t i = 0; i < count; i += lanes) {
-        std::int64_t four;
-        std::memcpy(&four, values + i, sizeof four);
-        const __m128i before = _mm_cvtepi16_epi32(_mm_cvtsi64_si128(four));
-        const Four v = _mm256_cvtepi32_pd(before);
-        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
-        const Four r2 = x * x + y * y;
-        const Four may_rise = _mm256_and_pd(less(v, highest), less(r2, farthest2));
-        if (_mm256_movemask_pd(may_rise) == 0) continue;
-
-        const Distance d = distance_to(outline, _mm256_sqrt_pd(r2), _mm256_loadu_pd(in_tool.z + i));
-        const Four next = (v + all(0.5)) * all(quantum);
-        const Four next_square = next * _mm256_and_pd(next, magnitude);
-        const Four needed = next_square - all(generous) * _mm256_and_pd(next_square, magnitude);
-        const Four rises = not_less(with_sign(d.squared, d.is_inside), most(needed, least_square));
-        if (_mm256_movemask_pd(_mm256_and_pd(may_rise, rises)) == 0) continue;
-
-        const Four depth = with_sign(_mm256_sqrt_pd(d.squared), d.is_inside);
-        const __m128i is_near = narrow(not_less(all(band), _mm256_xor_pd(depth, all(-0.0))));
-        const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, quantum), is_near);
-        const __m128i after = _mm_max_epi32(before, cut);
-        std::int16_t kept[lanes];
-        const std::int64_t packed = _mm_cvtsi128_si64(_mm_packs_epi32(after, after));
-        std::memcpy(kept, &packed, sizeof kept);
-        const std::size_t left = count - i < lanes ? count - i : lanes;
-        for (std::size_t n = 0; n < left; ++n) {
-            is_raised = is_raised || kept[n] > values[i + n];
-            values[i + n] = kept[n];
+bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    const Four per_quantum = all(1.0 / quantum), farthest = all(-band);
+    const __m128 lowest_kept = _mm_set1_ps(static_cast<float>(-band / quantum) - 2.0f);
+    const ConstCoordinates start = cell.row, along = cell.along;
+    __m128i least_value = _mm_set1_epi32(32767), most_value = _mm_set1_epi32(-32767), raised = _mm_setzero_si128();
+    /// What four samples become; `at` makes their places, if one of them can rise.
+    const auto raise_four = [&](__m128i before, __m128 ceiling, const auto& at) {
+        const __m128 is_below = _mm_and_ps(_mm_cmplt_ps(_mm_cvtepi32_ps(before), ceiling), _mm_cmplt_ps(lowest_kept, ceiling));
+        __m128i after = before;
+        if (_mm_movemask_ps(is_below) != 0) {
+            const Four3 p = at();
+            const Four depth = depth_in(outline, _mm256_sqrt_pd(p.x * p.x + p.y * p.y), p.z);
+            const __m128i is_near = narrow(not_less(depth, farthest));
+            const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, per_quantum), is_near);
+            after = _mm_max_epi32(before, cut);
         }
+        raised = _mm_or_si128(raised, _mm_cmpgt_epi32(after, before));
+        least_value = _mm_min_epi32(least_value, after);
+        most_value = _mm_max_epi32(most_value, after);
+        return after;
+    };
+    const auto ceiling_at = [&](int x, int y, int layer) {
+        return cell.base + static_cast<float>(x) * cell.per_x + static_cast<float>(y) * cell.per_y +
+               static_cast<float>(layer) * cell.per_layer + 2.0f;
+    };
+    const __m128 along_x = _mm_mul_ps(_mm_set1_ps(cell.per_x), _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f));
+    const __m128 along_y = _mm_mul_ps(_mm_set1_ps(cell.per_y), _mm_setr_ps(0.0f, 1.0f, 2.0f, 2.0f));
+    for (int layer = 0; layer < 3; ++layer) {
+        for (int y = cell.first_y; y < cell.first_y + 3; ++y) {
+            const int row = layer * stored + y, x = cell.first_x;
+            std::int16_t* four = samples + row * stored + x;
+            const __m128i before = _mm_cvtepi16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(four)));
+            const __m128i after = raise_four(before, _mm_add_ps(_mm_set1_ps(ceiling_at(x, y, layer)), along_x), [&] {
+                return Four3{all(start.x[row]) + _mm256_loadu_pd(along.x + x), all(start.y[row]) + _mm256_loadu_pd(along.y + x),
+                             all(start.z[row]) + _mm256_loadu_pd(along.z + x)};
+            });
+            _mm_storel_epi64(reinterpret_cast<__m128i*>(four), _mm_packs_epi32(after, after));
+        }
+        if (cell.last_x - cell.first_x < static_cast<int>(lanes)) continue;
+        // The fifth of each row, three rows at a time and the last of them twice.
+        const int row = layer * stored + cell.first_y, x = cell.last_x;
+        std::int16_t *a = samples + row * stored + x, *b = a + stored, *c = b + stored;
+        const __m128i after = raise_four(_mm_setr_epi32(*a, *b, *c, *c),
+                                         _mm_add_ps(_mm_set1_ps(ceiling_at(x, cell.first_y, layer)), along_y), [&] {
+            const auto rows = [&](const double* of) { return _mm256_setr_pd(of[row], of[row + 1], of[row + 2], of[row + 2]); };
+            return Four3{rows(start.x) + all(along.x[x]), rows(start.y) + all(along.y[x]), rows(start.z) + all(along.z[x])};
+        });
+        *a = static_cast<std::int16_t>(_mm_extract_epi32(after, 0));
+        *b = static_cast<std::int16_t>(_mm_extract_epi32(after, 1));
+        *c = static_cast<std::int16_t>(_mm_extract_epi32(after, 2));
     }
-    return is_raised;
+    const auto across = [](__m128i four, auto better) {
+        four = better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(1, 0, 3, 2)));
+        return static_cast<std::int16_t>(_mm_cvtsi128_si32(better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(2, 3, 0, 1)))));
+    };
+    lowest = across(least_value, [](__m128i a, __m128i b) { return _mm_min_epi32(a, b); });
+    highest = across(most_value, [](__m128i a, __m128i b) { return _mm_max_epi32(a, b); });
+    return _mm_movemask_epi8(raised) != 0;
 }
 
 }  // namespace
@@ -249,7 +355,10 @@ constinit const BlockKernel avx2_kernel_table{
     .locate = locate,
     .trilinear_int16 = trilinear_int16,
     .trilinear_float = trilinear_float,
+    .gradient_int16 = gradient_int16,
+    .unit = unit,
     .depths = depths,
+    .tangents = tangents,
     .raise = raise,
 };
 

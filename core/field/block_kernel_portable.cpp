@@ -70,16 +70,58 @@ void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinate
     }
 }
 
-void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
-            double *__restrict depths) noexcept {
-    BlockValues r, nearest2, wall;
-    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
-    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+void gradient(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
+              double* values, Coordinates gradient) noexcept {
+    constexpr int y = stored_edge, z = stored_edge * stored_edge;
+    std::array<std::array<double, block_capacity>, 8> c;
     for (std::size_t i = 0; i < count; ++i) {
-        r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
-        nearest2[i] = 1e300;
-        wall[i] = back.radius;
+        const std::int16_t* v = corner[i];
+        c[0][i] = v[0];
+        c[1][i] = v[1];
+        c[2][i] = v[y];
+        c[3][i] = v[y + 1];
+        c[4][i] = v[z];
+        c[5][i] = v[z + 1];
+        c[6][i] = v[z + y];
+        c[7][i] = v[z + y + 1];
     }
+    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
+    const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
+    double *__restrict to = values, *__restrict gx = gradient.x, *__restrict gy = gradient.y, *__restrict gz = gradient.z;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x00 = c[1][i] - c[0][i], x10 = c[3][i] - c[2][i];
+        const double x01 = c[5][i] - c[4][i], x11 = c[7][i] - c[6][i];
+        const double c00 = c[0][i] + x00 * fx[i], c10 = c[2][i] + x10 * fx[i];
+        const double c01 = c[4][i] + x01 * fx[i], c11 = c[6][i] + x11 * fx[i];
+        const double y0 = c10 - c00, y1 = c11 - c01;
+        const double c0 = c00 + y0 * fy[i], c1 = c01 + y1 * fy[i];
+        gx[i] = lerp(lerp(x00, x10, fy[i]), lerp(x01, x11, fy[i]), fz[i]);
+        gy[i] = lerp(y0, y1, fz[i]);
+        gz[i] = c1 - c0;
+        to[i] = quantum * (c0 + (c1 - c0) * fz[i]);
+    }
+}
+
+void unit(const Quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+    const Quat q = a_from_b;
+    const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
+    double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double l = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+        const double nx = x[i] / l, ny = y[i] / l, nz = z[i] / l;
+        const bool has_length = l > 0.0;
+        const Vec3 n = rotate(q, {has_length ? nx : 0.0, has_length ? ny : 0.0, has_length ? nz : 0.0});
+        to_x[i] = n.x;
+        to_y[i] = n.y;
+        to_z[i] = n.z;
+    }
+}
+
+/// To the nearest point of the outline.
+void squared_distances(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
+                       BlockValues& nearest2) noexcept {
+    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+    for (std::size_t i = 0; i < count; ++i) nearest2[i] = 1e300;
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
         const auto a = outline.point[n];
         const OutlineSegment s = outline.segment[n];
@@ -102,6 +144,58 @@ void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_
     };
     if (front.radius > 0.0) add_cap(front);
     add_cap(back);
+}
+
+/// A convex solid's: see RevolutionSolid::distance.
+void convex_depths(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
+                   double* __restrict depths) noexcept {
+    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+    for (std::size_t i = 0; i < count; ++i)
+        depths[i] = z[i] - back.z < front.z - z[i] ? z[i] - back.z : front.z - z[i];
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const OutlineSegment s = outline.segment[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const double to_face = s.offset - (s.normal_r * r[i] + s.normal_z * z[i]);
+            depths[i] = to_face < depths[i] ? to_face : depths[i];
+        }
+    }
+    int outside = 0;
+    for (std::size_t i = 0; i < count; ++i) outside |= depths[i] < 0.0;
+    if (outside == 0) return;
+
+    BlockValues nearest2, is_beside;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool before = (front.z - z[i] == depths[i]) & (r[i] <= front.radius);
+        const bool behind = (z[i] - back.z == depths[i]) & (r[i] <= back.radius);
+        is_beside[i] = before | behind | !(depths[i] < 0.0) ? 1.0 : 0.0;
+    }
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const auto a = outline.point[n];
+        const OutlineSegment s = outline.segment[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const double to_face = s.offset - (s.normal_r * r[i] + s.normal_z * z[i]);
+            const double along = ((r[i] - a.radius) * s.along_r + (z[i] - a.z) * s.along_z) * s.inverse_length2;
+            is_beside[i] = (to_face == depths[i]) & (along >= 0.0) & (along <= 1.0) ? 1.0 : is_beside[i];
+        }
+    }
+    squared_distances(outline, count, r, z, nearest2);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double distance = std::sqrt(nearest2[i]);
+        depths[i] = is_beside[i] > 0.0 ? depths[i] : -distance;
+    }
+}
+
+void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
+            double *__restrict depths) noexcept {
+    BlockValues r{}, nearest2, wall;
+    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
+    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+    for (std::size_t i = 0; i < count; ++i) {
+        r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        wall[i] = back.radius;
+    }
+    if (outline.is_convex) return convex_depths(outline, count, r, z, depths);
+    squared_distances(outline, count, r, z, nearest2);
 
     // The outline's radius where the point stands, from the back so that the first segment that holds it stays.
     for (std::size_t n = outline.count - 1; n > 0; --n) {
@@ -111,7 +205,7 @@ void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_
             continue;
         }
         for (std::size_t i = 0; i < count; ++i) {
-            const double radius = a.radius + (b.radius - a.radius) * (a.z - z[i]) / (a.z - b.z);
+            const double radius = a.radius + outline.segment[n - 1].slope * (a.z - z[i]);
             wall[i] = z[i] < b.z ? wall[i] : radius;
         }
     }
@@ -122,24 +216,73 @@ void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_
     }
 }
 
-bool raise(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double band, double quantum,
-           std::int16_t* values) noexcept {
-    BlockValues depth;
-    depths(outline, count, in_tool, depth.data());
-    // Without jumps: quanta kept within their range and rounded, half away from zero.
-    std::array<std::int16_t, block_capacity> cut;
+void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* __restrict depths,
+              Coordinates gradients) noexcept {
+    const auto front = outline.point[0], back = outline.point[outline.count - 1];
+    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
+    double *__restrict gx = gradients.x, *__restrict gy = gradients.y, *__restrict gz = gradients.z;
+    BlockValues r, normal_r;
     for (std::size_t i = 0; i < count; ++i) {
-        const double q = depth[i] / quantum;
+        r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        const bool is_before = front.z - z[i] < z[i] - back.z;
+        depths[i] = is_before ? front.z - z[i] : z[i] - back.z;
+        gz[i] = is_before ? -1.0 : 1.0;
+        normal_r[i] = 0.0;
+    }
+    for (std::size_t n = 0; n + 1 < outline.count; ++n) {
+        const OutlineSegment s = outline.segment[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const double depth = s.offset - (s.normal_r * r[i] + s.normal_z * z[i]);
+            const bool is_less = depth < depths[i];
+            depths[i] = is_less ? depth : depths[i];
+            normal_r[i] = is_less ? s.normal_r : normal_r[i];
+            gz[i] = is_less ? -s.normal_z : gz[i];
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {  // towards the axis; on it any way will do
+        const double inwards = -normal_r[i] / r[i];
+        const bool is_off_axis = r[i] > 0.0;
+        gx[i] = is_off_axis ? inwards * x[i] : normal_r[i];
+        gy[i] = is_off_axis ? inwards * y[i] : 0.0;
+    }
+}
+
+bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    constexpr std::size_t rows = 9;
+    const auto first = static_cast<std::size_t>(cell.first_x), width = static_cast<std::size_t>(cell.last_x) - first + 1;
+    BlockValues x, y, z, depth;
+    std::array<std::int16_t, block_capacity> value;
+    const auto place = [&](std::size_t row) { return row / 3 * 9 + static_cast<std::size_t>(cell.first_y) + row % 3; };
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t n = first; n < first + width; ++n, ++count) {
+            x[count] = cell.row.x[place(row)] + cell.along.x[n];
+            y[count] = cell.row.y[place(row)] + cell.along.y[n];
+            z[count] = cell.row.z[place(row)] + cell.along.z[n];
+            value[count] = samples[place(row) * stored_edge + n];
+        }
+    depths(outline, count, {x.data(), y.data(), z.data()}, depth.data());
+    // Without jumps: quanta kept within their range and rounded, half away from zero.
+    const double per_quantum = 1.0 / quantum;
+    int raised = 0;
+    std::int16_t least = 32767, most = -32767;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double q = depth[i] * per_quantum;
         const double kept = q >= 32767.0 ? 32767.0 : (q <= -32767.0 ? -32767.0 : q);
         const auto rounded = static_cast<std::int32_t>(kept + (q >= 0.0 ? 0.5 : -0.5));
-        cut[i] = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
+        const auto cut = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
+        raised |= cut > value[i];
+        value[i] = cut > value[i] ? cut : value[i];
+        least = value[i] < least ? value[i] : least;
+        most = value[i] > most ? value[i] : most;
     }
-    int raised = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        raised |= cut[i] > values[i];
-        values[i] = cut[i] > values[i] ? cut[i] : values[i];
-    }
-    return raised != 0;
+    lowest = least;
+    highest = most;
+    if (raised == 0) return false;
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t n = 0; n < width; ++n) samples[place(row) * stored_edge + first + n] = value[row * width + n];
+    return true;
 }
 
 constexpr BlockKernel table{
@@ -148,7 +291,10 @@ constexpr BlockKernel table{
     .locate = locate,
     .trilinear_int16 = interpolate<std::int16_t>,
     .trilinear_float = interpolate<float>,
+    .gradient_int16 = gradient,
+    .unit = unit,
     .depths = depths,
+    .tangents = tangents,
     .raise = raise,
 };
 

@@ -81,84 +81,74 @@ double BoneView::present_distance(Vec3 p) const noexcept {
     return std::max(bone, body_->region.contains(p) ? tracker_->depth_in_pending(p) : -body_->grid().clamp());
 }
 
-void BoneView::raise_to_present(const PointBlock& points, const BlockValues& bounds,
-                                BlockValues& distances) const noexcept {
-    const double clamp = body_->grid().clamp();
-    std::array<std::uint8_t, block_capacity> lane;
-    PointBlock concerned;
+void BoneView::committed_distance(const PlaceBlock& places, SlopeBlock& distances) const noexcept {
+    SlopeBlock cut;
+    body_->surface.at(places, distances);
+    if (!committed_->at(places, cut)) return;  // nowhere more than the surface's least
+    const auto take_larger = [&](const BlockValues& more, BlockValues& of) {
+        for (std::size_t i = 0; i < places.count; ++i) of[i] = distances.value[i] < cut.value[i] ? more[i] : of[i];
+    };
+    take_larger(cut.x, distances.x);
+    take_larger(cut.y, distances.y);
+    take_larger(cut.z, distances.z);
+    take_larger(cut.value, distances.value);
+}
+
+void BoneView::level_beyond_region(const PointBlock& points, SlopeBlock& distances) const noexcept {
+    // Beyond a face everything is as at the face.
+    const Region& region = body_->region;
     for (std::size_t i = 0; i < points.count; ++i) {
-        if (distances[i] >= clamp) continue;
-        if (bounds[i] < distances[i] || !body_->region.contains(points[i])) {
-            distances[i] = std::max(distances[i], -clamp);
-            continue;
-        }
-        lane[concerned.count] = static_cast<std::uint8_t>(i);
-        concerned.add(points[i]);
+        if (points.x[i] < region.low.x || points.x[i] > region.high.x) distances.x[i] = 0.0;
+        if (points.y[i] < region.low.y || points.y[i] > region.high.y) distances.y[i] = 0.0;
+        if (points.z[i] < region.low.z || points.z[i] > region.high.z) distances.z[i] = 0.0;
     }
-    if (concerned.count == 0) return;
-    BlockValues depth;
-    tracker_->depth_in_pending(concerned, depth);
-    for (std::size_t i = 0; i < concerned.count; ++i) distances[lane[i]] = std::max(distances[lane[i]], depth[i]);
 }
 
 void BoneView::nearest_block(const PointBlock& points, kerf_surface_point* out) const noexcept {
     const double clamp = body_->grid().clamp();
     PlaceBlock places;
-    BlockValues distance;
+    SlopeBlock committed;
     locate(*body_, points, places);
-    committed_distance(places, distance);
+    committed_distance(places, committed);
+    const bool has_region = !body_->region.is_everywhere();
+    if (has_region) level_beyond_region(points, committed);
 
-    // Far outside there is nothing to raise.
+    // Far outside, and beyond the region, there is nothing to raise.
     std::array<std::uint8_t, block_capacity> lane;
-    PointBlock near;
-    BlockValues near_distance, bound;
+    PointBlock uncut;
+    BlockValues distance;
     for (std::size_t i = 0; i < points.count; ++i) {
         out[i] = kerf_surface_point{};
         out[i].body = -1;
-        out[i].distance = distance[i];
-        if (distance[i] >= clamp) continue;
-        lane[near.count] = static_cast<std::uint8_t>(i);
-        near_distance[near.count] = distance[i];
-        near.add(points[i]);
+        out[i].distance = committed.value[i];
+        if (committed.value[i] >= clamp) continue;
+        out[i].distance = std::max(committed.value[i], -clamp);
+        if (has_region && !body_->region.contains(points[i])) continue;
+        lane[uncut.count] = static_cast<std::uint8_t>(i);
+        distance[uncut.count] = out[i].distance;
+        uncut.add(points[i]);
     }
-    if (near.count == 0) return;
-    tracker_->depth_bound(near, bound);
-    raise_to_present(near, bound, near_distance);
+    CutTracker::PendingWalls wall;
+    tracker_->raise_to_present(uncut, distance, wall);
+    for (std::size_t i = 0; i < uncut.count; ++i) {
+        if (wall[i] == CutTracker::none) continue;
+        out[lane[i]].distance = distance[i];
+        const Vec3 normal = tracker_->normal_of(wall[i], uncut[i]);
+        committed.x[lane[i]] = normal.x;
+        committed.y[lane[i]] = normal.y;
+        committed.z[lane[i]] = normal.z;
+    }
 
-    // Only where there is a surface near, it has a normal.
-    PointBlock at_surface;
-    BlockValues surface_bound;
-    for (std::size_t i = 0; i < near.count; ++i) {
-        kerf_surface_point& s = out[lane[i]];
-        s.distance = near_distance[i];
-        if (s.distance >= clamp || s.distance <= -clamp) continue;
-        s.body = 0;
-        lane[at_surface.count] = lane[i];
-        surface_bound[at_surface.count] = bound[i];
-        at_surface.add(near[i]);
+    // Only where there is a surface near, it has a normal: the gradient of whichever field the surface is.
+    PointBlock normals;
+    normals.count = points.count;
+    block_kernel().unit(conjugate(body_from_tool_.rotation), points.count,
+                        {committed.x.data(), committed.y.data(), committed.z.data()}, normals.writable());
+    for (std::size_t i = 0; i < points.count; ++i) {
+        if (out[i].distance >= clamp || out[i].distance <= -clamp) continue;
+        out[i].body = 0;
+        out[i].normal = normals[i];
     }
-    if (at_surface.count == 0) return;
-    const double e = 0.5 * body_->grid().spacing;
-    for (std::size_t i = 0; i < at_surface.count; ++i) surface_bound[i] += e;  // within reach of the points beside
-
-    const Vec3 steps[] = {{e, 0, 0}, {0, e, 0}, {0, 0, e}};
-    std::array<BlockValues, 3> gradient;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        PointBlock beside;
-        BlockValues after, before;
-        const auto present_at = [&](Vec3 by, BlockValues& d) {
-            shift(at_surface, by, beside);
-            locate(*body_, beside, places);
-            committed_distance(places, d);
-            raise_to_present(beside, surface_bound, d);
-        };
-        present_at(steps[axis], after);
-        present_at(-steps[axis], before);
-        for (std::size_t i = 0; i < at_surface.count; ++i) gradient[axis][i] = after[i] - before[i];
-    }
-    const Quat tool_from_body = conjugate(body_from_tool_.rotation);
-    for (std::size_t i = 0; i < at_surface.count; ++i)
-        out[lane[i]].normal = rotate(tool_from_body, normalized(Vec3{gradient[0][i], gradient[1][i], gradient[2][i]}));
 }
 
 }  // namespace kerf

@@ -39,8 +39,8 @@ private:
     void nearest_block(const PointBlock& points, kerf_surface_point* out) const noexcept;
     /// Surface and committed cut.
     void committed_distance(const PlaceBlock& places, BlockValues& distances) const noexcept;
-    /// Raises committed distances to present ones. No pending solid is deeper at a point than its `bound`.
-    void raise_to_present(const PointBlock& points, const BlockValues& bounds, BlockValues& distances) const noexcept;
+    void committed_distance(const PlaceBlock& places, SlopeBlock& distances) const noexcept;
+    void level_beyond_region(const PointBlock& points, SlopeBlock& distances) const noexcept;
 
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction,
                              kerf_bone_sample* out) {

@@ -9,6 +9,40 @@
 
 namespace kerf {
 
+namespace {
+
+/// Samples that may lie on a ridge, a block at a time.
+class RidgeBlock {
+public:
+    RidgeBlock(const Sweep& sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
+
+    void add(Vec3 point_in_body, std::size_t brick, std::uint16_t sample) noexcept {
+        bricks_[points_.count] = brick;
+        samples_[points_.count] = sample;
+        points_.add(point_in_body);
+    }
+    [[nodiscard]] bool is_full() const noexcept { return points_.count == block_capacity; }
+
+    /// Those that the sweep holds; the block is empty then.
+    template <class Do>
+    void for_each_held(const Do& what) noexcept {
+        std::array<bool, block_capacity> may_hold;
+        sweep_->may_hold(points_, tolerance_, may_hold);
+        for (std::size_t n = 0; n < points_.count; ++n)
+            if (may_hold[n] && sweep_->holds(points_[n], tolerance_)) what(bricks_[n], samples_[n]);
+        points_.count = 0;
+    }
+
+private:
+    const Sweep* sweep_;
+    double tolerance_;
+    PointBlock points_;
+    std::array<std::size_t, block_capacity> bricks_;
+    std::array<std::uint16_t, block_capacity> samples_;
+};
+
+}  // namespace
+
 CutField::CutField(const Body& body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
@@ -36,6 +70,7 @@ void CutField::reserve(std::size_t count) {
     while (free_bricks() < count) {
         chunks_.push_back(std::make_unique<std::int16_t[]>(chunk_bricks * stored_samples));
         capacity_ += chunk_bricks;
+        ranges_.resize(capacity_);
     }
 }
 
@@ -98,26 +133,49 @@ void CutField::clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, co
     // are bricks.
     const Grid& g = grid();
     const int lowest = -static_cast<int>(sweep.step() / quantum_) - 2;
+    const auto from_lowest = static_cast<unsigned>(-lowest);
+    const double tolerance = 0.5 * quantum_;
+    RidgeBlock ridge(sweep, tolerance);
+    const auto clear_block = [&] {
+        ridge.for_each_held([&](std::size_t index, std::uint16_t place) {
+            brick(table_[index])[place] = 1;
+            changed_[index] = 1;
+        });
+    };
     const BrickBox a = bricks_near(solid, record.from, 0.0), b = bricks_near(solid, record.to, 0.0);
     for (int k = std::min(a.first[2], b.first[2]); k <= std::max(a.last[2], b.last[2]); ++k)
         for (int j = std::min(a.first[1], b.first[1]); j <= std::max(a.last[1], b.last[1]); ++j)
             for (int i = std::min(a.first[0], b.first[0]); i <= std::max(a.last[0], b.last[0]); ++i) {
                 const std::size_t index = g.brick_index(i, j, k);
                 if (table_[index] < 0 || is_full_[index] != 0) continue;
-                std::int16_t* samples = brick(table_[index]);
-                for (int s = 0; s < stored_samples; ++s) {
-                    if (samples[s] > 0 || samples[s] < lowest) continue;
-                    const std::array<int, 3> at{i * brick_edge + s % stored_edge,
-                                                j * brick_edge + s / stored_edge % stored_edge,
-                                                k * brick_edge + s / (stored_edge * stored_edge)};
-                    bool is_in_region = true;
-                    for (std::size_t axis = 0; axis < 3; ++axis)
-                        is_in_region = is_in_region && at[axis] >= first_[axis] && at[axis] <= last_[axis];
-                    if (!is_in_region || !sweep.holds(g.sample_position(at[0], at[1], at[2]), 0.5 * quantum_)) continue;
-                    samples[s] = 1;
-                    changed_[index] = 1;
+                const std::int16_t* samples = brick(table_[index]);
+                const CellRanges& ranges = ranges_of(index);
+                for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+                    if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
+                    const CellPlace at = CellPlace::of(cell);
+                    for (int z = at.first_z; z < at.first_z + 3; ++z)
+                        for (int y = at.first_y; y < at.first_y + 3; ++y) {
+                            const int row = (z * stored_edge + y) * stored_edge;
+                            unsigned candidates = 0;  // bits, without a jump for each
+                            for (int x = 0; x < 5; ++x) {
+                                const int value = samples[row + std::min(at.first_x + x, at.last_x)];
+                                candidates |= static_cast<unsigned>(static_cast<unsigned>(value - lowest) <= from_lowest) << x;
+                            }
+                            for (int x = at.first_x; candidates != 0 && x <= at.last_x; ++x, candidates >>= 1) {
+                                if ((candidates & 1u) == 0) continue;
+                                const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
+                                bool is_in_region = true;
+                                for (std::size_t axis = 0; axis < 3; ++axis)
+                                    is_in_region = is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
+                                if (!is_in_region) continue;
+                                ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
+                                          static_cast<std::uint16_t>(row + x));
+                                if (ridge.is_full()) clear_block();
+                            }
+                        }
                 }
             }
+    clear_block();
 }
 
 int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places) {
@@ -134,13 +192,15 @@ int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const st
             if (free_bricks() == 0) reserve(1);
             table_[index] = static_cast<std::int32_t>(used_++);
             std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
+            ranges_of(index).fill(-32767);
         }
         ++touched;  // so that what a tick may stamp does not depend on what was cut before
         if (is_full_[index] != 0) continue;
         std::int16_t* samples = brick(table_[index]);
-        if (!stamp.raise(samples, i, j, k, first_, last_)) continue;
+        CellRanges& ranges = ranges_of(index);
+        if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
-        is_full_[index] = std::all_of(samples, samples + stored_samples, [](std::int16_t s) { return s == 32767; });
+        is_full_[index] = std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
     }
     return touched;
 }
@@ -156,6 +216,20 @@ void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
             corners.add(brick(slot), i);
     }
     corners.interpolate(quantum_, cut);
+}
+
+bool CutField::at(const PlaceBlock& places, SlopeBlock& cut) const noexcept {
+    CornerBlock<std::int16_t> corners(places);
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            cut.set(i, -clamp_);
+        else
+            corners.add(brick(slot), i);
+    }
+    corners.interpolate(quantum_, cut);
+    return !corners.is_empty();
 }
 
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {

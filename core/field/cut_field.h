@@ -44,6 +44,8 @@ public:
     }
     /// The same for a block.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, BlockValues& cut) const noexcept;
+    /// The same with gradients, zero where nothing was cut in the brick. False where that is so everywhere.
+    bool at(const PlaceBlock& places, SlopeBlock& cut) const noexcept;
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);
@@ -67,6 +69,9 @@ private:
         const auto s = static_cast<std::size_t>(slot);
         return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
     }
+    [[nodiscard]] CellRanges& ranges_of(std::size_t brick_index) noexcept {
+        return ranges_[static_cast<std::size_t>(table_[brick_index])];
+    }
     struct BrickBox {
         std::array<int, 3> first, last;
     };
@@ -86,6 +91,7 @@ private:
     std::vector<std::uint8_t> changed_;
     std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
     std::vector<std::unique_ptr<std::int16_t[]>> chunks_;
+    std::vector<CellRanges> ranges_;  ///< of the bricks in use
     std::size_t used_ = 0, capacity_ = 0;
 };
 

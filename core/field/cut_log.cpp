@@ -13,6 +13,7 @@ namespace {
 constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
+constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
 }  // namespace
 
 void CutTracker::restart(const Pose& body_from_tool) noexcept {
@@ -69,6 +70,17 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     pending_[slot] = record;
     pending_inverse_[slot] = inverse(record.to);
     ++pending_count_;
+    compare_with_newest();
+}
+
+void CutTracker::compare_with_newest() noexcept {
+    farthest_pending_ = largest_turn_ = 0.0;
+    for (std::size_t i = 0; i + 1 < pending_count_; ++i) {
+        const Pose newest_from_older = tool_from_body(pending_count_ - 1) * pending(i).to;
+        const Quat& q = newest_from_older.rotation;
+        farthest_pending_ = std::max(farthest_pending_, length(newest_from_older.position));
+        largest_turn_ = std::max(largest_turn_, 2.0 * length({q.x, q.y, q.z}));
+    }
 }
 
 void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
@@ -111,8 +123,7 @@ double CutTracker::gap(Vec3 point, Vec3 direction) const noexcept {
 
 double CutTracker::depth_in_pending(Vec3 point) const noexcept {
     double depth = -body_->grid().clamp();
-    for (std::size_t i = 0; i < pending_count_; ++i)
-        depth = std::max(depth, -solid_->distance(tool_from_body(i) * point));
+    for (std::size_t i = 0; i < pending_count_; ++i) depth = std::max(depth, depth_in_pending(i, point));
     return depth;
 }
 
@@ -139,45 +150,51 @@ void CutTracker::gap(const PointBlock& points, Vec3 direction, BlockValues& gaps
     }
 }
 
-void CutTracker::depth_in_pending(const PointBlock& points, BlockValues& depths) const noexcept {
-    for (std::size_t p = 0; p < points.count; ++p) depths[p] = -body_->grid().clamp();
-    BlockValues one;
-    for (std::size_t i = 0; i < pending_count_; ++i) {
-        solid_->depths(tool_from_body(i), points, one);
-        for (std::size_t p = 0; p < points.count; ++p) depths[p] = depths[p] < one[p] ? one[p] : depths[p];
+void CutTracker::raise_to_present(const PointBlock& points, BlockValues& distances, PendingWalls& walls) const noexcept {
+    walls.fill(none);
+    if (pending_count_ == 0 || points.count == 0) return;
+    const std::size_t newest = pending_count_ - 1;
+
+    // The distance is 1-Lipschitz. One point in the middle of all bounds how deep any of them can be in the newest, and
+    // by as much as the older ones lie elsewhere, in those.
+    Vec3 low = points[0], high = low;
+    double least = distances[0];
+    for (std::size_t p = 1; p < points.count; ++p) {
+        low = {std::min(low.x, points.x[p]), std::min(low.y, points.y[p]), std::min(low.z, points.z[p])};
+        high = {std::max(high.x, points.x[p]), std::max(high.y, points.y[p]), std::max(high.z, points.z[p])};
+        least = std::min(least, distances[p]);
+    }
+    const double radius = 0.5 * length(high - low);
+    const Vec3 middle = tool_from_body(newest) * (0.5 * (low + high));
+    const double elsewhere = farthest_pending_ + largest_turn_ * (length(middle) + radius) + rounding;
+    if (-solid_->distance(middle) + radius + elsewhere < least) return;
+
+    BlockValues depth;
+    std::array<std::uint8_t, block_capacity> lane;
+    PointBlock concerned;
+    solid_->depths(tool_from_body(newest), points, depth);
+    for (std::size_t p = 0; p < points.count; ++p) {
+        const bool may_be_deeper = depth[p] + elsewhere >= distances[p];
+        if (depth[p] > distances[p]) {
+            distances[p] = depth[p];
+            walls[p] = static_cast<std::uint8_t>(newest);
+        }
+        if (!may_be_deeper) continue;
+        lane[concerned.count] = static_cast<std::uint8_t>(p);
+        concerned.add(points[p]);
+    }
+    for (std::size_t i = 0; i < newest && concerned.count > 0; ++i) {
+        solid_->depths(tool_from_body(i), concerned, depth);
+        for (std::size_t p = 0; p < concerned.count; ++p) {
+            if (!(depth[p] > distances[lane[p]])) continue;
+            distances[lane[p]] = depth[p];
+            walls[lane[p]] = static_cast<std::uint8_t>(i);
+        }
     }
 }
 
-void CutTracker::depth_bound(const PointBlock& points, BlockValues& bounds) const noexcept {
-    if (pending_count_ == 0) {
-        for (std::size_t p = 0; p < points.count; ++p) bounds[p] = -body_->grid().clamp();
-        return;
-    }
-    // The distance is 1-Lipschitz: how far apart can two pending poses put the same point? As far as the middle of all
-    // points, and by the turn, 2 sin(½θ) ≤ 2 |q − q'|, times how far the others lie from there.
-    Vec3 middle{0, 0, 0};
-    for (std::size_t p = 0; p < points.count; ++p) middle = middle + points[p];
-    middle = (1.0 / static_cast<double>(std::max<std::size_t>(points.count, 1))) * middle;
-    double radius2 = 0.0;
-    for (std::size_t p = 0; p < points.count; ++p)
-        radius2 = std::max(radius2, dot(points[p] - middle, points[p] - middle));
-    const double radius = std::sqrt(radius2);
-    const Pose& newest = tool_from_body(pending_count_ - 1);
-    double motion = 0.0;
-    for (std::size_t i = 0; i + 1 < pending_count_; ++i) {
-        const Pose& other = tool_from_body(i);
-        const auto difference2 = [&](double sign) {
-            const auto squared = [](double v) { return v * v; };
-            const Quat &a = newest.rotation, &b = other.rotation;
-            return squared(a.w - sign * b.w) + squared(a.x - sign * b.x) + squared(a.y - sign * b.y) +
-                   squared(a.z - sign * b.z);
-        };
-        const double turn = 2.0 * std::sqrt(std::min(difference2(1.0), difference2(-1.0)));
-        motion = std::max(motion, length(newest * middle - other * middle) + turn * radius);
-    }
-    constexpr double rounding = 1e-9;  // [m]
-    solid_->depths(newest, points, bounds);
-    for (std::size_t p = 0; p < points.count; ++p) bounds[p] += motion + rounding;
+Vec3 CutTracker::normal_of(std::uint8_t wall, Vec3 point) const noexcept {
+    return rotate(pending(wall).to.rotation, solid_->way_in(tool_from_body(wall) * point));
 }
 
 bool CutTracker::removes_bone(const Pose& at) const noexcept {

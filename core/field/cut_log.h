@@ -41,13 +41,21 @@ public:
     [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
     /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
+    /// Of one of them, 0 … pending_count() − 1, the newest last.
+    [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
+        return -solid_->distance(tool_from_body(i) * point_in_body);
+    }
 
-    /// Both for a block.   [haptic, nonblocking]
+    /// The same for a block.   [haptic, nonblocking]
     void gap(const PointBlock& points_in_body, Vec3 direction_in_body, BlockValues& gaps) const noexcept;
-    void depth_in_pending(const PointBlock& points_in_body, BlockValues& depths) const noexcept;
-    /// What `depth_in_pending` does not exceed: one solid asked instead of all. The pending ones lie within about a
-    /// voxel, so by as much as they have moved no point can be deeper than it is in the newest.   [haptic, nonblocking]
-    void depth_bound(const PointBlock& points_in_body, BlockValues& bounds) const noexcept;
+
+    /// For each point of a block the pending solid whose wall is nearest to it, or `none`.
+    static constexpr std::uint8_t none = 255;
+    using PendingWalls = std::array<std::uint8_t, block_capacity>;
+    /// Raises `distances` to each point's depth in the pending solids, where that is more.   [haptic, nonblocking]
+    void raise_to_present(const PointBlock& points_in_body, BlockValues& distances, PendingWalls& walls) const noexcept;
+    /// Outward normal of the bone that a pending solid leaves standing, body frame: into the solid.
+    [[nodiscard]] Vec3 normal_of(std::uint8_t wall, Vec3 point_in_body) const noexcept;
 
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
     [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
@@ -59,6 +67,8 @@ private:
     [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept {
         return pending_inverse_[(pending_first_ + i) % pending_capacity];
     }
+    /// How the pending solids lie to the newest, which has just come.
+    void compare_with_newest() noexcept;
     int commit_oldest();
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
@@ -82,6 +92,8 @@ private:
 
     std::array<CutRecord, pending_capacity> pending_{};
     std::array<Pose, pending_capacity> pending_inverse_{};
+    double farthest_pending_ = 0.0;  ///< [m] of a pending tip from the newest, at most
+    double largest_turn_ = 0.0;      ///< [–] 2 sin(θ/2) of a pending pose from the newest, at most
     std::size_t pending_first_ = 0, pending_count_ = 0;
     std::uint64_t early_commits_ = 0;
 };

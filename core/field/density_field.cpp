@@ -27,6 +27,12 @@ DensityField DensityField::build(const Grid& grid, const std::function<bool(std:
     return field;
 }
 
+double DensityField::mean() const noexcept {
+    double sum = 0.0;
+    for (const float density : pool_) sum += static_cast<double>(density);
+    return is_empty() ? 0.0 : sum / static_cast<double>(pool_.size());
+}
+
 void DensityField::at(const PlaceBlock& places, double elsewhere, BlockValues& densities) const noexcept {
     CornerBlock<float> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {

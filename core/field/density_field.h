@@ -31,6 +31,7 @@ public:
 
     /// [kg/m³] of all that is stored; 0 when empty.
     [[nodiscard]] double largest() const noexcept { return largest_; }
+    [[nodiscard]] double mean() const noexcept;
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return table_.size() * sizeof(std::int32_t) + pool_.size() * sizeof(float);
     }

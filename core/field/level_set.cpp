@@ -51,6 +51,20 @@ void LevelSet::at(const PlaceBlock& places, BlockValues& distances) const noexce
     corners.interpolate(quantum_, distances);
 }
 
+bool LevelSet::at(const PlaceBlock& places, SlopeBlock& distances) const noexcept {
+    CornerBlock<std::int16_t> corners(places);
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::int32_t slot =
+            places.brick[i] == PlaceBlock::outside ? air : table_[static_cast<std::size_t>(places.brick[i])];
+        if (slot < 0)
+            distances.set(i, slot == air ? clamp_ : -clamp_);
+        else
+            corners.add(brick(slot), i);
+    }
+    corners.interpolate(quantum_, distances);
+    return !corners.is_empty();
+}
+
 std::int16_t LevelSet::sample(int i, int j, int k) const noexcept {
     if (i < 0 || j < 0 || k < 0 || i >= grid_.samples(0) || j >= grid_.samples(1) || k >= grid_.samples(2))
         return 32767;

@@ -26,6 +26,8 @@ public:
     }
     /// The same for a block.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, BlockValues& distances) const noexcept;
+    /// The same with gradients, zero where the brick is uniform. False where they all are.
+    bool at(const PlaceBlock& places, SlopeBlock& distances) const noexcept;
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
@@ -59,7 +61,7 @@ private:
 
 /// Metres to the nearest quantum, clamped.
 [[nodiscard]] inline std::int16_t quantised(double distance, double quantum) noexcept {
-    const double q = distance / quantum;
+    const double q = distance * (1.0 / quantum);
     if (q >= 32767.0) return 32767;
     if (q <= -32767.0) return -32767;
     return static_cast<std::int16_t>(q >= 0.0 ? q + 0.5 : q - 0.5);

@@ -79,6 +79,33 @@ void CornerBlock<Sample>::interpolate(double quantum, BlockValues& values) const
     for (std::size_t i = 0; i < count_; ++i) values[lane_[i]] = result[i];
 }
 
+template <>
+void CornerBlock<std::int16_t>::interpolate(double quantum, SlopeBlock& slopes) const noexcept {
+    if (count_ == 0) return;
+    const auto differentiate = [&](ConstCoordinates fraction, SlopeBlock& to) {
+        block_kernel().gradient_int16(corner_.data(), count_, fraction, quantum, to.value.data(),
+                                      {to.x.data(), to.y.data(), to.z.data()});
+    };
+    if (count_ == places_->count) {
+        differentiate({places_->fx.data(), places_->fy.data(), places_->fz.data()}, slopes);
+        return;
+    }
+    BlockValues fx, fy, fz;
+    SlopeBlock result;
+    for (std::size_t i = 0; i < count_; ++i) {
+        fx[i] = places_->fx[lane_[i]];
+        fy[i] = places_->fy[lane_[i]];
+        fz[i] = places_->fz[lane_[i]];
+    }
+    differentiate({fx.data(), fy.data(), fz.data()}, result);
+    for (std::size_t i = 0; i < count_; ++i) {
+        slopes.value[lane_[i]] = result.value[i];
+        slopes.x[lane_[i]] = result.x[i];
+        slopes.y[lane_[i]] = result.y[i];
+        slopes.z[lane_[i]] = result.z[i];
+    }
+}
+
 template class CornerBlock<std::int16_t>;
 template class CornerBlock<float>;
 

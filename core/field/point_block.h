@@ -57,6 +57,16 @@ struct PlaceBlock {
 /// As `locate` of one point.   [any] pure, nonblocking.
 void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noexcept;
 
+/// Values of a field and their gradients [quanta per voxel], as the interpolation between eight samples has them.
+struct SlopeBlock {
+    BlockValues value, x, y, z;
+
+    void set(std::size_t i, double v) noexcept {
+        value[i] = v;
+        x[i] = y[i] = z[i] = 0.0;
+    }
+};
+
 /// The eight samples around those points of a block that lie in a stored brick; the others cost nothing more.
 template <class Sample>
 class CornerBlock {
@@ -70,6 +80,9 @@ public:
     }
     /// Trilinear values times `quantum`, each to where its point stood in the block.
     void interpolate(double quantum, BlockValues& values) const noexcept;
+    /// The same with gradients.
+    void interpolate(double quantum, SlopeBlock& slopes) const noexcept;
+    [[nodiscard]] bool is_empty() const noexcept { return count_ == 0; }
 
 private:
     const PlaceBlock* places_;

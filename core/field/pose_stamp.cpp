@@ -2,7 +2,6 @@
 #include "core/field/pose_stamp.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace kerf {
 
@@ -10,88 +9,107 @@ void PoseStamp::start_rows(int j, int k) noexcept {
     if (at_j_ == j && at_k_ == k) return;
     at_j_ = j;
     at_k_ = k;
-    PointBlock in_body[2];
+    PointBlock in_body[3];
     for (int z = 0; z < stored_edge; ++z)
         for (int y = 0; y < stored_edge; ++y)
-            in_body[z < 5 ? 0 : 1].add(grid_->sample_position(0, j * brick_edge + y, k * brick_edge + z));
-    for (int half : {0, 1}) transform(tool_from_body_, in_body[half], starts_[half]);
+            in_body[z / 3].add(grid_->sample_position(0, j * brick_edge + y, k * brick_edge + z));
+    for (int layers : {0, 1, 2}) transform(tool_from_body_, in_body[layers], starts_[layers]);
 }
 
-std::size_t PoseStamp::rows_that_matter(const std::int16_t* samples, int i, const std::array<int, 3>& first,
-                                        const std::array<int, 3>& last,
-                                        std::array<Row, rows_per_brick>& rows) const noexcept {
-    // The distance is 1-Lipschitz: its value in the middle of a row says how deep any sample of it can be.
-    const double half_row = 0.5 * brick_edge * grid_->spacing * (1.0 + 1e-9);
-    const double to_middle = static_cast<double>(i * brick_edge) + 0.5 * brick_edge;
-    const double quantum = grid_->quantum();
-    std::size_t count = 0;
-    for (std::size_t half = 0; half < 2; ++half) {
-        PointBlock middle;
-        BlockValues depth;
-        shift(starts_[half], to_middle * step_, middle);
-        solid_->depths(middle, depth);
-        for (std::size_t n = 0; n < middle.count; ++n) {
-            if (-depth[n] > band_ + half_row) continue;
-            const std::size_t row = half * first_half + n;
-            const int y = at_j_ * brick_edge + static_cast<int>(row) % stored_edge;
-            const int z = at_k_ * brick_edge + static_cast<int>(row) / stored_edge;
-            if (y < first[1] || y > last[1] || z < first[2] || z > last[2]) continue;
-            const std::int16_t* v = samples + row * stored_edge;
-            const std::int16_t lowest = *std::min_element(v, v + stored_edge);
-            const double deepest = depth[n] / quantum + 2.0;  // rounded up
-            if (lowest == 32767 || lowest >= deepest + half_row / quantum) continue;
-            rows[count++] = {static_cast<std::uint8_t>(row), static_cast<std::int32_t>(std::min(deepest, 65535.0))};
-        }
+bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i) const noexcept {
+    std::array<double, stored_edge> x, y, z;  // from the start of a row to its samples
+    for (int n = 0; n < stored_edge; ++n) {
+        const Vec3 along = static_cast<double>(i * brick_edge + n) * step_;
+        x[n] = along.x;
+        y[n] = along.y;
+        z[n] = along.z;
     }
-    return count;
+
+    PointBlock middles;
+    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+        const CellPlace at = CellPlace::of(cell);
+        const double middle = static_cast<double>(i * brick_edge) + 0.5 * (at.first_x + at.last_x);
+        middles.add(starts_[at.first_z / 3][static_cast<std::size_t>(stored_edge + at.first_y + 1)] + middle * step_);
+    }
+    // How deep can any sample of a cell be? No deeper than a plane that touches the solid; or, since the distance is
+    // 1-Lipschitz, than the middle by as much as it lies from there.
+    BlockValues depth;
+    PointBlock gradient;
+    const bool has_tangents = solid_->is_convex();
+    if (has_tangents)
+        solid_->tangents(middles, depth, gradient);
+    else
+        solid_->depths(middles, depth);
+    const double quantum = grid_->quantum();
+    const Vec3 step_y = rotate(tool_from_body_.rotation, Vec3{0, grid_->spacing, 0});
+    const Vec3 step_z = rotate(tool_from_body_.rotation, Vec3{0, 0, grid_->spacing});
+    const double radius[2] = {std::sqrt(4.25) * grid_->spacing, std::sqrt(6.0) * grid_->spacing};
+    constexpr double far = 1e5;  // [quanta], beyond all that is stored and within what float tells apart
+    bool is_changed = false;
+    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+        if (ranges.lowest[cell] == 32767) continue;
+        const CellPlace at = CellPlace::of(cell);
+        const double half_width = 0.5 * (at.last_x - at.first_x), middle_x = at.first_x + half_width;
+        double per_x = 0.0, per_y = 0.0, per_z = 0.0, base = (depth[cell] + radius[cell % 2]) / quantum, deepest = base;
+        if (has_tangents) {
+            const Vec3 g = (1.0 / quantum) * gradient[cell];
+            per_x = dot(g, step_);
+            per_y = dot(g, step_y);
+            per_z = dot(g, step_z);
+            base = depth[cell] / quantum;
+            deepest = base + half_width * std::abs(per_x) + std::abs(per_y) + std::abs(per_z);
+            base = std::clamp(base, -far, far) - middle_x * per_x - (at.first_y + 1) * per_y - per_z;
+        }
+        if (deepest < -band_ / quantum - 2.0 || ranges.lowest[cell] >= deepest + 2.0) continue;
+        const PointBlock& starts = starts_[at.first_z / 3];
+        const SampleCell which{starts.coordinates(),
+                               {x.data(), y.data(), z.data()},
+                               at.first_x,
+                               at.last_x,
+                               at.first_y,
+                               static_cast<float>(base),
+                               static_cast<float>(per_x),
+                               static_cast<float>(per_y),
+                               static_cast<float>(per_z)};
+        if (solid_->raise(which, band_, quantum, samples + at.first_z * stored_edge * stored_edge, ranges.lowest[cell],
+                          ranges.highest[cell]))
+            is_changed = true;
+    }
+    return is_changed;
 }
 
-bool PoseStamp::raise(std::int16_t* samples, int i, int j, int k, const std::array<int, 3>& first,
+bool PoseStamp::raise(std::int16_t* samples, CellRanges& ranges, int i, int j, int k, const std::array<int, 3>& first,
                       const std::array<int, 3>& last) noexcept {
     start_rows(j, k);
-    std::array<Row, rows_per_brick> rows;
-    const std::size_t row_count = rows_that_matter(samples, i, first, last, rows);
+    const int low[] = {i * brick_edge, j * brick_edge, k * brick_edge};
+    bool is_all_within = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        is_all_within = is_all_within && low[axis] >= first[axis] && low[axis] + brick_edge <= last[axis];
+    if (is_all_within) return raise_cells(samples, ranges, i);
 
-    constexpr int a_voxel = 8192;  // quanta, rounded up
-    constexpr int lowest_kept = -static_cast<int>(band_voxels) * a_voxel;
-    std::array<Vec3, stored_edge> along;
-    std::array<int, stored_edge> deeper;  // than the middle of its row [quanta], at most
-    for (int x = 0; x < stored_edge; ++x) {
-        along[x] = static_cast<double>(i * brick_edge + x) * step_;
-        deeper[x] = a_voxel * std::abs(x - brick_edge / 2);
-    }
-    const int x_first = std::max(0, first[0] - i * brick_edge);
-    const int x_last = std::min(stored_edge - 1, last[0] - i * brick_edge);
-
-    PointBlock points;
-    std::array<std::int16_t, block_capacity> values;
-    std::array<std::uint16_t, block_capacity> places;
+    // Some samples must stay: raise all, elsewhere, and take over the others.
+    std::array<std::int16_t, stored_samples> raised;
+    std::copy_n(samples, stored_samples, raised.data());
+    if (!raise_cells(raised.data(), ranges, i)) return false;
     bool is_changed = false;
-    const auto raise_block = [&] {
-        if (solid_->raise(points, band_, grid_->quantum(), values)) {
-            is_changed = true;
-            for (std::size_t n = 0; n < points.count; ++n) samples[places[n]] = values[n];
-        }
-        points.count = 0;
-    };
-    for (std::size_t n = 0; n < row_count; ++n) {
-        if (points.count + stored_edge > block_capacity) raise_block();
-        const Vec3 start = start_of(rows[n].row);
-        const std::size_t place = static_cast<std::size_t>(rows[n].row) * stored_edge;
-        std::size_t at = points.count;
-        for (int x = x_first; x <= x_last; ++x) {
-            const int value = samples[place + static_cast<std::size_t>(x)], deepest = rows[n].deepest + deeper[x];
-            values[at] = static_cast<std::int16_t>(value);
-            places[at] = static_cast<std::uint16_t>(place + static_cast<std::size_t>(x));
-            points.x[at] = start.x + along[x].x;
-            points.y[at] = start.y + along[x].y;
-            points.z[at] = start.z + along[x].z;
-            // The next one is written over it if it cannot rise.
-            at += (value < 32767) & (value < deepest) & (deepest > lowest_kept);
-        }
-        points.count = at;
+    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+        const CellPlace at = CellPlace::of(cell);
+        int lowest = 32767, highest = -32767;
+        for (int z = at.first_z; z < at.first_z + 3; ++z)
+            for (int y = at.first_y; y < at.first_y + 3; ++y)
+                for (int x = at.first_x; x <= at.last_x; ++x) {
+                    const auto place = static_cast<std::size_t>((z * stored_edge + y) * stored_edge + x);
+                    if (low[0] + x >= first[0] && low[0] + x <= last[0] && low[1] + y >= first[1] &&
+                        low[1] + y <= last[1] && low[2] + z >= first[2] && low[2] + z <= last[2]) {
+                        is_changed = is_changed || samples[place] != raised[place];
+                        samples[place] = raised[place];
+                    }
+                    lowest = std::min<int>(lowest, samples[place]);
+                    highest = std::max<int>(highest, samples[place]);
+                }
+        ranges.lowest[cell] = static_cast<std::int16_t>(lowest);
+        ranges.highest[cell] = static_cast<std::int16_t>(highest);
     }
-    raise_block();
     return is_changed;
 }
 

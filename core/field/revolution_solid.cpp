@@ -12,12 +12,10 @@ namespace {
 
 double squared(double v) noexcept { return v * v; }
 
-double radius_at(const std::vector<kerf_profile_point>& outline, double z) noexcept {
-    for (std::size_t i = 1; i < outline.size(); ++i) {
-        if (z < outline[i].z) continue;
-        const auto &a = outline[i - 1], &b = outline[i];
-        return a.radius + (b.radius - a.radius) * (a.z - z) / (a.z - b.z);
-    }
+double radius_at(const std::vector<kerf_profile_point>& outline, const std::vector<OutlineSegment>& segments,
+                 double z) noexcept {
+    for (std::size_t i = 1; i < outline.size(); ++i)
+        if (!(z < outline[i].z)) return outline[i - 1].radius + segments[i - 1].slope * (outline[i - 1].z - z);
     return outline.back().radius;
 }
 
@@ -31,7 +29,8 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         largest_radius_ = std::max(largest_radius_, outline_[i].radius);
         if (i == 0) continue;
         const double r = outline_[i].radius - outline_[i - 1].radius, z = outline_[i].z - outline_[i - 1].z;
-        segments_.push_back({r, z, 1.0 / (r * r + z * z)});
+        const double l = std::sqrt(r * r + z * z), nr = -z / l, nz = r / l;
+        segments_.push_back({r, z, 1.0 / (r * r + z * z), -r / z, nr, nz, nr * outline_[i].radius + nz * outline_[i].z});
         if (i == 1) continue;
         // Backwards the outline may only bend towards the axis.
         const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
@@ -41,24 +40,74 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
 
 double RevolutionSolid::distance(Vec3 p) const noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    const auto &front = outline_.front(), &back = outline_.back();
+    if (!is_convex_) {
+        const bool is_inside = p.z < front.z && p.z > back.z && r < radius_at(outline_, segments_, p.z);
+        const double distance = std::sqrt(squared_distance(r, p.z));
+        return is_inside ? -distance : distance;
+    }
+    const auto to_face = [&](const OutlineSegment& s) { return s.offset - (s.normal_r * r + s.normal_z * p.z); };
+    double depth = std::min(front.z - p.z, p.z - back.z);
+    for (const OutlineSegment& s : segments_) depth = std::min(depth, to_face(s));
+    if (!(depth < 0.0)) return -depth;
 
+    // Outside, the foot on that plane may lie beyond the face's edges.
+    bool is_beside = (front.z - p.z == depth && r <= front.radius) || (p.z - back.z == depth && r <= back.radius);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const OutlineSegment& s = segments_[i];
+        const double along =
+            ((r - outline_[i].radius) * s.along_r + (p.z - outline_[i].z) * s.along_z) * s.inverse_length2;
+        is_beside = is_beside || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
+    }
+    return is_beside ? -depth : std::sqrt(squared_distance(r, p.z));
+}
+
+double RevolutionSolid::squared_distance(double r, double z) const noexcept {
     double nearest2 = 1e300;
-    for (std::size_t i = 0; i < outline_.size() - 1; ++i) {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
         // Project onto the segment; its direction and length were worked out once.
         const auto& a = outline_[i];
         const OutlineSegment& s = segments_[i];
-        const double dr = r - a.radius, dz = p.z - a.z;
+        const double dr = r - a.radius, dz = z - a.z;
         const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
         nearest2 = std::min(nearest2, squared(dr - t * s.along_r) + squared(dz - t * s.along_z));
     }
-    const auto& front = outline_.front();
-    const auto& back = outline_.back();
+    const auto &front = outline_.front(), &back = outline_.back();
     if (front.radius > 0.0)
-        nearest2 = std::min(nearest2, squared(std::max(0.0, r - front.radius)) + squared(p.z - front.z));
-    nearest2 = std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(p.z - back.z));
+        nearest2 = std::min(nearest2, squared(std::max(0.0, r - front.radius)) + squared(z - front.z));
+    return std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(z - back.z));
+}
 
-    const bool is_inside = p.z < front.z && p.z > back.z && r < radius_at(outline_, p.z);
-    return is_inside ? -std::sqrt(nearest2) : std::sqrt(nearest2);
+Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+
+    // From the nearest point of the outline to the point, and inwards where there is no such way.
+    double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;
+    const auto consider = [&](double dr, double dz, double inwards_r, double inwards_z) {
+        const double d2 = squared(dr) + squared(dz);
+        if (d2 >= nearest2) return;
+        nearest2 = d2;
+        off_r = dr;
+        off_z = dz;
+        in_r = inwards_r;
+        in_z = inwards_z;
+    };
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        const OutlineSegment& s = segments_[i];
+        const double dr = r - outline_[i].radius, dz = p.z - outline_[i].z;
+        const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
+        consider(dr - t * s.along_r, dz - t * s.along_z, s.along_z, -s.along_r);
+    }
+    const auto &front = outline_.front(), &back = outline_.back();
+    if (front.radius > 0.0) consider(std::max(0.0, r - front.radius), p.z - front.z, 0.0, -1.0);
+    consider(std::max(0.0, r - back.radius), p.z - back.z, 0.0, 1.0);
+
+    const double sign = distance(p) < 0.0 ? 1.0 : -1.0;
+    if (nearest2 > 0.0) {
+        in_r = sign * off_r;
+        in_z = sign * off_z;
+    }
+    return normalized(r > 0.0 ? Vec3{in_r * p.x / r, in_r * p.y / r, in_z} : Vec3{0.0, 0.0, in_z});
 }
 
 void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,
@@ -71,12 +120,6 @@ void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& poin
 void RevolutionSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
     block_kernel().depths(shape(), points_in_tool.count,
                           points_in_tool.coordinates(), depths.data());
-}
-
-bool RevolutionSolid::raise(const PointBlock& points_in_tool, double band, double quantum,
-                            std::array<std::int16_t, block_capacity>& values) const noexcept {
-    return block_kernel().raise(shape(), points_in_tool.count, points_in_tool.coordinates(), band, quantum,
-                                values.data());
 }
 
 double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {

@@ -17,7 +17,8 @@ public:
     /// Pre: at least two points, z strictly falling, radii ≥ 0 (asserted).
     explicit RevolutionSolid(std::vector<kerf_profile_point> outline);
 
-    /// Exact signed distance [m], negative inside.   [any] pure.
+    /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an edge
+    /// of the outline is nearer still.   [any] pure.
     [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
 
     /// Minus the distance of a block [m].   [any] pure, nonblocking.
@@ -25,10 +26,24 @@ public:
     /// The same with the points given in another frame.
     void depths(const Pose& tool_from_other, const PointBlock& points_in_other, BlockValues& depths) const noexcept;
 
-    /// Raises `values` [quanta] to the depths of a block, rounded to the nearest quantum; points farther than `band` [m]
-    /// outside raise nothing. True if any was raised.   [any] nonblocking.
-    bool raise(const PointBlock& points_in_tool, double band, double quantum,
-               std::array<std::int16_t, block_capacity>& values) const noexcept;
+    /// Raises the samples of a cell [quanta] to their depths, rounded to the nearest quantum; those farther than `band` [m]
+    /// outside raise nothing. True if any was raised; tells in which range they are then.   [any] nonblocking.
+    bool raise(const SampleCell& cell, double band, double quantum, std::int16_t* samples, std::int16_t& lowest,
+               std::int16_t& highest) const noexcept {
+        return block_kernel().raise(shape(), cell, band, quantum, samples, lowest, highest);
+    }
+
+    /// A plane for each point of a block that the solid does not cross: around it nothing is deeper than the plane,
+    /// depth + gradient · (from the point) [m], [–]. Pre: is_convex().   [any] pure, nonblocking.
+    void tangents(const PointBlock& points_in_tool, BlockValues& depths, PointBlock& gradients) const noexcept {
+        gradients.count = points_in_tool.count;
+        block_kernel().tangents(shape(), points_in_tool.count, points_in_tool.coordinates(), depths.data(),
+                                gradients.writable());
+    }
+
+    /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
+    /// outside; on the surface inwards.   [any] pure.
+    [[nodiscard]] Vec3 way_in(Vec3 point_in_tool) const noexcept;
 
     /// How far `point` must travel along unit `direction` to leave the solid [m]; 0 when it is outside or on the
     /// surface (within `tolerance`), infinite never: the solid is bounded.   [any] pure.
@@ -42,8 +57,10 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
+    /// The way to the nearest point of the outline, squared.
+    [[nodiscard]] double squared_distance(double r, double z) const noexcept;
     [[nodiscard]] OutlineShape shape() const noexcept {
-        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_};
+        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_};
     }
 
     std::vector<kerf_profile_point> outline_;

@@ -50,6 +50,18 @@ bool Sweep::holds(Vec3 point, double tolerance) const noexcept {
     return false;
 }
 
+void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool, block_capacity>& may) const noexcept {
+    may.fill(true);
+    if (count_ > 1 || points.count == 0) return;
+    constexpr double rounding = 1e-12;  // [m]
+    BlockValues before, after;
+    solid_->depths(inverse(from_), points, before);
+    solid_->depths(inverse(to_), points, after);
+    const double least = tolerance - rounding, way = slack * motion_;
+    for (std::size_t p = 0; p < points.count; ++p)
+        may[p] = before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
+}
+
 bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {
     const double way = slack * motion_ * (b.t - a.t);
     if (0.5 * (a.depth + b.depth + way) <= tolerance || way <= tolerance) return false;

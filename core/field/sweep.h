@@ -31,6 +31,9 @@ public:
     /// is at them, and halved until that bound decides.   [any] pure, nonblocking.
     [[nodiscard]] bool holds(Vec3 point, double tolerance) const noexcept;
 
+    /// For a block: false where `holds` is, for most such points at the cost of two distances.   [any] pure, nonblocking.
+    void may_hold(const PointBlock& points_in_body, double tolerance, std::array<bool, block_capacity>& may) const noexcept;
+
 private:
     static constexpr double slack = 1.02;  ///< for turns, whose speed is not quite uniform between two sub-poses
 

@@ -107,7 +107,7 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
 }
 
 bool Simulation::ask(double step) noexcept {
-    kerf_law law{sizeof(kerf_law), 0, channels_, {}};
+    kerf_law law{sizeof(kerf_law), 0, channels_, {}, {}};
     const kerf_tick_in in = tick_in(step);
     const kerf_status status = setup_.force->force->resist(&in, state_, &law);
     channel_count_ = law_channel_count_ = 0;
@@ -117,6 +117,10 @@ bool Simulation::ask(double step) noexcept {
     for (std::size_t i = 0; i < 6; ++i) {
         if (!std::isfinite(law.wrench[i])) return false;
         law_wrench_[i] = law.wrench[i];
+    }
+    for (std::size_t i = 0; i < KERF_MAX_NOTES; ++i) {
+        if (!std::isfinite(law.note[i])) return false;
+        notes_[i] = law.note[i];
     }
     channel_count_ = law_channel_count_ = law.count;
     if (region_wall(*body_, view_, outline_.cutting, world_from_tool_, channels_[channel_count_])) ++channel_count_;
@@ -328,6 +332,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     std::copy(rate.begin(), rate.end(), advance.rate);
     advance.channel = channels_;
     advance.lambda = lambda;
+    advance.note = notes_;
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_commit_out out{};
     out.size = sizeof out;

@@ -145,6 +145,7 @@ private:
     std::uint32_t channel_count_ = 0;      ///< of the plugin's law, and the wall behind it
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
     Vec6 law_wrench_{};
+    double notes_[KERF_MAX_NOTES]{};
     bool has_left_region_ = false;
     Following following_;
 

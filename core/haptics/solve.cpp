@@ -143,9 +143,17 @@ Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
     return out;
 }
 
-/// The share of `step` at which the slope along it vanishes. The slope falls monotonically: bracket, then close in.
-double exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start) noexcept {
-    const auto slope = [&](double t) { return dot(evaluate(b, stepped(u, t, step)).out_of_balance, step); };
+/// The share of `step` at which the slope along it vanishes, and what is there if it was looked at last. The slope falls
+/// monotonically: bracket, then close in.
+struct Found {
+    double share;
+    bool is_last;
+};
+Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, double slope_at_start, At& last) noexcept {
+    const auto slope = [&](double t) {
+        last = evaluate(b, stepped(u, t, step));
+        return dot(last.out_of_balance, step);
+    };
     const double small = 1e-3 * slope_at_start;
     double low = 0.0, low_slope = slope_at_start;
     double high = 1.0, high_slope = slope(1.0);
@@ -155,14 +163,14 @@ double exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doub
         high *= 2.0;
         high_slope = slope(high);
     }
-    if (std::abs(high_slope) <= small) return high;
+    if (std::abs(high_slope) <= small) return {high, true};
     // Illinois' false position: monotone, so it cannot leave the bracket.
     int kept_side = 0;
     for (int i = 0; i < 80; ++i) {
         double t = (low * high_slope - high * low_slope) / (high_slope - low_slope);
         if (!(t > low && t < high)) t = 0.5 * (low + high);
         const double s = slope(t);
-        if (std::abs(s) <= small) return t;
+        if (std::abs(s) <= small) return {t, true};
         if (s > 0.0) {
             low = t;
             low_slope = s;
@@ -187,7 +195,7 @@ double exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doub
             kept_side = 0;
         }
     }
-    return low > 0.0 ? low : 0.5 * (low + high);
+    return {low > 0.0 ? low : 0.5 * (low + high), false};
 }
 
 }  // namespace
@@ -238,8 +246,9 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         const Vec6 step = backward(h, forward(h, at.out_of_balance));
         const double slope = dot(at.out_of_balance, step);
         if (!(slope > 0.0)) break;
-        u = stepped(u, exact_line_search(b, u, step, slope), step);
-        at = evaluate(b, u);
+        const Found found = exact_line_search(b, u, step, slope, at);
+        u = stepped(u, found.share, step);
+        if (!found.is_last) at = evaluate(b, u);
     }
 
     Motion carried = at_rate(b, u);

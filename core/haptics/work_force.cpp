@@ -78,7 +78,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
                                     reinterpret_cast<const kerf_bone*>(&endless)};
         const kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
         kerf_channel channels[KERF_MAX_CHANNELS];
-        kerf_law law{sizeof(kerf_law), 0, channels, {}};
+        kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
         if (force.resist(&in, state, &law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)

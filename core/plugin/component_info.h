@@ -27,6 +27,14 @@ struct SignalInfo {
     std::string display_unit;
 };
 
+/// One parameter that a feature sets when it is left out (kerf_feature).
+struct FeatureInfo {
+    std::string id, help;
+    uint32_t kind = 0;      ///< KERF_FEATURE_EFFECT or KERF_FEATURE_RESOLUTION
+    std::size_t param = 0;  ///< index into `parameters`
+    double off = 0.0;       ///< SI
+};
+
 struct ComponentInfo {
     std::string plugin;  ///< "kerf.drilling"
     std::string id;      ///< "twist_drill"
@@ -35,6 +43,7 @@ struct ComponentInfo {
     std::vector<ParameterInfo> parameters;
     std::vector<ParameterInfo> drives;  ///< tools only; source is empty
     std::vector<SignalInfo> signals;    ///< forces only
+    std::vector<FeatureInfo> features;  ///< what it can do without
 };
 
 /// Every component of every plugin that was found.

@@ -28,7 +28,7 @@ constexpr LayoutField layout_fields[] = {
     {"kerf_law", &kerf_layout::law},               {"kerf_tick_in", &kerf_layout::tick_in},
     {"kerf_advance", &kerf_layout::advance},       {"kerf_action", &kerf_layout::action},
     {"kerf_commit_out", &kerf_layout::commit_out}, {"kerf_force", &kerf_layout::force},
-    {"kerf_component", &kerf_layout::component},
+    {"kerf_component", &kerf_layout::component},   {"kerf_feature", &kerf_layout::feature},
 };
 
 std::string differs(const std::string& path, const std::string& what, std::uint64_t got, std::uint64_t wanted) {
@@ -53,6 +53,14 @@ std::string fault_of(const kerf_component& c) {
             return name + "has a parameter without id, help, unit or source";
         if (!(p.min <= p.def && p.def <= p.max && std::isfinite(p.min) && std::isfinite(p.max)))
             return name + "parameter `" + p.id + "` has a default outside its range";
+    }
+    if (c.feature_count > 0 && c.features == nullptr) return name + "has no table of its features";
+    for (std::uint32_t i = 0; i < c.feature_count; ++i) {
+        const kerf_feature& f = c.features[i];
+        if (f.id == nullptr || f.help == nullptr || (f.kind != KERF_FEATURE_EFFECT && f.kind != KERF_FEATURE_RESOLUTION))
+            return name + "has a feature without id, help or kind (effect 1, resolution 2)";
+        if (f.param >= c.param_count || !(f.off >= c.params[f.param].min && f.off <= c.params[f.param].max))
+            return name + "feature `" + f.id + "` sets no parameter, or one outside its range";
     }
     return {};
 }
@@ -125,6 +133,10 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     info.kind = c.kind;
     info.help = c.help != nullptr ? c.help : "";
     for (std::uint32_t i = 0; i < c.param_count; ++i) info.parameters.push_back(parameter_info(c.params[i], c.params[i].source));
+    for (std::uint32_t i = 0; i < c.feature_count; ++i) {
+        const kerf_feature& f = c.features[i];
+        info.features.push_back({f.id, f.help, f.kind, f.param, f.off});
+    }
     if (c.kind == KERF_KIND_TOOL)
         for (std::uint32_t i = 0; i < c.tool->drive_count; ++i) info.drives.push_back(parameter_info(c.tool->drives[i], ""));
     if (c.kind == KERF_KIND_FORCE)

@@ -72,6 +72,16 @@ struct Rehearsal {
     std::vector<Waypoint> path;
 };
 
+/// How true a procedure asks its forces and volumes to be, of what the same physics gives on the finest field [–].
+struct Accuracy {
+    double force = 0.07;   ///< a hand feels no less [pang-1991]
+    double volume = 0.02;  ///< of bone removed
+};
+/// What it may cost.
+struct Budget {
+    double tick = 300e-6;  ///< [s] of the processor, 999 ticks of 1000
+};
+
 struct Procedure {
     std::string file;          ///< as the user typed it; stderr only, never written to a result
     std::string id, title, version, status;
@@ -80,6 +90,8 @@ struct Procedure {
     std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
     std::string anatomy_file;  ///< resolved against the document's folder
     double spacing = 0.25e-3;  ///< [m] of the cut field
+    Accuracy accuracy;
+    Budget budget;
     std::string device;        ///< name of the device record the simulated hand holds
     bool is_direct = false;    ///< `coupling: direct`: the device's own rate goes into the law, as the papers do
     std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent

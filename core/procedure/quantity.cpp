@@ -23,6 +23,7 @@ constexpr kerf_dimension energy = dimension::torque;
 
 constexpr std::array symbols{
     Symbol{"1", 1, 1, dimension::none},
+    Symbol{"%", 1, 100, dimension::none},
     Symbol{"m", 1, 1, dimension::length},
     Symbol{"cm", 1, 100, dimension::length},
     Symbol{"mm", 1, 1e3, dimension::length},
@@ -32,6 +33,8 @@ constexpr std::array symbols{
     Symbol{"deg", pi, 180, dimension::angle},
     Symbol{"s", 1, 1, dimension::time},
     Symbol{"ms", 1, 1e3, dimension::time},
+    Symbol{"us", 1, 1e6, dimension::time},
+    Symbol{"µs", 1, 1e6, dimension::time},
     Symbol{"min", 60, 1, dimension::time},
     Symbol{"Hz", 1, 1, dimension::frequency},
     Symbol{"kHz", 1e3, 1, dimension::frequency},

@@ -16,6 +16,9 @@ using namespace literals;
 
 // What a person can plausibly ask for; anything else is a slip of the pen or a wrong unit.
 const QuantityNeed voxel_spacing{dimension::length, "mm", 0.05_mm, 2.0_mm};
+const QuantityNeed share_of_force{dimension::none, "%", 0.001, 0.5};
+const QuantityNeed share_of_volume{dimension::none, "%", 0.0005, 0.5};
+const QuantityNeed tick_time{dimension::time, "us", 1e-6, 1.0_ms};
 const QuantityNeed duration{dimension::time, "s", 1.0_s, 3600.0_s};
 const QuantityNeed scale{dimension::none, "", 1e-4, 10.0};
 const QuantityNeed hand_speed{dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s};
@@ -390,7 +393,14 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     if (const Node* node = map.optional("accuracy")) {
         MapReader accuracy(*node, "accuracy", report);
         accuracy.quantity("spacing", voxel_spacing, procedure.spacing);
+        accuracy.quantity("force", share_of_force, procedure.accuracy.force);
+        accuracy.quantity("volume", share_of_volume, procedure.accuracy.volume);
         accuracy.finish();
+    }
+    if (const Node* node = map.optional("budget")) {
+        MapReader budget(*node, "budget", report);
+        budget.quantity("tick", tick_time, procedure.budget.tick);
+        budget.finish();
     }
     if (const Node* node = map.required("haptics")) {
         MapReader haptics(*node, "haptics", report);

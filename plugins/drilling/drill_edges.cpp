@@ -60,18 +60,21 @@ Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     const double reference = tick.force[force_reference_density];
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
     const LipShare share = share_of_lips(e.lag, feed_rate / n);
+    const double on_chisel = force_per_width(per_lip, k.chisel);
     Side sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
         if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
         if (i >= e.lip_points) {
-            sum.thrust += m * e.chisel_width() * force_per_width(per_lip, k.chisel);
+            sum.thrust += m * e.chisel_width() * on_chisel;
             continue;
         }
         const LipElement& el = e.element(i);
         const double t = share.chip[e.lip_of(i)] * per_lip * el.normal_axial;
         const double width = share.edge[e.lip_of(i)] * e.rake_factor[i % e.lip.count] * m * el.width;
-        const double normal = width * force_per_width(t, k.thrust), cutting = width * force_per_width(t, k.cutting);
+        const double built_up = built_up_at(t, k.thrust.edge_depth), chip = std::max(t, 0.0);  // all have one edge depth
+        const double normal = width * force_per_width(chip, k.thrust, built_up);
+        const double cutting = width * force_per_width(chip, k.cutting, built_up);
         const Vec3 outwards = normalized(Vec3{e.point[i].x, e.point[i].y, 0.0});
         const Vec3 running = cross(Vec3{0, 0, 1}, outwards);
         const Vec3 lateral = -cutting * running - normal * el.normal_radial * outwards;

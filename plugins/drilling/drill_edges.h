@@ -39,6 +39,13 @@ struct Edges {
         return lip_of(i) == 0 ? sample[i].gap : std::max(0.0, sample[i].gap - lag);
     }
 
+    /// Share of the edges in bone.
+    [[nodiscard]] double engagement() const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < count; ++i) sum += sample[i].engagement;
+        return sum / static_cast<double>(count);
+    }
+
     /// The least way to the front among edges in bone; 0 when none is.
     [[nodiscard]] double least_gap() const noexcept {
         double least = 1e300;

@@ -17,6 +17,8 @@ using namespace literals;
 constexpr double slowest_cut = 30.0_rpm;
 constexpr double dragging_time = 2.0_ms;
 
+enum Note : std::size_t { note_engagement };  // share of the edges in bone
+
 Turning turning_of(const DrillCutting::State& state) noexcept {
     return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
 }
@@ -60,6 +62,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
     if (turning.drags()) {
         Edges edges;
         edges.ask(tick, bone, state.angle);
+        channels.note(note_engagement, edges.engagement());
         add_feed_cutting(edges, tick, bone.tissue_count(), turning, state.feed_rate, channels);
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, channels);
     }
@@ -73,22 +76,25 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     state.feed_rate = std::max(0.0, advance.rate[2]);
     state.shank_force = shank_force_of(advance);
 
-    // Signals and the motor's load, from the same edges the law was stated for.
-    Edges edges;
-    edges.ask(tick, bone, state.angle);
-    double engaged = 0.0;
-    for (std::size_t i = 0; i < edges.count; ++i) engaged += edges.sample[i].engagement;
-    const double feed = state.feed_rate / turning.n;
-    const double least = edges.least_gap();
-    const bool is_cutting = turning.removes() && engaged > 0.0 && least <= state.feed_rate * tick.dt;
-    double load = tick.force[force_friction] * state.shank_force * edges.drill.radius();
-    if (is_cutting)
-        load += side_forces(edges, tick, bone.tissue_count(), turning.n, state.feed_rate, least).torque;
-    else if (!turning.removes())
+    // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
+    double engaged = advance.note.empty() ? 0.0 : advance.note[note_engagement];
+    double load = tick.force[force_friction] * state.shank_force * drill_of(tick.tool).radius(), feed_thrust = 0.0;
+    for (std::size_t c = 0; c < advance.channel.size(); ++c) {
+        if (advance.channel[c].id != id_feed) continue;
+        feed_thrust = advance.lambda[c];
+        if (turning.removes()) load -= advance.channel[c].follow[5] * feed_thrust;
+    }
+    if (!turning.removes()) {
+        Edges edges;
+        edges.ask(tick, bone, state.angle);
+        engaged = edges.engagement();
         load += torque_of_standing(edges, tick, bone.tissue_count(), pushed_along(advance), state.spindle.speed < 0.0);
+    }
+    const bool is_cutting = turning.removes() && feed_thrust > 0.0;
+    const double feed = state.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
-    signals[signal_chip_thickness] = is_cutting ? feed / lip_count * half_point_angle(edges.drill).sin : 0.0;
-    signals[signal_engagement] = engaged / static_cast<double>(edges.count);
+    signals[signal_chip_thickness] = is_cutting ? feed / lip_count * half_point_angle(drill_of(tick.tool)).sin : 0.0;
+    signals[signal_engagement] = engaged;
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;
 

@@ -17,8 +17,8 @@ TwistDrill drill_of(std::span<const double> p) noexcept {
 
 Motor motor_of(std::span<const double> p) noexcept {
     using namespace literals;
-    // Run-up time is counted to 1000 rpm.
-    return {p[tool_motor_torque] * p[tool_run_up] / (2.0 * pi * 1000.0_rpm), p[tool_motor_torque]};
+    if (p[tool_run_up] <= 0.0) return {0.0, p[tool_motor_torque]};
+    return {p[tool_inertia], p[tool_motor_torque], 1000.0_rpm / p[tool_run_up]};
 }
 
 Coefficients coefficients(std::span<const double> f) noexcept {

@@ -6,12 +6,14 @@
 
 namespace kerf::drilling {
 
-double force_per_width(double t, const EdgeCoefficients& bone) noexcept {
-    KERF_ASSERT(bone.edge_depth > 0.0, "a sharp onset cannot be solved; give the edge a small depth");
+double built_up_at(double t, double edge_depth) noexcept {
+    KERF_ASSERT(edge_depth > 0.0, "a sharp onset cannot be solved; give the edge a small depth");
+    return t <= 0.0 ? 0.0 : 1.0 - exp_exact(-t / edge_depth);
+}
 
-    if (t <= 0.0) return 0.0;
-    const double built_up = 1.0 - exp_exact(-t / bone.edge_depth);  // [–] 0 … 1
-    return bone.edge * built_up + bone.chip * t;
+double force_per_width(double t, const EdgeCoefficients& bone) noexcept {
+    const double built_up = built_up_at(t, bone.edge_depth);
+    return t <= 0.0 ? 0.0 : force_per_width(t, bone, built_up);
 }
 
 double resistance_of_density(double rho, double reference) noexcept {

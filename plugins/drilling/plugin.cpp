@@ -21,7 +21,8 @@ constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/
      {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"}, \
      {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"}, \
      {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"}, \
-     {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed; 0 makes the speed follow at once"},
+     {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed: a controller's soft start; 0 makes the speed follow at once"}, \
+     {"inertia", "Of all that turns, at the chuck.", kerf_dimension{{2, 1, 0, 0, 0, 0, 0, 0}}, "kg mm2", 1e-7, 0.01, 5e-5, "assumed: order of a small rotor behind its gear"},
 
 constexpr kerf_param tool_parameters[] = {KERF_DRILL_PARAMETERS};
 static_assert(std::size(tool_parameters) == tool_parameter_count);
@@ -58,6 +59,22 @@ constexpr kerf_param force_parameters[] = {
     {"friction", "Friction of steel on wet bone.", dimension::none, "", 0.0, 1.5, 0.3, "assumed"},
 };
 static_assert(std::size(force_parameters) == force_parameter_count);
+
+constexpr kerf_feature tool_features[] = {
+    {"runout", "A tip that runs off its axis cuts wide and swings.", KERF_FEATURE_EFFECT, tool_runout, 0.0},
+};
+
+constexpr kerf_feature force_features[] = {
+    {"element_pitch", "How many elements a lip has.", KERF_FEATURE_RESOLUTION, force_element_pitch, 1.0_mm},
+    {"edge_term", "Edges resist also where they hardly feed.", KERF_FEATURE_EFFECT, force_thrust_edge, 0.0},
+    {"edge_term", "Edges resist also where they hardly feed.", KERF_FEATURE_EFFECT, force_cutting_edge, 0.0},
+    {"edge_term", "Edges resist also where they hardly feed.", KERF_FEATURE_EFFECT, force_chisel_edge, 0.0},
+    {"chisel", "The chisel edge's thrust.", KERF_FEATURE_EFFECT, force_chisel_edge, 0.0},
+    {"chisel", "The chisel edge's thrust.", KERF_FEATURE_EFFECT, force_chisel_chip, 0.0},
+    {"rake", "Lips cut easier where their rake is larger.", KERF_FEATURE_EFFECT, force_rake_effect, 0.0},
+    {"heel", "Faster feeds than the relief allows ride on the heel.", KERF_FEATURE_EFFECT, force_heel_stiffness, 0.0},
+    {"friction", "The shank rubs in its hole.", KERF_FEATURE_EFFECT, force_friction, 0.0},
+};
 
 constexpr kerf_signal signals[] = {
     {"chip_thickness", "Uncut chip thickness at the lips.", dimension::length, "um"},
@@ -112,12 +129,12 @@ constexpr kerf_force cutting{sizeof(kerf_force),
 
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "twist_drill", "Twist drill with two lips and a chisel edge.", tool_parameters,
-     tool_parameter_count, 0, &twist_drill, nullptr},
+     tool_parameter_count, std::size(tool_features), &twist_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_TOOL, "step_drill", "Twist drill with a wider part behind the point: countersink, taper, step.",
-     step_drill_parameters, step_drill_parameter_count, 0, &step_drill, nullptr},
+     step_drill_parameters, step_drill_parameter_count, std::size(tool_features), &step_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_FORCE, "drill_cutting",
      "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.", force_parameters,
-     force_parameter_count, 0, nullptr, &cutting},
+     force_parameter_count, std::size(force_features), nullptr, &cutting, force_features},
 };
 
 }  // namespace

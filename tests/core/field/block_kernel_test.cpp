@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/field/cut_log.h"
+#include "core/field/pose_stamp.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/with_kernel.h"
 
@@ -76,6 +77,24 @@ TEST_F(BothKernels, MovePointsAlike) {
     }
 }
 
+TEST_F(BothKernels, MakeTheSameNormals) {
+    for (int n = 0; n < blocks; ++n) {
+        PointBlock in = points(3e4);
+        in.x[0] = in.y[0] = in.z[0] = 0.0;
+        const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        PointBlock a, b;
+        plain.unit(turn, in.count, in.coordinates(), a.writable());
+        fast->unit(turn, in.count, in.coordinates(), b.writable());
+        expect_same(a.x, b.x, in.count, "x");
+        expect_same(a.y, b.y, in.count, "y");
+        expect_same(a.z, b.z, in.count, "z");
+        for (std::size_t i = 0; i < in.count; ++i) {
+            if (!is_finite(in[i]) || !(dot(in[i], in[i]) < 1e300)) continue;
+            ASSERT_TRUE(a[i] == rotate(turn, normalized(in[i]))) << i;
+        }
+    }
+}
+
 TEST_F(BothKernels, FindTheSamePlaces) {
     const LatticeShape grid{{-0.011, -0.012, -0.013}, 0.4e-3, {56, 64, 72}, 7, 8};
     std::size_t inside = 0, outside = 0;
@@ -124,6 +143,18 @@ void interpolate_alike(Numbers& numbers, const BlockKernel& plain, const BlockKe
                 kernel.trilinear_int16(corner.data(), count, fraction, 6.1e-8, values->data());
         }
         expect_same(a, b, count, "value");
+        if constexpr (std::is_same_v<Sample, std::int16_t>) {
+            SlopeBlock s, t;
+            for (auto* slopes : {&s, &t})
+                (slopes == &s ? plain : fast)
+                    .gradient_int16(corner.data(), count, fraction, 6.1e-8, slopes->value.data(),
+                                    {slopes->x.data(), slopes->y.data(), slopes->z.data()});
+            expect_same(s.value, a, count, "value beside its gradient");
+            expect_same(s.value, t.value, count, "value beside its gradient");
+            expect_same(s.x, t.x, count, "slope along x");
+            expect_same(s.y, t.y, count, "slope along y");
+            expect_same(s.z, t.z, count, "slope along z");
+        }
     }
 }
 
@@ -163,29 +194,79 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
     EXPECT_GT(inside, 3000u);
 }
 
+TEST_F(BothKernels, FindTheSameTangentsAndNoneCrossesTheSolid) {
+    for (const auto& outline : {std::vector<kerf_profile_point>{{0.0, 0.0}, {-0.96_mm, 1.6_mm}, {-3.0_mm, 1.6_mm}},
+                                std::vector<kerf_profile_point>{{0.5_mm, 2.0_mm}, {-2.0_mm, 2.5_mm}, {-5.0_mm, 1.0_mm}}}) {
+        const RevolutionSolid solid(outline);
+        ASSERT_TRUE(solid.is_convex());
+        for (int n = 0; n < blocks; ++n) {
+            PointBlock in;
+            for (std::size_t i = 0; i < 18; ++i)
+                in.add({4e-3 * numbers.sound(), 4e-3 * numbers.sound(), -2e-3 + 4e-3 * numbers.sound()});
+            in.x[3] = in.y[3] = 0.0;
+            BlockValues a, b;
+            PointBlock to, other;
+            for (auto* depths : {&a, &b}) {
+                const test::WithKernel with(depths == &a ? plain : *fast);
+                solid.tangents(in, *depths, depths == &a ? to : other);
+            }
+            expect_same(a, b, in.count, "depth");
+            expect_same(to.x, other.x, in.count, "x");
+            expect_same(to.y, other.y, in.count, "y");
+            expect_same(to.z, other.z, in.count, "z");
+            for (std::size_t i = 0; i < in.count; ++i) {
+                const Vec3 by{1e-3 * numbers.sound(), 1e-3 * numbers.sound(), 1e-3 * numbers.sound()};
+                ASSERT_LE(-solid.distance(in[i] + by), a[i] + dot(to[i], by) + 1e-15) << i;
+            }
+        }
+    }
+}
+
 TEST_F(BothKernels, RaiseTheSameValues) {
     const RevolutionSolid solid = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
-    constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0;
+    constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0, band = 2.0 * h;
+    constexpr std::size_t layers = 3 * stored_edge * stored_edge;
     std::size_t raised = 0, kept = 0;
     for (int n = 0; n < 10 * blocks; ++n) {
-        const PointBlock in = points(3e-3);
-        std::array<std::int16_t, block_capacity> before;
-        for (std::size_t i = 0; i < in.count; ++i) {
+        // Three layers of samples somewhere about the tip, and a cell of them
+        const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        const Vec3 corner{3e-3 * numbers.sound(), 3e-3 * numbers.sound(), 3e-3 * numbers.sound()};
+        PointBlock rows, along;
+        for (int row = 0; row < 27; ++row)
+            rows.add(corner + rotate(turn, {0.0, h * static_cast<double>(row % 9), h * static_cast<double>(row / 9)}));
+        for (int x = 0; x < 9; ++x) along.add(rotate(turn, {h * static_cast<double>(x), 0.0, 0.0}));
+        const CellPlace at = CellPlace::of(numbers.below(6));
+        const SampleCell cell{rows.coordinates(), along.coordinates(), at.first_x, at.last_x, at.first_y,
+                              1e5f, 0.0f, 0.0f, 0.0f};
+        std::array<std::int16_t, layers> before, expected;
+        for (std::size_t s = 0; s < layers; ++s) {
             // What is there already, or a quantum beside it, or anything
-            const double d = solid.distance(in[i]);
-            const int near = std::isfinite(d) ? quantised(-d, quantum) : 0;
-            const int beside = near + static_cast<int>(numbers.below(3)) - 1;
-            before[i] = static_cast<std::int16_t>(
+            const Vec3 row = rows[s / 9], p = row + along[s % 9];
+            const double d = solid.distance(p);
+            const int near = quantised(-d, quantum), beside = near + static_cast<int>(numbers.below(3)) - 1;
+            before[s] = static_cast<std::int16_t>(
                 std::clamp(numbers.below(3) == 0 ? static_cast<int>(numbers.below(65535)) - 32767 : beside, -32767, 32767));
+            const int x = static_cast<int>(s % 9), y = static_cast<int>(s / 9 % 9);
+            const bool is_of_cell = x >= at.first_x && x <= at.last_x && y >= at.first_y && y < at.first_y + 3;
+            expected[s] = is_of_cell && d <= band ? std::max(before[s], static_cast<std::int16_t>(near)) : before[s];
+            ++(expected[s] > before[s] ? raised : kept);
         }
-        auto a = before, b = before;
-        const auto raise = [&](const BlockKernel& kernel, auto& values) {
-            const test::WithKernel with(kernel);
-            return solid.raise(in, 2.0 * h, quantum, values);
-        };
-        ASSERT_EQ(raise(plain, a), raise(*fast, b));
-        expect_same(a, b, in.count, "value");
-        for (std::size_t i = 0; i < in.count; ++i) ++(a[i] > before[i] ? raised : kept);
+
+        for (const BlockKernel* kernel : {&plain, fast}) {
+            const test::WithKernel with(*kernel);
+            auto samples = before;
+            std::int16_t lowest = 0, highest = 0, least = 32767, most = -32767;
+            ASSERT_EQ(solid.raise(cell, band, quantum, samples.data(), lowest, highest), expected != before);
+            expect_same(samples, expected, layers, kernel->name);
+            for (std::size_t s = 0; s < layers; ++s) {
+                const int x = static_cast<int>(s % 9), y = static_cast<int>(s / 9 % 9);
+                if (x < at.first_x || x > at.last_x || y < at.first_y || y >= at.first_y + 3) continue;
+                least = std::min(least, expected[s]);
+                most = std::max(most, expected[s]);
+            }
+            ASSERT_EQ(lowest, least);
+            ASSERT_EQ(highest, most);
+        }
     }
     EXPECT_GT(raised, 5000u);
     EXPECT_GT(kept, 5000u);

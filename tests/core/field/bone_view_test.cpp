@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/block.h"
+#include "tests/support/scalar_bone_query.h"
 
 namespace kerf {
 namespace {
@@ -104,6 +105,37 @@ TEST(BoneView, NearestSeesTheHoleAsItIsNow) {
     hole.view.nearest(&inside, 1, &wall);
     EXPECT_NEAR(wall.distance, 0.1_mm, 0.02 * hole.h);
     EXPECT_LT(wall.normal.x, -0.98) << "outwards of the bone is towards the drill's axis";
+}
+
+/// Angle between two unit vectors [rad], small.
+double angle_between(Vec3 a, Vec3 b) { return length(a - b); }
+
+TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
+    // Given a hole, and points on either side of its wall where it has been committed
+    Hole hole;
+    hole.move_to(6.0_mm, 2.0_um);
+    const test::ScalarBoneQuery scalar{hole.body, hole.committed, hole.tracker, hole.pose()};
+    constexpr int levels = 29, around = 72;
+
+    // When the bone is asked for normals
+    double worst = 0.0, squares = 0.0, worst_by_differences = 0.0;
+    for (int level = 0; level < levels; ++level)
+        for (int n = 0; n < around; ++n) {
+            const double angle = 2.0 * pi * n / around, z = -2.2_mm - 0.11_mm * level;
+            const double r = 1.6_mm + (n % 5 - 2) * 0.02_mm;
+            const Vec3 p{r * std::cos(angle), r * std::sin(angle), z}, inwards{-std::cos(angle), -std::sin(angle), 0.0};
+            kerf_surface_point wall;
+            hole.view.nearest(&p, 1, &wall);
+            const double error = angle_between(wall.normal, inwards);
+            worst = std::max(worst, error);
+            squares += error * error;
+            worst_by_differences = std::max(worst_by_differences, angle_between(scalar.normal_by_differences(p), inwards));
+        }
+
+    // Then they are off by what a gradient within one cell can be, about three times as much as central differences
+    EXPECT_LT(worst, 0.5 * hole.h / 1.6_mm);
+    EXPECT_LT(std::sqrt(squares / (levels * around)), 2.5_deg);
+    EXPECT_LT(worst, 4.0 * worst_by_differences);
 }
 
 TEST(BoneView, OutsideTheGridAndAtNotANumberThereIsAir) {

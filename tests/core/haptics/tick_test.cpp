@@ -43,7 +43,7 @@ TEST(Tick, AskingForTheLawLeavesTheStateAsItWas) {
     const kerf_force& force = *rig.setup.force->force;
     std::vector<std::byte> before(rig.simulation.state(), rig.simulation.state() + rig.simulation.state_size());
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
     const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
     for (int asked = 0; asked < 3; ++asked) ASSERT_EQ(force.resist(&in, rig.simulation.state(), &law), KERF_OK);
     EXPECT_GT(law.count, 0u);

@@ -43,6 +43,30 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("components"), std::string::npos);
 }
 
+TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
+    const PluginLoad load = load_plugin(drilling);
+    ASSERT_TRUE(load.plugin);
+    kerf_entry entry = load.plugin->entry();
+    kerf_component component = entry.components[0];
+    entry.components = &component;
+    entry.component_count = 1;
+    kerf_feature feature = component.features[0];
+    component.features = &feature;
+    component.feature_count = 1;
+    EXPECT_EQ(refusal_of(entry, "libsaw.so"), "");
+
+    feature.off = component.params[feature.param].max + 1.0;
+    EXPECT_NE(refusal_of(entry, "libsaw.so").find("outside its range"), std::string::npos);
+    feature = load.plugin->entry().components[0].features[0];
+    feature.param = component.param_count;
+    EXPECT_NE(refusal_of(entry, "libsaw.so").find("sets no parameter"), std::string::npos);
+    feature = load.plugin->entry().components[0].features[0];
+    feature.kind = 9;
+    EXPECT_NE(refusal_of(entry, "libsaw.so").find("kind (effect 1, resolution 2)"), std::string::npos);
+    component.features = nullptr;
+    EXPECT_NE(refusal_of(entry, "libsaw.so").find("no table of its features"), std::string::npos);
+}
+
 std::string bad(const std::string& how) { return KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_" + how + ".so"; }
 
 TEST(Loader, RefusesWhatIsNoPluginAndNamesItOnce) {

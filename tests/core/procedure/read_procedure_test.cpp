@@ -107,6 +107,24 @@ TEST(ReadProcedure, KeepsItsTextWordForWord) {
     EXPECT_EQ(procedure->text, faultless);
 }
 
+TEST(ReadProcedure, ReadsWhatAPlanMustKeep) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> as_is = read(faultless, diagnostics);
+    ASSERT_TRUE(as_is);
+    EXPECT_EQ(as_is->accuracy.force, 0.07);
+    EXPECT_EQ(as_is->budget.tick, 300e-6);
+    std::string text = faultless;
+    text.replace(text.find("accuracy: {spacing: 0.5 mm}"), 27, "accuracy: {force: 3 %, volume: 0.5 %}\nbudget: {tick: 80 us}");
+    const std::optional<Procedure> asking = read(text, diagnostics);
+    ASSERT_TRUE(asking) << to_text(diagnostics);
+    EXPECT_NEAR(asking->accuracy.force, 0.03, 1e-12);
+    EXPECT_NEAR(asking->accuracy.volume, 0.005, 1e-12);
+    EXPECT_NEAR(asking->budget.tick, 80e-6, 1e-15);
+}
+TEST(ReadProcedure, RefusesAShareOfForceWithoutItsUnit) {
+    expect_refused(Code::missing_unit, "accuracy: {spacing: 0.5 mm}", "accuracy: {force: «7»}");
+}
+
 TEST(ReadProcedure, RefusesAnotherVersion) { expect_refused(Code::wrong_api_version, "kerf/v1", "«kerf/v2»"); }
 TEST(ReadProcedure, RefusesAnotherKind) { expect_refused(Code::wrong_kind, "kind: Procedure", "kind: «Anatomy»"); }
 TEST(ReadProcedure, RefusesAnUnknownKeyAtTheTop) { expect_refused(Code::unknown_key, "time_limit:", "«time_limits»:"); }

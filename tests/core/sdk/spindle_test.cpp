@@ -86,6 +86,20 @@ TEST(Spindle, HeldItNeverTurnsBackwardsStallsAndWaitsToBeSwitchedOff) {
     EXPECT_EQ(spindle.phase, Phase::running);
 }
 
+TEST(Spindle, AControllerRampsItAndALoadStopsItSooner) {
+    const Motor ramped{0.05e-3, 2.0, full / 0.2};
+    Spindle spindle;
+    EXPECT_NEAR(time_to(spindle, ramped, full, 0.0, full, true), 0.2, 1.5 * dt);
+    spindle = {};
+    spindle.step(ramped, full, 0.0, dt);
+    EXPECT_NEAR(spindle.torque, 0.05e-3 * 2.0 * pi * full / 0.2, 1e-9) << "no more than the ramp takes";
+    spindle = at_speed(full);
+    EXPECT_NEAR(time_to(spindle, ramped, 0.0, 0.0, 0.1 * full, false), 0.18, 2.0 * dt) << "braked by the ramp";
+    spindle = at_speed(full);
+    const double stopped = 0.05e-3 * 2.0 * pi * full / 0.2;  // [s] by 0.2 N·m
+    EXPECT_NEAR(time_to(spindle, ramped, 0.0, 0.2, 0.1 * full, false), 0.9 * stopped, 2.0 * dt);
+}
+
 TEST(Spindle, ASlowStartIsNoStall) {
     const Motor slow{1.0 * 10.0 / (2.0 * pi * full), 1.0};  // 10 s to speed: 100 ms below the crawling speed
     Spindle spindle;

@@ -62,7 +62,7 @@ TEST(SpindleInBone, AWeakMotorBogsDownUnderAHardPushAndRecoversWhenLet) {
 }
 
 TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedOff) {
-    Rig rig({{"run_up", 0.05}, {"motor_torque", 20.0_Nmm}});
+    Rig rig({{"run_up", 0.05}, {"motor_torque", 20.0_Nmm}, {"inertia", 5e-6}});
     for (int i = 0; i < 300; ++i) (void)rig.push(0.0);
     TickResult r;
     for (int i = 0; i < 3000 && rig.events.back() != "drilling.stalled"; ++i) r = rig.push(250.0);
@@ -148,7 +148,7 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
 
     // A tilted shank is pressed on opposite walls at once; what rubs is the sum of what each carries, k δ at rest.
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
     const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
     ASSERT_EQ(rig.setup.force->force->resist(&in, rig.simulation.state(), &law), KERF_OK);
     double carried = 0.0;

@@ -29,6 +29,7 @@ extern "C" {
 #define KERF_MAX_DRIVES 8u    /* drive channels of one tool                         */
 #define KERF_MAX_TISSUES 4u   /* materials that one sample can mix                  */
 #define KERF_MAX_ACTIONS 8u   /* actions of one commit                              */
+#define KERF_MAX_NOTES 4u     /* numbers that a resist leaves for its commit        */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -167,6 +168,8 @@ typedef struct kerf_law {
     double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
                          reaction. Zero when asked. Together with what follows the channels the host gives at most half
                          of what the coupling can hold. */
+    double note[KERF_MAX_NOTES]; /* out: what commit will want to know and would have to ask the bone again: the host hands
+                                    back those of the law that was solved. Zero when asked; finite. */
 } kerf_law;
 
 typedef struct kerf_tick_in {
@@ -189,6 +192,7 @@ typedef struct kerf_advance {
     double rate[6];           /* the tool's rate that balanced, tool frame [m/s, rad/s] */
     const kerf_channel *channel; /* the law that was solved                    */
     const double *lambda;        /* what each of its channels carried [N]      */
+    const double *note;          /* that law's notes; null when no law was asked */
 } kerf_advance;
 
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_PLACE = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
@@ -223,6 +227,20 @@ typedef struct kerf_force {
 
 enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2 };
 
+/* What a component can do without, so that a planner may leave out what a scene does not need. */
+enum {
+    KERF_FEATURE_EFFECT = 1,     /* a physical effect: gone where its parameters are `off`                          */
+    KERF_FEATURE_RESOLUTION = 2, /* how finely it works: coarser and cheaper towards `off`; one parameter           */
+};
+/* Lines with the same id are one feature, switched together. */
+typedef struct kerf_feature {
+    const char *id;   /* snake_case */
+    const char *help; /* one sentence: what is there with it */
+    uint32_t kind;
+    uint32_t param; /* index into the component's params */
+    double off;     /* SI, within that parameter's range */
+} kerf_feature;
+
 typedef struct kerf_component {
     uint32_t size;
     uint32_t kind;
@@ -230,15 +248,16 @@ typedef struct kerf_component {
     const char *help;
     const kerf_param *params;
     uint32_t param_count;
-    uint32_t reserved;
+    uint32_t feature_count;
     const kerf_tool *tool;   /* for KERF_KIND_TOOL  */
     const kerf_force *force; /* for KERF_KIND_FORCE */
+    const kerf_feature *features;
 } kerf_component;
 
 /* Sizes of every struct that crosses the boundary, so that a mismatch is named, not suffered. */
 typedef struct kerf_layout {
     uint32_t param, drive, signal, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
-        tick_in, advance, action, commit_out, force, component;
+        tick_in, advance, action, commit_out, force, component, feature;
 } kerf_layout;
 
 #define KERF_LAYOUT_INIT                                                                                              \
@@ -246,7 +265,7 @@ typedef struct kerf_layout {
         sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_solid), sizeof(kerf_tool_shape),     \
             sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), sizeof(kerf_bone_query),         \
             sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in), sizeof(kerf_advance), sizeof(kerf_action),  \
-            sizeof(kerf_commit_out), sizeof(kerf_force), sizeof(kerf_component)                                       \
+            sizeof(kerf_commit_out), sizeof(kerf_force), sizeof(kerf_component), sizeof(kerf_feature)     \
     }
 
 typedef struct kerf_entry {

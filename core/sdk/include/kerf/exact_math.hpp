@@ -25,8 +25,10 @@ constexpr double exp_exact(double x) noexcept {
     const double scaled = x * 1.44269504088896338700;
     const int k = static_cast<int>(scaled + (scaled >= 0.0 ? 0.5 : -0.5));
     const double r = (x - k * ln2_high) - k * ln2_low;  // |r| ≤ ln 2 / 2
+    constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6, 1.0 / 7,
+                                  1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14};
     double sum = 1.0;
-    for (int n = 14; n >= 1; --n) sum = 1.0 + r / n * sum;
+    for (int n = 14; n >= 1; --n) sum = 1.0 + r * inverse[n] * sum;
     return sum * detail::power_of_two(k);
 }
 

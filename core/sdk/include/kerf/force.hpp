@@ -64,6 +64,8 @@ public:
         for (std::size_t i = 0; i < 6; ++i) law_->wrench[i] += wrench[i];
     }
     [[nodiscard]] std::size_t count() const noexcept { return law_->count; }
+    /// Leaves a number for the commit of this law, so that it need not ask the bone again. `i` < KERF_MAX_NOTES.
+    void note(std::size_t i, double value) noexcept { law_->note[i] = value; }
     [[nodiscard]] int dropped() const noexcept { return dropped_; }
 
 private:
@@ -102,6 +104,7 @@ struct Advance {
     Vec6 rate;                              ///< tool frame [m/s, rad/s]
     std::span<const kerf_channel> channel;  ///< the law that was solved
     std::span<const double> lambda;         ///< what each of its channels carried [N]
+    std::span<const double> note;           ///< what `resist` left; empty when no law was asked
 
     /// What all channels of one kind carried together [N].
     [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
@@ -157,7 +160,8 @@ struct ForceTable {
     }
     static kerf_status commit(const kerf_tick_in* in, const kerf_advance* a, void* state, kerf_commit_out* out) {
         Actions actions(*out);
-        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}};
+        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}, {}};
+        if (a->note != nullptr) advance.note = {a->note, KERF_MAX_NOTES};
         for (std::size_t i = 0; i < 6; ++i) advance.rate[i] = a->rate[i];
         L::commit(tick_of(*in), BoneQuery(*in->bone), advance, *static_cast<typename L::State*>(state),
                   {out->signal, L::signal_count}, actions);

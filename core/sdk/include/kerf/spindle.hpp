@@ -12,11 +12,15 @@ namespace kerf {
 struct Motor {
     double inertia = 0.0;  ///< [kg·m²] of all that turns; 0: the speed follows at once
     double torque = 0.0;   ///< [N·m] the most it turns or brakes with
+    double ramp = 1e300;   ///< [1/s²] how fast its controller changes the speed, loaded or not, while the torque lasts
 };
 
 /// A spindle as part of a law's State: it holds the commanded speed for as long as the motor's torque lasts.
 ///
-///     J (ω⁺ − ω)/T = τ − τ_load (1 − e^(−ω⁺/ω_e)),      −τ_max ≤ τ ≤ τ_max just as holds ω⁺ = commanded
+///     J (ω⁺ − ω)/T = τ − τ_load (1 − e^(−ω⁺/ω_e)),      −τ_max ≤ τ ≤ τ_max just as holds ω⁺ = aim
+///
+/// The aim goes to the commanded speed by the ramp; on its way down the motor brakes and never drives, so that a load
+/// stops it sooner.
 ///
 /// One implicit scalar step a tick: the load never turns the tool backwards, and no step overshoots. Speeds are in
 /// revolutions per second, negative in reverse; from one to the other it passes through standing still. A motor that
@@ -74,10 +78,18 @@ private:
     [[nodiscard]] static double fading(double at) noexcept { return 1.0 - exp_exact(-at / onset); }
 
     [[nodiscard]] static double next_speed(const Motor& motor, double old, double wanted, double load, double dt) noexcept {
+        if (wanted >= old)
+            return reached(motor, old, std::min(wanted, old + motor.ramp * dt), motor.torque, load, dt);
+        const double braked = reached(motor, old, std::max(wanted, old - motor.ramp * dt), 0.0, load, dt);
+        return braked >= wanted ? braked : reached(motor, old, wanted, motor.torque, load, dt);
+    }
+
+    /// The speed after a step in which the motor drives with `most` at most and brakes with all it has.
+    [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double most, double load, double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution
         // What is left over of a torque at a speed: falls with the speed.
         const auto left_over = [&](double pull, double at) { return pull - load * fading(at) - inertia * (at - old); };
-        const double least = -motor.torque, most = motor.torque;
+        const double least = -motor.torque;
         if (left_over(most, wanted) >= 0.0 && left_over(least, wanted) <= 0.0) return wanted;
         // Too weak to get there, or still too fast: it gives all it has. Halve between standing and the faster of the two.
         const double pull = left_over(most, wanted) < 0.0 ? most : least;

@@ -8,13 +8,13 @@
 #include <vector>
 
 /// How long something took, over many rounds.
-namespace kerf::chart {
+namespace kerf {
 
 struct Times {
     double mean, median, p999, longest;  ///< [µs]
 };
 /// Pre: not empty.
-inline Times of(std::vector<double> microseconds) {
+inline Times times_of(std::vector<double> microseconds) {
     std::sort(microseconds.begin(), microseconds.end());
     const auto at = [&](double share) {
         return microseconds[static_cast<std::size_t>(share * static_cast<double>(microseconds.size() - 1))];
@@ -45,4 +45,4 @@ double processor_time_of(const Work& work) {
     return now() - start;
 }
 
-}  // namespace kerf::chart
+}  // namespace kerf

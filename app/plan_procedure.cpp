@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plan_procedure.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/progress.h"
+#include "conformance/plan/plan_text.h"
+#include "core/import/make_body.h"
+#include "core/session/recorder.h"
+#include "core/session/write_file.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double in_air = 2e-3;  // [m] before the entry
+
+const ComponentInfo& info_of(const PluginRegistry& plugins, const Instrument& instrument, std::uint32_t kind) {
+    const std::string& id = kind == KERF_KIND_TOOL ? instrument.tool : instrument.force;
+    const auto& catalog = plugins.catalog();
+    return *std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& info) {
+        return info.plugin == instrument.plugin && info.kind == kind && info.id == id;
+    });
+}
+
+/// As deep as the step's own goal; without one as the deepest rehearsal that should pass.
+double depth_of(const Step& step, const Procedure& procedure) {
+    double depth = 0.0;
+    for (const Goal& goal : step.goals)
+        if (goal.quantity == "depth" && goal.bound.at_least) depth = std::max(depth, *goal.bound.at_least);
+    if (depth > 0.0) return depth;
+    for (const Rehearsal& rehearsal : procedure.rehearsals)
+        if (rehearsal.expect == "pass")
+            for (const Waypoint& waypoint : rehearsal.path) depth = std::max(depth, waypoint.depth);
+    return depth;
+}
+
+double feed_of(const Procedure& procedure) {
+    for (const Rehearsal& rehearsal : procedure.rehearsals)
+        if (rehearsal.expect == "pass") return rehearsal.feed;
+    return 1e-3;
+}
+
+std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`.";
+    const std::string failed = write_file(folder + "/plan.txt", text);
+    return failed.empty() ? write_file(folder + "/plan.csv", csv) : failed;
+}
+
+}  // namespace
+
+PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder) {
+    const Procedure& procedure = scene.procedure;
+    PlanOutcome outcome;
+    outcome.is_kept = true;
+    std::string text = std::string(notice_line) + ".\n" + procedure.id + ", " + procedure.title + "\n";
+    std::vector<plan::StepPlan> plans;
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
+        const Step& step = procedure.steps[s];
+        const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                             [&](const Instrument& i) { return i.id == step.instrument; });
+        const double depth = depth_of(step, procedure);
+        if (depth <= 0.0) {
+            outcome.error = procedure.file + ": step `" + step.id +
+                            "` says nowhere how deep it goes. Give it a goal `{depth: {at_least: 30 mm}}`.";
+            return outcome;
+        }
+        plan::Task task;
+        task.step = step.id;
+        task.bone_at = [&](double spacing) {
+            Diagnostics ignored;
+            return make_body(scene.anatomy, spacing, ignored);
+        };
+        task.setup = scene.setup;
+        task.tool = info_of(plugins, *instrument, KERF_KIND_TOOL);
+        task.force = info_of(plugins, *instrument, KERF_KIND_FORCE);
+        task.gains = scene.gains;
+        task.way = {scene.frames[s].pose_at({.depth = -in_air}), in_air + depth, feed_of(procedure)};
+        task.spacing = procedure.spacing;
+        task.accuracy = procedure.accuracy;
+        task.budget = procedure.budget;
+        const auto found = plan::plan_step(task, show_work, outcome.error);
+        show_work("");
+        if (!found) {
+            outcome.error = procedure.file + ": " + outcome.error;
+            return outcome;
+        }
+        outcome.is_kept = outcome.is_kept && found->keeps_accuracy && found->keeps(procedure.budget);
+        plans.push_back(*found);
+        text += "\n" + plan::plan_text(task, *found);
+    }
+    outcome.text = text;
+    if (!folder.empty()) outcome.error = write_plan(folder, text, plan::plan_csv(plans));
+    return outcome;
+}
+
+}  // namespace kerf
