@@ -24,6 +24,7 @@ using drawing::figure;
 using drawing::joined;
 
 constexpr double just_felt = 0.07;  // [–] of a force: below it a difference cannot be felt
+constexpr double seen_volume = 0.02;  // [–] of a hole
 constexpr double picture_width = 1040, picture_height = 900;
 
 std::vector<const Row*> rows_of(const Chart& chart, const std::string& scene) {
@@ -122,6 +123,16 @@ std::vector<const Row*> pareto_front(const std::vector<const Row*>& rows) {
     return front;
 }
 
+const Row* cheapest_enough(const std::vector<const Row*>& rows) {
+    const Row* best = nullptr;
+    for (const Row* row : rows) {
+        const Measured& m = row->measured;
+        const bool is_enough = row->fails.empty() && m.force_error < just_felt && m.volume_error < seen_volume;
+        if (is_enough && (best == nullptr || m.cost.p999 < best->measured.cost.p999)) best = row;
+    }
+    return best;
+}
+
 std::string chart_csv(const Chart& chart) {
     std::string text = std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
                        "; all else is the same wherever it is run\n"
@@ -197,6 +208,11 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
         if (x > half) y += 17;
         x = x > half ? 12 : half + 12;
     }
+    const Row* enough = cheapest_enough(rows_of(chart, scene));
+    content += drawing::text_at(12, picture_height - 28,
+                                std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
+                                    (enough != nullptr ? enough->method + " at " + enough->knob + ", " + figure(enough->measured.cost.p999) + " us."
+                                                       : "none."));
     content += drawing::text_at(12, picture_height - 10,
                                 std::string(notice_line) + ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device. " +
                                     "Costs: " + chart.processor + ".",

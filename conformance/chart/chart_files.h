@@ -27,4 +27,7 @@ namespace kerf::chart {
 /// Markers that no other beats in both cost and force error, cheapest first.
 [[nodiscard]] std::vector<const Row*> pareto_front(const std::vector<const Row*>& rows);
 
+/// The cheapest marker that passes every test and is under 7 % of force and 2 % of volume; nullptr: there is none.
+[[nodiscard]] const Row* cheapest_enough(const std::vector<const Row*>& rows);
+
 }  // namespace kerf::chart

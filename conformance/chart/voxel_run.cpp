@@ -31,7 +31,7 @@ Felt VoxelRun::tick(const Pose& next) {
                                 (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
     felt.rate = rate[2];
     kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}};
+    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
     double lambda[KERF_MAX_CHANNELS] = {};
     bone_.place(pose_);
     felt.cost = processor_time_of([&] {
@@ -49,6 +49,7 @@ Felt VoxelRun::tick(const Pose& next) {
         std::copy(rate.begin(), rate.end(), advance.rate);
         advance.channel = channels;
         advance.lambda = lambda;
+        advance.note = law.note;
         kerf_action actions[KERF_MAX_ACTIONS];
         kerf_commit_out out{};
         out.size = sizeof out;

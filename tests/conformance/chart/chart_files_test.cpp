@@ -132,6 +132,13 @@ TEST(Chart, TheFrontIsWhatNothingElseBeats) {
     EXPECT_EQ(front[2], &best);
 }
 
+TEST(Chart, EnoughIsTheCheapestThatPassesAndIsNotFelt) {
+    Row unstable = row_at(1.0, 0.01), rough = row_at(2.0, 0.2), enough = row_at(3.0, 0.06), finer = row_at(9.0, 0.01);
+    unstable.fails = {"S-01"};
+    EXPECT_EQ(cheapest_enough({&finer, &unstable, &rough, &enough}), &enough);
+    EXPECT_EQ(cheapest_enough({&unstable, &rough}), nullptr);
+}
+
 TEST(Chart, AnUnknownSceneIsRefusedWithThoseThereAre) {
     std::string error;
     (void)make_chart({&test::own_plugins(), &test::printed_plugins()}, {.scene = "skull"}, error);
