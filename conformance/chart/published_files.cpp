@@ -42,7 +42,7 @@ drawing::Panel feed_panel(const CuttingLaw& law, bool of_torque) {
     };
     for (const FeedLaw& fitted : fitted_laws(series, of_torque)) add(fitted.name, fitted.at, true);
     add("Kerf", [&](double f) { return shared_law_at(law, f, of_torque); }, false);
-    drawing::Curve measured{.colour = of_measured, .has_line = false};
+    drawing::Curve measured{.colour = of_measured, .has_line = false, .has_labels_below = true};
     for (const PublishedMean& mean : series.means) {
         const double value = (of_torque ? mean.torque : mean.thrust) / unit, sd = (of_torque ? mean.torque_sd : mean.thrust_sd) / unit;
         measured.markers.push_back({.x = series.feed(mean) / 1.0_mm, .y = value, .y_spread = sd,
@@ -55,11 +55,17 @@ drawing::Panel feed_panel(const CuttingLaw& law, bool of_torque) {
 
 /// How far predictions are off, one column per law.
 drawing::Panel deviation_panel(const CuttingLaw& law) {
-    drawing::Panel panel{.title = "Predictions of what was not calibrated on (Orelaja: no SD reported, feed speed taken as fixed)"};
+    drawing::Panel panel{.title = "Predictions, labelled with how many SD they are off (Orelaja: no SD reported, feed speed taken as fixed)"};
     panel.x = {.title = "prediction, in the order of physics.csv", .is_log = false, .low = 0.0, .high = 1.0};
     panel.y = {.title = "off by, in % of the measured mean", .is_log = false, .low = -50.0, .high = 50.0, .guides = {{0.0, ""}}};
     const auto all = predictions(law);
     panel.x.high = static_cast<double>(all.size()) + 1.0;
+    std::string last;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string group = all[i].sd > 0.0 ? all[i].tissue + ", " + all[i].quantity : all[i].tissue;
+        if (group != last) panel.x.guides.push_back({static_cast<double>(i) + 0.5, group});
+        last = group;
+    }
     for (const char* name : {"proportional", "edge + chip", "power", "Kerf"}) {
         drawing::Curve curve{.name = name, .colour = colour_of(name), .has_line = false};
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -70,7 +76,7 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
                                      .y = off,
                                      .y_spread = 100.0 * p.sd / p.measured,
                                      .is_filled = p.sd > 0.0 && std::abs(p.off_in_sd()) <= 1.0,
-                                     .label = p.sd > 0.0 ? figure(p.off_in_sd(), 2) + " SD" : "",
+                                     .label = p.sd > 0.0 ? figure(p.off_in_sd(), 2) : "",
                                      .told = p.source + ", " + p.tissue + ", " + p.quantity + " at " + figure(p.speed * 60.0, 4) + " rpm, " + p.law +
                                              ": " + figure(off, 3) + " %"});
         }

@@ -105,8 +105,9 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
         one += "<circle cx=\"" + px(mx) + "\" cy=\"" + px(my) + "\" r=\"" + (curve.is_bold ? "5" : "4") + "\" class=\"" +
                (is_filled ? "kp-full" : "kp-hollow") + "\"/>";
         // The last marker's label hangs below it, out of the way of its neighbours'.
-        const bool is_last = &m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line;
-        if (!m.label.empty()) one += text_at(mx + 7, is_last ? my + 13 : my - 6, m.label, "class=\"kp-mark\"");
+        const bool is_below = curve.has_labels_below ||
+                              (&m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line);
+        if (!m.label.empty()) one += text_at(mx + 7, is_below ? my + 13 : my - 6, m.label, "class=\"kp-mark\"");
         marks += one + "</g>\n";
     }
     const std::string style = std::string("class=\"kp-line ") + class_of(curve) + (curve.is_bold ? " kp-bold" : "") +

@@ -24,6 +24,7 @@ struct Curve {
     bool is_bold = false;
     bool has_line = true;
     bool has_dots = true;
+    bool has_labels_below = false;
     std::vector<Marker> markers{};
 };
 inline constexpr int colour_count = 10;

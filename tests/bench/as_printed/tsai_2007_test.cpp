@@ -47,6 +47,38 @@ TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
     EXPECT_GT(std::hypot(force.x, force.y), std::abs(force.z)) << "where there is no sideways force at all";
 }
 
+TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equal lips cancels
+    kerf_bone_query whole_bone{};
+    whole_bone.tissue_count = 1;
+    whole_bone.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+        for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
+    };
+    const double tool[] = {5.4_mm, 118.0_deg, 0.15, 100.0_mm}, drive[] = {1000.0_rpm};
+    std::vector<double> force;
+    for (const auto& info : test::printed_plugins().catalog())
+        if (info.id == "tsai_2007")
+            for (const auto& parameter : info.parameters) force.push_back(parameter.def);
+    Tsai2007::State state;
+    state.rate[2] = 8.0_mm_per_s;
+    double signals[Tsai2007::signal_count] = {};
+    kerf_action action[KERF_MAX_ACTIONS];
+    kerf_commit_out out{};
+    out.action = action;
+    Actions actions(out);
+    Tsai2007::commit({1e-3, tool, force, drive}, BoneQuery(whole_bone), {}, state, signals, actions);
+    EXPECT_GT(signals[Tsai2007::t_thrust], 100.0_Nmm);
+}
+
+TEST(Tsai2007, NoProcedureFindsIt) {
+    const auto is_there = [](const PluginRegistry& registry) {
+        for (const auto& info : registry.catalog())
+            if (info.plugin == "bench.as_printed") return true;
+        return false;
+    };
+    EXPECT_TRUE(is_there(test::printed_plugins()));
+    EXPECT_FALSE(is_there(test::own_plugins())) << "lib/kerf is where procedures look";
+}
+
 TEST(Tsai2007, TheSidewaysForceTurnsWithTheDrill) {
     const Lateral at_rest = lateral_force(3.0, 4.0, sin_cos_exact(0.0)), turned = lateral_force(3.0, 4.0, sin_cos_exact(90.0_deg));
     EXPECT_EQ(at_rest.x, 3.0);
