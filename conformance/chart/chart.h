@@ -7,6 +7,7 @@
 
 #include "conformance/chart/measure.h"
 #include "conformance/chart/methods.h"
+#include "conformance/chart/published.h"
 
 /// Accuracy against speed. For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
@@ -36,6 +37,8 @@ struct SceneTitle { std::string id{}, title{}; };
 
 struct Chart {
     std::string processor{};  ///< what the costs were measured on
+    CuttingLaw law{};         ///< that all but the papers share
+    std::vector<Check> checks{};  ///< of the physics
     std::vector<SceneTitle> scenes{};
     std::vector<MethodNote> methods{};
     std::vector<Standing> standings{};  ///< of every method at every fineness

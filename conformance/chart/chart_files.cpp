@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "conformance/chart/published_files.h"
 #include "conformance/drawing/plot.h"
 #include "conformance/drawing/svg.h"
 #include "core/session/recorder.h"
@@ -23,6 +24,7 @@ using drawing::figure;
 using drawing::joined;
 
 constexpr double just_felt = 0.07;  // [–] of a force: below it a difference cannot be felt
+constexpr double seen_volume = 0.02;  // [–] of a hole
 constexpr double picture_width = 1040, picture_height = 900;
 
 std::vector<const Row*> rows_of(const Chart& chart, const std::string& scene) {
@@ -99,7 +101,8 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
         panel.curves.push_back(std::move(curve));
     }
     if (most_x > 0.0) {
-        fit(panel.x, least_x, std::max(most_x, 1000.0));
+        panel.x.low = 0.8 * least_x;
+        panel.x.high = 1.25 * std::max(most_x, 1000.0);
         fit(panel.y, least_y, most_y);
     }
     return panel;
@@ -120,11 +123,21 @@ std::vector<const Row*> pareto_front(const std::vector<const Row*>& rows) {
     return front;
 }
 
+const Row* cheapest_enough(const std::vector<const Row*>& rows) {
+    const Row* best = nullptr;
+    for (const Row* row : rows) {
+        const Measured& m = row->measured;
+        const bool is_enough = row->fails.empty() && m.force_error < just_felt && m.volume_error < seen_volume;
+        if (is_enough && (best == nullptr || m.cost.p999 < best->measured.cost.p999)) best = row;
+    }
+    return best;
+}
+
 std::string chart_csv(const Chart& chart) {
     std::string text = std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
                        "; all else is the same wherever it is run\n"
                        "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
-                       "peak_step,lateral_where_none_N,rms_reference_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
+                       "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
                        "K_max_N_per_m,fails\n";
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
@@ -132,11 +145,19 @@ std::string chart_csv(const Chart& chart) {
                                      [&](const MethodNote& note) { return note.id == row.method; });
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
         for (const double value : {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error,
-                                   m.worst_grid, m.volume_error, m.peak_step, m.off_lateral, m.reference, m.gain,
+                                   m.worst_grid, m.volume_error, m.peak_step, m.reference, m.force_error * m.reference, m.off_lateral, m.gain,
                                    m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
             text += figure(value, 5) + ",";
         text += csv_quoted(joined(row.fails, " ")) + "\n";
     }
+    return text;
+}
+
+std::string tests_csv(const Chart& chart) {
+    std::string text = std::string("# ") + notice_line + ".\nmethod,knob,fails,measured\n";
+    for (const Standing& standing : chart.standings)
+        text += csv_quoted(standing.method) + "," + csv_quoted(standing.knob) + "," + csv_quoted(joined(standing.fails, " ")) + "," +
+                csv_quoted(standing.told) + "\n";
     return text;
 }
 
@@ -145,14 +166,14 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
     for (const SceneTitle& one : chart.scenes)
         if (one.id == scene) title = one.title;
 
-    auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref|", 1e-6,
-                          [](const Measured& m) { return m.force_error; });
-    force.y.guides = {{just_felt, "7 %: a smaller difference cannot be felt"}};
+    auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref| in %", 1e-4,
+                          [](const Measured& m) { return 100.0 * m.force_error; });
+    force.y.guides = {{100.0 * just_felt, "7 %: a smaller difference cannot be felt"}};
     for (drawing::Curve& curve : force.curves)
         for (const MethodNote& method : chart.methods)
             if (method.id == curve.name) curve.name += " K " + stiffness_text(method.stiffest);
     for (const Row* row : pareto_front(rows_of(chart, scene)))
-        force.front.push_back({row->measured.cost.p999, row->measured.force_error});
+        force.front.push_back({row->measured.cost.p999, 100.0 * row->measured.force_error});
     // What every marker of a curve fails stands in the legend; the rest beside the marker.
     for (drawing::Curve& curve : force.curves) {
         std::size_t i = 0;
@@ -168,11 +189,11 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
             ++i;
         }
     }
-    const auto volume = panel_of(chart, scene, "Removed volume", "|V - V_exact| / V_exact", 1e-5,
-                                 [](const Measured& m) { return m.volume_error; });
-    auto step = panel_of(chart, scene, "Largest step from tick to tick", "of the largest |F_ref|", 1e-5,
-                         [](const Measured& m) { return m.peak_step; });
-    step.y.guides = {{1.0 / 31.0, "S-16: one point of 31"}};
+    const auto volume = panel_of(chart, scene, "Removed volume", "|V - V_exact| / V_exact in %", 1e-3,
+                                 [](const Measured& m) { return 100.0 * m.volume_error; });
+    auto step = panel_of(chart, scene, "Largest step from tick to tick", "in % of the largest |F_ref|", 1e-3,
+                         [](const Measured& m) { return 100.0 * m.peak_step; });
+    step.y.guides = {{100.0 / 31.0, "S-16: one point of 31"}};
 
     constexpr double half = 0.5 * picture_width, top = 40, tall = 410, low = 300;
     std::string content = drawing::text_at(12, 24, title, "class=\"kp-title\"");
@@ -187,6 +208,11 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
         if (x > half) y += 17;
         x = x > half ? 12 : half + 12;
     }
+    const Row* enough = cheapest_enough(rows_of(chart, scene));
+    content += drawing::text_at(12, picture_height - 28,
+                                std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
+                                    (enough != nullptr ? enough->method + " at " + enough->knob + ", " + figure(enough->measured.cost.p999) + " us."
+                                                       : "none."));
     content += drawing::text_at(12, picture_height - 10,
                                 std::string(notice_line) + ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device. " +
                                     "Costs: " + chart.processor + ".",
@@ -220,7 +246,7 @@ std::string chart_html(const Chart& chart) {
             "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest the pointer "
             "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {
-        html += "<section><h2>" + html_escaped(scene.title) + "</h2><figure>" + scene_svg(chart, scene.id) + "</figure>";
+        html += "<section><figure>" + scene_svg(chart, scene.id) + "</figure>";
         html += "<details><summary>Figures</summary><div class=\"wide\"><table><thead><tr><th>Method</th><th>Knob</th>"
                 "<th class=\"number\">Force error</th><th class=\"number\">Volume</th><th class=\"number\">Step</th>"
                 "<th class=\"number\">p99.9</th><th class=\"number\">Longest</th><th>Fails</th></tr></thead><tbody>";
@@ -235,6 +261,7 @@ std::string chart_html(const Chart& chart) {
         }
         html += "</tbody></table></div></details></section>\n";
     }
+    html += published_html(chart.law, chart.checks);
     return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
 }
 
@@ -249,6 +276,9 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     };
     write("chart.csv", chart_csv(chart));
     write("chart.html", chart_html(chart));
+    write("tests.csv", tests_csv(chart));
+    write("physics.svg", published_svg(chart.law));
+    write("physics.csv", published_csv(chart.law, chart.checks));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
     return wrong;
 }

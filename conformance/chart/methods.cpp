@@ -84,7 +84,7 @@ ToolSetup printed_setup(const Plugins& plugins, const CuttingLaw& law, const cha
 }
 
 std::vector<Fineness> by_spacing(bool quick) {
-    if (quick) return {{1.0_mm, usual_points, {}}, {0.5_mm, usual_points, {}}};
+    if (quick) return {{0.5_mm, usual_points, {}}, {0.25_mm, usual_points, {}}};
     return {{1.0_mm, usual_points, {}}, {0.5_mm, usual_points, {}}, {0.25_mm, usual_points, {}}, {0.1_mm, usual_points, {}}};
 }
 

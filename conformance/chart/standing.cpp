@@ -71,24 +71,30 @@ Verdict with_twice_the_points(const Bench& bench) {
     return {std::abs(change) < 0.05, "twice the points: " + figure(100.0 * change) + " %"};
 }
 
-/// Out of the hole to 1 mm and into it again at 20 mm/s: whatever is felt 0.05 mm and more before the deepest point.
+/// Into the block until the tip is 4.5 mm deep, out of the hole to 1 mm and into it again at 20 mm/s: whatever is felt
+/// 0.05 mm and more before the deepest point. A hand that leads goes on until the tool has followed.
 Verdict back_into_the_hole(const Bench& bench) {
-    constexpr double before = 0.05_mm, speed = 20.0_mm_per_s;
+    constexpr double bottom = 4.5_mm, top = 1.0_mm, before = 0.05_mm, speed = 20.0_mm_per_s;
+    constexpr int longest = 20000;  // [ticks] of one way
     const auto run = bench.start();
-    Scene way = bench.scene;
-    const double bottom = way.depth.back();
-    const std::size_t drilled = way.ticks();
-    go_to(way, 1.0_mm, speed);
-    go_to(way, bottom, speed);
-    double most = 0.0, deepest = -1.0;
-    for (std::size_t t = 0; t < way.ticks(); ++t) {
-        const Felt one = run->tick(way.pose_at(way.depth[t + 1]));
-        const double from = dot(one.from.position - way.entry, way.along), to = from + one.rate * dt;
-        const bool is_in_the_hole = t > drilled && std::max(from, to) < deepest - before;
-        if (is_in_the_hole) most = std::max(most, length(linear(one.wrench)));
-        deepest = std::max(deepest, to);
-    }
-    return {most < felt, "back in the hole: " + figure(most) + " N"};
+    double hand = bench.scene.depth.front(), tip = hand, deepest = hand, most = 0.0;
+    bool is_back = true;
+    const auto lead = [&](double rate, const auto& is_there, bool is_in_the_hole) {
+        int ticks = 0;
+        for (; ticks < longest && !is_there(); ++ticks) {
+            hand += rate * dt;
+            const Felt one = run->tick(bench.scene.pose_at(hand));
+            const double from = dot(one.from.position - bench.scene.entry, bench.scene.along);
+            tip = from + one.rate * dt;
+            if (is_in_the_hole && std::max(from, tip) < deepest - before) most = std::max(most, length(linear(one.wrench)));
+            deepest = std::max(deepest, tip);
+        }
+        is_back = is_back && ticks < longest;
+    };
+    lead(bench.scene.feed, [&] { return tip >= bottom; }, false);
+    lead(-speed, [&] { return tip <= top; }, false);
+    lead(speed, [&] { return tip >= deepest - before; }, true);
+    return {is_back && most < felt, is_back ? "back in the hole: " + figure(most) + " N" : "never back in the hole"};
 }
 
 /// The handle stands still in bone: first the drill turns, then it does not.

@@ -3,6 +3,7 @@
 #include "conformance/drawing/plot.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "conformance/drawing/svg.h"
@@ -51,17 +52,26 @@ std::vector<Tick> ticks_of(const Axis& axis) {
     return ticks;
 }
 
+/// Written out as long as that is short.
+std::string tick_text(double value) {
+    const double size = std::abs(value);
+    if (size != 0.0 && (size < 1e-5 || size >= 1e6)) return figure(value);
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, std::round(value * 1e9) / 1e9, std::chars_format::fixed);
+    return {text, end.ptr};
+}
+
 std::string path(const std::string& data, const std::string& more) { return "<path d=\"" + data + "\" " + more + "/>"; }
 
 std::string axes_svg(const Panel& panel, const Scale& x, const Scale& y) {
     std::string svg;
     for (const Tick& tick : ticks_of(panel.x)) {
         svg += path("M" + px(x.at(tick.at)) + " " + px(y.from) + "V" + px(y.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.at(tick.at), y.from + 16, figure(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
+        if (tick.has_number) svg += text_at(x.at(tick.at), y.from + 16, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
     }
     for (const Tick& tick : ticks_of(panel.y)) {
         svg += path("M" + px(x.from) + " " + px(y.at(tick.at)) + "H" + px(x.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.from - 7, y.at(tick.at) + 4, figure(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
+        if (tick.has_number) svg += text_at(x.from - 7, y.at(tick.at) + 4, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
     }
     for (const Guide& guide : panel.x.guides) {
         if (!x.holds(guide.at)) continue;
@@ -86,6 +96,7 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
     for (const Marker& m : curve.markers) {
         const double mx = x.at(m.x), my = y.at(m.y);
         line += (line.empty() ? "M" : "L") + px(mx) + " " + px(my);
+        if (!curve.has_dots) continue;
         std::string one = "<g class=\"" + class_of(curve) + "\"><title>" + html_escaped(m.told) + "</title>";
         if (m.x_most > m.x) one += path("M" + px(mx) + " " + px(my) + "H" + px(x.at(m.x_most)) + "m0 -3v6", "class=\"kp-whisker\"");
         if (m.y_spread > 0.0)
@@ -93,7 +104,10 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
         const bool is_filled = m.is_filled && x.holds(m.x) && y.holds(m.y);
         one += "<circle cx=\"" + px(mx) + "\" cy=\"" + px(my) + "\" r=\"" + (curve.is_bold ? "5" : "4") + "\" class=\"" +
                (is_filled ? "kp-full" : "kp-hollow") + "\"/>";
-        if (!m.label.empty()) one += text_at(mx + 7, my - 6, m.label, "class=\"kp-mark\"");
+        // The last marker's label hangs below it, out of the way of its neighbours'.
+        const bool is_below = curve.has_labels_below ||
+                              (&m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line);
+        if (!m.label.empty()) one += text_at(mx + 7, is_below ? my + 13 : my - 6, m.label, "class=\"kp-mark\"");
         marks += one + "</g>\n";
     }
     const std::string style = std::string("class=\"kp-line ") + class_of(curve) + (curve.is_bold ? " kp-bold" : "") +
@@ -151,7 +165,8 @@ std::string front_svg(const std::vector<Marker>& front, const Scale& x, const Sc
 const char* plot_style() {
     return ".kp{--ink:#1b2126;--soft:#5b666f;--grid:#e9edf0;--paper:#fff;--guide:#b3261e}"
            ".kp text{fill:var(--ink);font:12px system-ui,'DejaVu Sans',sans-serif}"
-           ".kp .kp-soft,.kp .kp-note{fill:var(--soft)}.kp .kp-note,.kp .kp-mark{font-size:10.5px}"
+           ".kp .kp-soft,.kp .kp-note{fill:var(--soft)}.kp .kp-note,.kp .kp-mark{font-size:10.5px;paint-order:stroke;"
+           "stroke:var(--paper);stroke-width:3px;stroke-linejoin:round}"
            ".kp .kp-title{font-size:14px;font-weight:600}.kp .kp-strong{font-weight:700}"
            ".kp-paper{fill:var(--paper)}.kp-grid{stroke:var(--grid);fill:none}.kp-axis{stroke:var(--soft);fill:none}"
            ".kp-guide{stroke:var(--guide);stroke-dasharray:5 4;fill:none;opacity:.75}"
@@ -161,11 +176,11 @@ const char* plot_style() {
            ".kp-lead{stroke:var(--c);opacity:.3;fill:none}"
            ".kp-full{fill:var(--c);stroke:var(--c)}.kp-hollow{fill:var(--paper);stroke:var(--c);stroke-width:1.6}"
            ".kp .kp-name,.kp .kp-mark{fill:var(--c)}"
-           ".kp-c0{--c:#0b6e6e}.kp-c1{--c:#1f5fbf}.kp-c2{--c:#2f7d32}.kp-c3{--c:#b25a00}.kp-c4{--c:#8a6d00}"
-           ".kp-c5{--c:#7b4fb0}.kp-c6{--c:#6b747b}.kp-c7{--c:#a34672}.kp-c8{--c:#c62828}.kp-c9{--c:#a0522d}"
+           ".kp-c0{--c:#0b6e6e}.kp-c1{--c:#1f5fbf}.kp-c2{--c:#2f7d32}.kp-c3{--c:#d97400}.kp-c4{--c:#7d6b00}"
+           ".kp-c5{--c:#7b4fb0}.kp-c6{--c:#868e94}.kp-c7{--c:#a34672}.kp-c8{--c:#c62828}.kp-c9{--c:#6d4534}"
            "@media (prefers-color-scheme: dark){.kp{--ink:#e6eaed;--soft:#9aa6ae;--grid:#2a3136;--paper:#1c2125;--guide:#f2877f}"
            ".kp-c0{--c:#4fc9c2}.kp-c1{--c:#7fb2ff}.kp-c2{--c:#77cf7c}.kp-c3{--c:#f0a35a}.kp-c4{--c:#d9bf4f}"
-           ".kp-c5{--c:#c0a0ee}.kp-c6{--c:#a9b3ba}.kp-c7{--c:#ec93bf}.kp-c8{--c:#ff8a80}.kp-c9{--c:#d9a184}}";
+           ".kp-c5{--c:#c0a0ee}.kp-c6{--c:#a9b3ba}.kp-c7{--c:#ec93bf}.kp-c8{--c:#ff8a80}.kp-c9{--c:#c9a18f}}";
 }
 
 std::string panel_svg(const Panel& panel, double left, double top, double width, double height) {

@@ -23,6 +23,8 @@ struct Curve {
     bool is_dashed = false;
     bool is_bold = false;
     bool has_line = true;
+    bool has_dots = true;
+    bool has_labels_below = false;
     std::vector<Marker> markers{};
 };
 inline constexpr int colour_count = 10;
@@ -46,7 +48,7 @@ struct Panel {
     std::vector<Marker> front{};  ///< joined by a stair, markers left out; empty: none
 };
 
-/// Colours for light and dark, as a <style> of classes that begin with `kp-`.
+/// Colours for light and dark: rules of classes that begin with `kp`.
 [[nodiscard]] const char* plot_style();
 
 /// A <g> of this size at this place [px]. Markers beyond an axis stand on its end, hollow.

@@ -30,7 +30,13 @@ std::string figure(double value, int digits) {
     char text[64];
     const auto end = std::to_chars(text, text + sizeof text, std::abs(value) < 1e-12 ? 0.0 : value,
                                    std::chars_format::general, digits);
-    return {text, end.ptr};
+    const std::string short_form(text, end.ptr);
+    // 1370 rather than 1.37e+03, as long as that is short.
+    if (short_form.find("e+") == std::string::npos || !(std::abs(value) < 1e6)) return short_form;
+    double rounded = 0.0;
+    std::from_chars(text, end.ptr, rounded);
+    const auto plain = std::to_chars(text, text + sizeof text, rounded, std::chars_format::fixed);
+    return {text, plain.ptr};
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {

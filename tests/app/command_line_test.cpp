@@ -50,6 +50,16 @@ TEST(CommandLine, ReadsEveryOptionOfStability) {
     EXPECT_EQ(read({"stability"}).plugin, "kerf.drilling");
 }
 
+TEST(CommandLine, ReadsEveryOptionOfChart) {
+    const CommandLine line = read({"chart", "--quick", "--scene", "femur", "-o", "o"});
+    ASSERT_EQ(line.answer, "");
+    EXPECT_EQ(line.command, "chart");
+    EXPECT_TRUE(line.is_quick);
+    EXPECT_EQ(line.scene, "femur");
+    EXPECT_EQ(line.out, "o");
+    EXPECT_EQ(read({"chart", "--out", "p"}).out, "p");
+}
+
 TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
     for (const std::vector<const char*>& words :
          {std::vector<const char*>{"run", "--help"}, {"--help", "run"}, {"run", "p.yaml", "-h"}, {"help", "run"}}) {
