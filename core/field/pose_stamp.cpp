@@ -40,27 +40,26 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i) co
         solid_->tangents(middles, depth, gradient);
     else
         solid_->depths(middles, depth);
-    const double quantum = grid_->quantum();
-    const Vec3 step_y = rotate(tool_from_body_.rotation, Vec3{0, grid_->spacing, 0});
-    const Vec3 step_z = rotate(tool_from_body_.rotation, Vec3{0, 0, grid_->spacing});
+    const double quantum = grid_->quantum(), per_quantum = 1.0 / quantum;
     const double radius[2] = {std::sqrt(4.25) * grid_->spacing, std::sqrt(6.0) * grid_->spacing};
     constexpr double far = 1e5;  // [quanta], beyond all that is stored and within what float tells apart
+    const double lowest_kept = -band_ * per_quantum - 2.0;
     bool is_changed = false;
     for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
         if (ranges.lowest[cell] == 32767) continue;
         const CellPlace at = CellPlace::of(cell);
         const double half_width = 0.5 * (at.last_x - at.first_x), middle_x = at.first_x + half_width;
-        double per_x = 0.0, per_y = 0.0, per_z = 0.0, base = (depth[cell] + radius[cell % 2]) / quantum, deepest = base;
+        double per_x = 0.0, per_y = 0.0, per_z = 0.0, base = (depth[cell] + radius[cell % 2]) * per_quantum, deepest = base;
         if (has_tangents) {
-            const Vec3 g = (1.0 / quantum) * gradient[cell];
+            const Vec3 g = per_quantum * gradient[cell];
             per_x = dot(g, step_);
-            per_y = dot(g, step_y);
-            per_z = dot(g, step_z);
-            base = depth[cell] / quantum;
+            per_y = dot(g, step_y_);
+            per_z = dot(g, step_z_);
+            base = depth[cell] * per_quantum;
             deepest = base + half_width * std::abs(per_x) + std::abs(per_y) + std::abs(per_z);
             base = std::clamp(base, -far, far) - middle_x * per_x - (at.first_y + 1) * per_y - per_z;
         }
-        if (deepest < -band_ / quantum - 2.0 || ranges.lowest[cell] >= deepest + 2.0) continue;
+        if (deepest < lowest_kept || ranges.lowest[cell] >= deepest + 2.0) continue;
         const PointBlock& starts = starts_[at.first_z / 3];
         const SampleCell which{starts.coordinates(),
                                {x.data(), y.data(), z.data()},

@@ -37,6 +37,8 @@ public:
           solid_(&solid),
           tool_from_body_(inverse(body_from_tool)),
           step_(rotate(tool_from_body_.rotation, Vec3{grid.spacing, 0, 0})),
+          step_y_(rotate(tool_from_body_.rotation, Vec3{0, grid.spacing, 0})),
+          step_z_(rotate(tool_from_body_.rotation, Vec3{0, 0, grid.spacing})),
           band_(band_voxels * grid.spacing) {}
 
     /// Depth of each brick's centre in the solid [m]; `centres` in the body frame.
@@ -56,7 +58,7 @@ private:
     const Grid* grid_;
     const RevolutionSolid* solid_;
     Pose tool_from_body_;
-    Vec3 step_;    ///< from sample to sample along x, tool frame [m]
+    Vec3 step_, step_y_, step_z_;  ///< from sample to sample along x, y, z, tool frame [m]
     double band_;  ///< [m]
     /// Where each row of samples would begin at x = 0, tool frame, three layers of nine rows each: from global integer
     /// coordinates, so that samples which bricks share get equal bits. Of the bricks (·, at_j_, at_k_).
