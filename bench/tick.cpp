@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside the papers' way written
-// plainly (plain_papers.h), in one run and in turns of 100 ticks. Time on the processor.
+// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside two plain ways, in one run
+// and in turns of 100 ticks. Time on the processor.
 //
-//     loop        all of a tick: as many laws as it needs, contact with normals, the solve, commit, committed cut
+//     loop        all of a tick with the points that the law itself asks about: as many laws as it needs, contact with
+//                 normals, the solve, commit, committed cut
+//     + points    the loop, and the papers' points besides: 500 edges with their gap, 2000 contact points with normals
 //     no lag      the second field, which the worker stamps: not part of the loop
-//     kerf        both
-//     + points    both, and the papers' points besides: 500 edges with their gap, 2000 contact points with normals
+//     all         everything above
 //     papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
-//     ratio       median of the papers / median of the row; (mean / mean)
+//                 (plain_papers.h)
+//     dense       the same points in a dense grid of distances, raised to the tool's depth (dense_field.h)
+//     ratio       mean of papers / mean of the row, mean of dense / mean of the row; (medians)
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 
+#include "bench/dense_field.h"
 #include "bench/plain_papers.h"
 #include "conformance/times.h"
 #include "core/field/block_kernel.h"
@@ -59,12 +63,23 @@ struct ManyPoints {
         bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size()), surface.data());
         sink += surface[7].distance;
     }
+    /// Those asked last with a border within `reach` [m].
+    [[nodiscard]] std::size_t near(double reach) const {
+        std::size_t count = 0;
+        for (const auto& s : surface) count += s.body >= 0 && std::abs(s.distance) <= reach;
+        return count;
+    }
 };
 
-void print(const char* what, const std::vector<double>& microseconds, const Times* papers = nullptr) {
+struct Baselines {
+    Times papers, dense;
+};
+void print(const char* what, const std::vector<double>& microseconds, const Baselines* baselines = nullptr) {
     const Times t = times_of(microseconds);
     std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
-    if (papers != nullptr) std::printf("   %7.1f (%.1f)", papers->median / t.median, papers->mean / t.mean);
+    if (baselines != nullptr)
+        for (const Times& b : {baselines->papers, baselines->dense})
+            std::printf("   %7.1f (%.1f)", b.mean / t.mean, b.median / t.median);
     std::printf("\n");
 }
 
@@ -107,9 +122,13 @@ void measure(double h) {
         }
     }
     bench::PlainPapers plain(low, high, h, 300.0, {radius, point_depth, depth + 3.0_mm});
-    for (double z = 0.0; z < at(); z += 0.5 * h) plain.remove(test::at_depth(z));
+    bench::DenseField field(low, high, h, {radius, point_depth, depth + 3.0_mm});
+    for (double z = 0.0; z < at(); z += 0.5 * h) {
+        plain.remove(test::at_depth(z));
+        field.remove(test::at_depth(z));
+    }
 
-    std::vector<double> loop, no_lag, both, with_points, papers;
+    std::vector<double> loop, no_lag, with_points, all, papers, dense;
     std::vector<double> papers_force, papers_removal;
     ManyPoints points;
     const double from = at();
@@ -126,8 +145,8 @@ void measure(double h) {
             });
             loop.push_back(in_loop);
             no_lag.push_back(by_worker);
-            both.push_back(in_loop + by_worker);
-            with_points.push_back(in_loop + by_worker + more);
+            with_points.push_back(in_loop + more);
+            all.push_back(in_loop + by_worker + more);
             poses.push_back(simulation.world_from_tool());
         }
         for (const Pose& pose : poses) {
@@ -139,18 +158,23 @@ void measure(double h) {
             papers_force.push_back(force);
             papers_removal.push_back(removal);
             papers.push_back(force + removal);
+            dense.push_back(processor_time_of([&] {
+                sink += field.cutting(pose, points.edges) + field.contact(pose, points.contact).x;
+                field.remove(pose);
+            }));
         }
     }
-    const Times baseline = times_of(papers);
-    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm,
-                block_kernel().name);
-    print("loop", loop, &baseline);
+    const Baselines baselines{times_of(papers), times_of(dense)};
+    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s; a border within a voxel of %zu of the 2000 contact points\n",
+                h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name, points.near(h));
+    print("loop", loop, &baselines);
+    print("+ points", with_points, &baselines);
     print("no lag", no_lag);
-    print("kerf", both, &baseline);
-    print("+ points", with_points, &baseline);
+    print("all", all, &baselines);
     print("papers", papers);
     print(" points", papers_force);
     print(" removal", papers_removal);
+    print("dense", dense);
     compare_kernels(simulation.bone(), points);
     std::fflush(stdout);
 }
@@ -158,7 +182,7 @@ void measure(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::printf("[us]             mean    median     p99.9       max     ratio (of means)\n");
+    std::printf("[us]             mean    median     p99.9       max     papers/row       dense/row\n");
     for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
         if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);
     return sink == 0.125 ? 1 : 0;  // so that no answer is left out

@@ -55,15 +55,15 @@ inline __m128i narrow(Four mask) noexcept {
 }
 
 void locate(const LatticeShape& grid, std::size_t count, ConstCoordinates points, Places places) noexcept {
-    const Four zero = _mm256_setzero_pd(), h = all(grid.spacing);
+    const Four zero = _mm256_setzero_pd(), per_metre = all(1.0 / grid.spacing);
     const Four3 origin{all(grid.origin[0]), all(grid.origin[1]), all(grid.origin[2])};
     const Four3 end{all(grid.samples[0]), all(grid.samples[1]), all(grid.samples[2])};
     const __m128i row = _mm_set1_epi32(grid.row), column = _mm_set1_epi32(grid.column);
     const __m128i within = _mm_set1_epi32((1 << brick_bits) - 1), edge = _mm_set1_epi32(stored);
     for (std::size_t n = 0; n < count; n += lanes) {
-        const Four gx = (_mm256_loadu_pd(points.x + n) - origin.x) / h;
-        const Four gy = (_mm256_loadu_pd(points.y + n) - origin.y) / h;
-        const Four gz = (_mm256_loadu_pd(points.z + n) - origin.z) / h;
+        const Four gx = (_mm256_loadu_pd(points.x + n) - origin.x) * per_metre;
+        const Four gy = (_mm256_loadu_pd(points.y + n) - origin.y) * per_metre;
+        const Four gz = (_mm256_loadu_pd(points.z + n) - origin.z) * per_metre;
         const Four is_low = _mm256_and_pd(not_less(gx, zero), _mm256_and_pd(not_less(gy, zero), not_less(gz, zero)));
         const Four is_high = _mm256_and_pd(less(gx, end.x), _mm256_and_pd(less(gy, end.y), less(gz, end.z)));
         const Four is_inside = _mm256_and_pd(is_low, is_high);

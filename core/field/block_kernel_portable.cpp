@@ -26,11 +26,12 @@ void locate(const LatticeShape &shape, std::size_t count, ConstCoordinates point
     const double *__restrict px = points.x, *__restrict py = points.y, *__restrict pz = points.z;
     std::int32_t *__restrict bricks = places.brick, *__restrict offsets = places.offset;
     double *__restrict fx = places.fraction.x, *__restrict fy = places.fraction.y, *__restrict fz = places.fraction.z;
+    const double per_metre = 1.0 / grid.spacing;
     const double nx = grid.samples[0], ny = grid.samples[1], nz = grid.samples[2];
     for (std::size_t n = 0; n < count; ++n) {
-        const double gx = (px[n] - grid.origin[0]) / grid.spacing;
-        const double gy = (py[n] - grid.origin[1]) / grid.spacing;
-        const double gz = (pz[n] - grid.origin[2]) / grid.spacing;
+        const double gx = (px[n] - grid.origin[0]) * per_metre;
+        const double gy = (py[n] - grid.origin[1]) * per_metre;
+        const double gz = (pz[n] - grid.origin[2]) * per_metre;
         // Written so that NaN is outside; `&` because a jump would stop the others.
         const bool is_inside = (gx >= 0.0) & (gy >= 0.0) & (gz >= 0.0) & (gx < nx) & (gy < ny) & (gz < nz);
         const double x = is_inside ? gx : 0.0, y = is_inside ? gy : 0.0, z = is_inside ? gz : 0.0;

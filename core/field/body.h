@@ -47,7 +47,7 @@ inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBloc
 
 /// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.
 [[nodiscard]] inline double coverage(double d, double spacing) noexcept {
-    const double c = 0.5 - 4.0 * d / spacing;
+    const double c = 0.5 - d * (4.0 / spacing);
     return c < 0.0 ? 0.0 : (c > 1.0 ? 1.0 : c);
 }
 

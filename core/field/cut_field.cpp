@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/field/fnv1a.h"
 
@@ -14,7 +15,7 @@ namespace {
 /// Samples that may lie on a ridge, a block at a time.
 class RidgeBlock {
 public:
-    RidgeBlock(const Sweep& sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
+    RidgeBlock(const Sweep &sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
 
     void add(Vec3 point_in_body, std::size_t brick, std::uint16_t sample) noexcept {
         bricks_[points_.count] = brick;
@@ -25,7 +26,7 @@ public:
 
     /// Those that the sweep holds; the block is empty then.
     template <class Do>
-    void for_each_held(const Do& what) noexcept {
+    void for_each_held(const Do &what) noexcept {
         std::array<bool, block_capacity> may_hold;
         sweep_->may_hold(points_, tolerance_, may_hold);
         for (std::size_t n = 0; n < points_.count; ++n)
@@ -34,7 +35,7 @@ public:
     }
 
 private:
-    const Sweep* sweep_;
+    const Sweep *sweep_;
     double tolerance_;
     PointBlock points_;
     std::array<std::size_t, block_capacity> bricks_;
@@ -43,7 +44,7 @@ private:
 
 }  // namespace
 
-CutField::CutField(const Body& body, std::size_t reserve_bricks)
+CutField::CutField(const Body &body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
       quantum_(body.grid().quantum()),
@@ -74,17 +75,28 @@ void CutField::reserve(std::size_t count) {
     }
 }
 
-int CutField::stamp(const CutRecord& record, const RevolutionSolid& solid) {
-    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
+int CutField::stamp(const CutRecord &record, const RevolutionSolid &solid) {
+    StampProgress progress;
     int touched = 0;
-    for (int i = 1; i <= sweep.sub_poses(); ++i) touched += stamp_pose(sweep.sub_pose(i), solid);
-    clear_ridges(sweep, solid, record);
+    stamp_on(record, solid, std::numeric_limits<int>::max(), progress, touched);
     return touched;
 }
 
-CutField::BrickBox CutField::bricks_near(const RevolutionSolid& solid, const Pose& body_from_tool,
+bool CutField::stamp_on(const CutRecord &record, const RevolutionSolid &solid, int most, StampProgress &progress,
+                        int &touched) {
+    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
+    for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
+        progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, most, touched);
+        if (progress.brick != StampProgress::to_the_end) return false;
+        progress.brick = 0;
+    }
+    progress.brick = clear_ridges(sweep, solid, record, progress.brick, most, touched);
+    return progress.brick == StampProgress::to_the_end;
+}
+
+CutField::BrickBox CutField::bricks_near(const RevolutionSolid &solid, const Pose &body_from_tool,
                                          double band) const noexcept {
-    const Grid& g = grid();
+    const Grid &g = grid();
     const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
     const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
     const double margin = solid.largest_radius() + band;
@@ -101,37 +113,40 @@ CutField::BrickBox CutField::bricks_near(const RevolutionSolid& solid, const Pos
     return box;
 }
 
-int CutField::stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid) {
-    const Grid& g = grid();
+std::size_t CutField::stamp_pose(const Pose &body_from_tool, const RevolutionSolid &solid, std::size_t next, int most,
+                                 int &touched) {
+    const Grid &g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
 
     // Of those that hold bone, a block at a time: does the solid reach them?
     PoseStamp stamp(g, solid, body_from_tool);
     PointBlock centres;
     std::array<std::array<int, 3>, block_capacity> places;
-    int touched = 0;
-    const auto stamp_block = [&] {
-        touched += stamp_bricks(stamp, centres, places.data());
-        centres.count = 0;
-    };
+    std::array<std::size_t, block_capacity> numbers;
     const double half = 0.5 * brick_edge * g.spacing;
-    for (int k = box.first[2]; k <= box.last[2]; ++k)
-        for (int j = box.first[1]; j <= box.last[1]; ++j)
-            for (int i = box.first[0]; i <= box.last[0]; ++i) {
-                if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
-                const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
-                places[centres.count] = {i, j, k};
-                centres.add(low + Vec3{half, half, half});
-                if (centres.count == block_capacity) stamp_block();
-            }
-    stamp_block();
-    return touched;
+    const std::size_t end = box.count();
+    for (std::size_t n = next; n < end || centres.count > 0; ++n) {
+        if (n < end) {
+            const auto [i, j, k] = box[n];
+            if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
+            const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
+            places[centres.count] = {i, j, k};
+            numbers[centres.count] = n;
+            centres.add(low + Vec3{half, half, half});
+        }
+        if (n + 1 < end && centres.count < block_capacity) continue;
+        const std::size_t looked_at = stamp_bricks(stamp, centres, places.data(), most, touched);
+        if (looked_at < centres.count) return numbers[looked_at];
+        centres.count = 0;
+    }
+    return StampProgress::to_the_end;
 }
 
-void CutField::clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record) noexcept {
-    // Only a sample a little outside a sub-pose can lie on a ridge beside it, and where one has raised samples there
-    // are bricks.
-    const Grid& g = grid();
+std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &solid, const CutRecord &record,
+                                   std::size_t next, int most, int &touched) noexcept {
+    // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
+    // where one has raised samples there are bricks.
+    const Grid &g = grid();
     const int lowest = -static_cast<int>(sweep.step() / quantum_) - 2;
     const auto from_lowest = static_cast<unsigned>(-lowest);
     const double tolerance = 0.5 * quantum_;
@@ -143,49 +158,62 @@ void CutField::clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, co
         });
     };
     const BrickBox a = bricks_near(solid, record.from, 0.0), b = bricks_near(solid, record.to, 0.0);
-    for (int k = std::min(a.first[2], b.first[2]); k <= std::max(a.last[2], b.last[2]); ++k)
-        for (int j = std::min(a.first[1], b.first[1]); j <= std::max(a.last[1], b.last[1]); ++j)
-            for (int i = std::min(a.first[0], b.first[0]); i <= std::max(a.last[0], b.last[0]); ++i) {
-                const std::size_t index = g.brick_index(i, j, k);
-                if (table_[index] < 0 || is_full_[index] != 0) continue;
-                const std::int16_t* samples = brick(table_[index]);
-                const CellRanges& ranges = ranges_of(index);
-                for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
-                    if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
-                    const CellPlace at = CellPlace::of(cell);
-                    for (int z = at.first_z; z < at.first_z + 3; ++z)
-                        for (int y = at.first_y; y < at.first_y + 3; ++y) {
-                            const int row = (z * stored_edge + y) * stored_edge;
-                            unsigned candidates = 0;  // bits, without a jump for each
-                            for (int x = 0; x < 5; ++x) {
-                                const int value = samples[row + std::min(at.first_x + x, at.last_x)];
-                                candidates |= static_cast<unsigned>(static_cast<unsigned>(value - lowest) <= from_lowest) << x;
-                            }
-                            for (int x = at.first_x; candidates != 0 && x <= at.last_x; ++x, candidates >>= 1) {
-                                if ((candidates & 1u) == 0) continue;
-                                const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
-                                bool is_in_region = true;
-                                for (std::size_t axis = 0; axis < 3; ++axis)
-                                    is_in_region = is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
-                                if (!is_in_region) continue;
-                                ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
-                                          static_cast<std::uint16_t>(row + x));
-                                if (ridge.is_full()) clear_block();
-                            }
-                        }
+    BrickBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.first[axis] = std::min(a.first[axis], b.first[axis]);
+        box.last[axis] = std::max(a.last[axis], b.last[axis]);
+    }
+    int quarters = 0;
+    for (std::size_t n = next, end = box.count(); n < end; ++n) {
+        if (touched >= most) {
+            clear_block();
+            return n;
+        }
+        const auto [i, j, k] = box[n];
+        const std::size_t index = g.brick_index(i, j, k);
+        if (table_[index] < 0 || is_full_[index] != 0) continue;
+        if (++quarters % 4 == 0) ++touched;
+        const std::int16_t *samples = brick(table_[index]);
+        const CellRanges &ranges = ranges_of(index);
+        for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+            if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
+            const CellPlace at = CellPlace::of(cell);
+            for (int z = at.first_z; z < at.first_z + 3; ++z)
+                for (int y = at.first_y; y < at.first_y + 3; ++y) {
+                    const int row = (z * stored_edge + y) * stored_edge;
+                    unsigned candidates = 0;  // bits, without a jump for each
+                    for (int x = 0; x < 5; ++x) {
+                        const int value = samples[row + std::min(at.first_x + x, at.last_x)];
+                        candidates |= static_cast<unsigned>(static_cast<unsigned>(value - lowest) <= from_lowest) << x;
+                    }
+                    for (int x = at.first_x; candidates != 0 && x <= at.last_x; ++x, candidates >>= 1) {
+                        if ((candidates & 1u) == 0) continue;
+                        const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
+                        bool is_in_region = true;
+                        for (std::size_t axis = 0; axis < 3; ++axis)
+                            is_in_region =
+                                is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
+                        if (!is_in_region) continue;
+                        ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
+                                  static_cast<std::uint16_t>(row + x));
+                        if (ridge.is_full()) clear_block();
+                    }
                 }
-            }
+        }
+    }
     clear_block();
+    return StampProgress::to_the_end;
 }
 
-int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places) {
+std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, const std::array<int, 3> *places,
+                                   int most, int &touched) {
     const double h = grid().spacing;
     const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band_voxels * h;
     BlockValues depth;
     stamp.depths_of(centres, depth);
-    int touched = 0;
     for (std::size_t n = 0; n < centres.count; ++n) {
         if (-depth[n] >= reach) continue;
+        if (touched >= most) return n;
         const auto [i, j, k] = places[n];
         const std::size_t index = grid().brick_index(i, j, k);
         if (table_[index] < 0) {
@@ -194,18 +222,20 @@ int CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const st
             std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
             ranges_of(index).fill(-32767);
         }
-        ++touched;  // so that what a tick may stamp does not depend on what was cut before
+        ++touched;  // so that what a tick may stamp does not depend on what was cut
+                    // before
         if (is_full_[index] != 0) continue;
-        std::int16_t* samples = brick(table_[index]);
-        CellRanges& ranges = ranges_of(index);
+        std::int16_t *samples = brick(table_[index]);
+        CellRanges &ranges = ranges_of(index);
         if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
-        is_full_[index] = std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
+        is_full_[index] =
+            std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
     }
-    return touched;
+    return centres.count;
 }
 
-void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
+void CutField::at(const PlaceBlock &places, BlockValues &cut) const noexcept {
     CornerBlock<std::int16_t> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
@@ -218,7 +248,7 @@ void CutField::at(const PlaceBlock& places, BlockValues& cut) const noexcept {
     corners.interpolate(quantum_, cut);
 }
 
-bool CutField::at(const PlaceBlock& places, SlopeBlock& cut) const noexcept {
+bool CutField::at(const PlaceBlock &places, SlopeBlock &cut) const noexcept {
     CornerBlock<std::int16_t> corners(places);
     for (std::size_t i = 0; i < places.count; ++i) {
         const std::int32_t slot =
@@ -233,7 +263,7 @@ bool CutField::at(const PlaceBlock& places, SlopeBlock& cut) const noexcept {
 }
 
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {
-    const Grid& g = grid();
+    const Grid &g = grid();
     if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;
     const std::int32_t slot = table_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)];
     if (slot < 0) return -32767;
@@ -254,7 +284,7 @@ std::uint64_t CutField::hash() const noexcept {
     Fnv1a hash;
     for (std::size_t b = 0; b < table_.size(); ++b) {
         if (table_[b] < 0) continue;
-        const std::int16_t* v = brick(table_[b]);
+        const std::int16_t *v = brick(table_[b]);
         for (int s = 0; s < stored_samples; ++s)
             if (v[s] != -32767) {
                 hash.add_bytes(b, 8);
@@ -265,9 +295,9 @@ std::uint64_t CutField::hash() const noexcept {
     return hash.value();
 }
 
-bool CutField::same_bits(const CutField& other) const noexcept {
+bool CutField::same_bits(const CutField &other) const noexcept {
     if (table_.size() != other.table_.size()) return false;
-    const auto is_default = [](const std::int16_t* v) {
+    const auto is_default = [](const std::int16_t *v) {
         return std::all_of(v, v + stored_samples, [](std::int16_t s) { return s == -32767; });
     };
     for (std::size_t b = 0; b < table_.size(); ++b) {

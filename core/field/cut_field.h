@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -20,6 +21,15 @@ struct CutRecord {
     Pose from{}, to{};    ///< body_from_tool
 };
 
+/// How far a record has been stamped, where that is spread over several ticks.
+struct StampProgress {
+    static constexpr std::size_t to_the_end = ~std::size_t{0};
+    int sub_pose = 1;       ///< beyond the last: the ridges
+    std::size_t brick = 0;  ///< of those near it; `to_the_end`: done
+
+    [[nodiscard]] bool has_begun() const noexcept { return sub_pose > 1 || brick > 0; }
+};
+
 /// Bone is max(surface, cut). Stamping is max(cut, −distance to the swept solid): pure, commutative, idempotent.
 class CutField {
 public:
@@ -31,6 +41,9 @@ public:
     /// Its depth is understated by a ridge's height at most, an eighth of a voxel. Returns the bricks touched.
     /// [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
     int stamp(const CutRecord& record, const RevolutionSolid& solid);
+    /// The same in pieces, with the same bits in the end: goes on from `progress` until about `most` bricks are touched or
+    /// the record is done; true then. `touched` counts them.   [haptic, nonblocking] as above.
+    bool stamp_on(const CutRecord& record, const RevolutionSolid& solid, int most, StampProgress& progress, int& touched);
 
     /// Makes room for at least `count` further bricks.   [main, worker]
     void reserve(std::size_t count);
@@ -74,15 +87,31 @@ private:
     }
     struct BrickBox {
         std::array<int, 3> first, last;
+
+        [[nodiscard]] std::size_t count() const noexcept { return layer() * extent(2); }
+        [[nodiscard]] std::array<int, 3> operator[](std::size_t n) const noexcept {
+            return {first[0] + static_cast<int>(n % extent(0)), first[1] + static_cast<int>(n / extent(0) % extent(1)),
+                    first[2] + static_cast<int>(n / layer())};
+        }
+
+    private:
+        [[nodiscard]] std::size_t extent(std::size_t axis) const noexcept {
+            return static_cast<std::size_t>(std::max(0, last[axis] - first[axis] + 1));
+        }
+        [[nodiscard]] std::size_t layer() const noexcept { return extent(0) * extent(1); }
     };
     /// Bricks whose samples may lie within `band` [m] of the solid.
     [[nodiscard]] BrickBox bricks_near(const RevolutionSolid& solid, const Pose& body_from_tool,
                                        double band) const noexcept;
-    int stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid);
-    /// Of the bricks with these centres and places, those that the solid reaches.
-    int stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places);
-    /// Samples that the sweep holds and none of its sub-poses does become one quantum deep.
-    void clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record) noexcept;
+    /// From the brick `next` on; where it stopped, or `to_the_end`.
+    std::size_t stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid, std::size_t next, int most, int& touched);
+    /// Of the bricks with these centres and places, those that the solid reaches. How many were looked at.
+    std::size_t stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places, int most,
+                             int& touched);
+    /// Samples that the sweep holds and none of its sub-poses does become one quantum deep. Bricks as in `stamp_pose`; four
+    /// of them count as one.
+    std::size_t clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record, std::size_t next,
+                             int most, int& touched) noexcept;
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/field/azimuths.h"
 #include "core/field/reach.h"
@@ -85,13 +86,22 @@ void CutTracker::compare_with_newest() noexcept {
 
 void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
     const double h = body_->grid().spacing;
-    int bricks = 0;
-    while (pending_count_ > 0 && bricks < bricks_per_tick) {
-        const bool is_too_many = pending_count_ > pending_limit;
-        const bool is_passed = is_at_front && largest_motion(*solid_, pending(0).to, now) >= h;
-        if (!is_passed && !is_too_many) break;
-        if (!is_passed) ++early_commits_;
-        bricks += commit_oldest();
+    const auto is_passed = [&](std::size_t i) {
+        return i < pending_count_ && is_at_front && largest_motion(*solid_, pending(i).to, now) >= h;
+    };
+    last_bricks_ = 0;
+    while (pending_count_ > pending_limit) {
+        if (!is_passed(0)) ++early_commits_;
+        last_bricks_ += commit_oldest();
+    }
+
+    // A few bricks a tick for each record that waits, so that the tool does not leave the stamping behind.
+    int allowance = 0;
+    while (is_passed(static_cast<std::size_t>(allowance / bricks_per_tick))) allowance += bricks_per_tick;
+    if (allowance == 0 && progress_.has_begun()) allowance = bricks_per_tick;
+    while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_passed(0))) {
+        if (!committed_->stamp_on(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
+        drop_oldest();
     }
 }
 
@@ -100,10 +110,16 @@ void CutTracker::flush() {
 }
 
 int CutTracker::commit_oldest() {
-    const int bricks = committed_->stamp(pending(0), *solid_);
+    int bricks = 0;
+    committed_->stamp_on(pending(0), *solid_, std::numeric_limits<int>::max(), progress_, bricks);
+    drop_oldest();
+    return bricks;
+}
+
+void CutTracker::drop_oldest() noexcept {
+    progress_ = {};
     pending_first_ = (pending_first_ + 1) % pending_capacity;
     --pending_count_;
-    return bricks;
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {

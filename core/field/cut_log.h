@@ -16,7 +16,7 @@ class CutTracker {
 public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    static constexpr int bricks_per_tick = 32;
+    static constexpr int bricks_per_tick = 32;  ///< stamped at most, for each record that waits; the rest stays pending
 
     CutTracker(const Body& body, const RevolutionSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
@@ -58,6 +58,8 @@ public:
     [[nodiscard]] Vec3 normal_of(std::uint8_t wall, Vec3 point_in_body) const noexcept;
 
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
+    /// How many bricks the last `commit_passed` stamped.
+    [[nodiscard]] int last_bricks() const noexcept { return last_bricks_; }
     [[nodiscard]] std::uint64_t early_commits() const noexcept { return early_commits_; }
 
 private:
@@ -70,6 +72,7 @@ private:
     /// How the pending solids lie to the newest, which has just come.
     void compare_with_newest() noexcept;
     int commit_oldest();
+    void drop_oldest() noexcept;
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
     /// nothing is logged, and nobody stamps it.
@@ -95,6 +98,8 @@ private:
     double farthest_pending_ = 0.0;  ///< [m] of a pending tip from the newest, at most
     double largest_turn_ = 0.0;      ///< [–] 2 sin(θ/2) of a pending pose from the newest, at most
     std::size_t pending_first_ = 0, pending_count_ = 0;
+    StampProgress progress_;  ///< of the oldest
+    int last_bricks_ = 0;
     std::uint64_t early_commits_ = 0;
 };
 

@@ -51,9 +51,10 @@ struct BrickPlace {
 };
 
 [[nodiscard]] inline BrickPlace locate(const Grid& grid, Vec3 p) noexcept {
-    const double gx = (p.x - grid.origin.x) / grid.spacing;
-    const double gy = (p.y - grid.origin.y) / grid.spacing;
-    const double gz = (p.z - grid.origin.z) / grid.spacing;
+    const double per_metre = 1.0 / grid.spacing;
+    const double gx = (p.x - grid.origin.x) * per_metre;
+    const double gy = (p.y - grid.origin.y) * per_metre;
+    const double gz = (p.z - grid.origin.z) * per_metre;
     // Written so that NaN is outside.
     const bool is_inside =
         gx >= 0.0 && gy >= 0.0 && gz >= 0.0 && gx < grid.samples(0) && gy < grid.samples(1) && gz < grid.samples(2);

@@ -132,7 +132,8 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
     coupling_.hold(handle, hand_.rate(), world_from_tool_, step, balance);
     balance.channels = {channels_, channel_count_};
     balance.following = following_.wrench(balance, law_wrench_);
-    motion = solve(balance);
+    motion = solve_from(balance, last_rate_);
+    last_rate_ = motion.has_converged ? motion.rate : Vec6{};
     return motion.has_converged;
 }
 
@@ -230,6 +231,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
 
 /// The tool stays where it is; a sound law goes on knowing the time.
 void Simulation::rest(TickResult& result) noexcept {
+    last_rate_ = {};
     following_.forget();
     result.bone_on_tool = result.coupled_on_hand = result.limited_on_hand = Vec6{};
     result.thrust = result.torque = result.power_hand = 0.0;

@@ -144,6 +144,7 @@ private:
     kerf_channel channels_[most_channels]{};
     std::uint32_t channel_count_ = 0;      ///< of the plugin's law, and the wall behind it
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
+    Vec6 last_rate_{};  ///< where the next solve starts: the answer is the same from anywhere, and here it is near
     Vec6 law_wrench_{};
     double notes_[KERF_MAX_NOTES]{};
     bool has_left_region_ = false;

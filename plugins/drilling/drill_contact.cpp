@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t shank_levels = 8, tip_levels = 4, around = 8;  // levels of the shank lie a diameter apart
 constexpr std::size_t most_points = (shank_levels + tip_levels) * around;
 constexpr double near_contact = 0.3e-3;  // [m] surface points farther away get no channel
-constexpr double nearly = 20e-6;         // [m] behind the deepest: shares its channel
+constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
 
 /// Points of the tool's own surface, with its outward normals and how stiff it is there [N/m]: what may touch.
 struct ContactPoints {
@@ -115,21 +115,23 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     }
     // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
     struct Touch {
-        double weight = 0.0, depth = 0.0, stiffness = 0.0;
+        double weight = 0.0, force = 0.0, stiffness = 0.0;
         Vec6 d{};
     };
     std::array<Touch, none> touch{};
     for (std::size_t i = 0; i < c.count; ++i) {
         if (slot_of[i] == none) continue;
-        const double ahead = depth[i] - deepest[slot_of[i]] + nearly;
+        const double most = deepest[slot_of[i]];
+        const double ahead = depth[i] - most + std::max(nearly, 0.5 * most);
         if (ahead <= 0.0) continue;
         Touch& t = touch[slot_of[i]];
         const double weight = ahead * ahead, against = face[i].against;
+        const double stiffness = weight * face[i].share * against * against * c.stiffness[i];
         const Vec6 d = rate_at(c.point[i], c.normal[i]);
         t.weight += weight;
-        t.depth += weight * -surface[i].distance / against;
-        t.stiffness += weight * face[i].share * against * against * c.stiffness[i];
-        for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
+        t.stiffness += stiffness;
+        t.force += stiffness * -surface[i].distance / against;
+        for (std::size_t k = 0; k < 6; ++k) t.d[k] += stiffness * d[k];
     }
     // Where there are more than channels for them, those farthest from touching are left out.
     const bool rubs = shank_force > 0.0;
@@ -146,9 +148,9 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         const Touch& t = touch[slot];
         if (t.weight <= 0.0) continue;
         kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(slot));
-        for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.weight;
+        for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.stiffness;
         channel->k = t.stiffness / t.weight;
-        channel->delta = t.depth / t.weight;
+        channel->delta = t.force / t.stiffness;  // so that what it carries lies between what its points would
         if (turning.removes()) channel->follow[5] = -tick.force[force_friction] * drill.radius();  // rubbing against the turn
     }
 

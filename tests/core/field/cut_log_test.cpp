@@ -108,6 +108,59 @@ TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
     }
 }
 
+TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
+    const std::vector<Pose> path = winding_path(7);
+    Cutting cutting(0.4_mm, path.front());
+    CutField whole(cutting.body, 1), in_pieces(cutting.body, 1);
+    std::mt19937 random(2);
+    std::size_t pieces = 0, records = 0;
+    for (std::size_t i = 0; i < path.size(); i += 7) {  // records of several sub-poses among them
+        cutting.move_to(path[i]);
+        for (; records < cutting.log.size(); ++records) {
+            const CutRecord& record = cutting.log[records];
+            const int touched = whole.stamp(record, cutting.tool);
+            StampProgress progress;
+            int sum = 0;
+            for (bool is_done = false; !is_done; ++pieces) {
+                const int most = 1 + static_cast<int>(random() % 7);
+                int now = 0;
+                is_done = in_pieces.stamp_on(record, cutting.tool, most, progress, now);
+                ASSERT_LE(now, most);
+                sum += now;
+            }
+            ASSERT_LE(sum, touched);
+            ASSERT_TRUE(progress.has_begun());
+        }
+    }
+    EXPECT_TRUE(in_pieces.same_bits(whole));
+    EXPECT_EQ(in_pieces.hash(), whole.hash());
+    EXPECT_GT(pieces, 3 * records);
+}
+
+TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
+    // Given a drill that is fed at 1 mm/s into a grid so fine that a record touches more bricks than a tick may stamp
+    Cutting cutting(0.1_mm, test::pointing({0, 0, 2.0_mm}, {0, 0, -1}));
+    int largest = 0;
+    std::size_t most_pending = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Pose pose = test::pointing({0, 0, 2.0_mm - 1.0_um * i}, {0, 0, -1});
+        cutting.move_to(pose);
+        cutting.tracker.commit_passed(pose, true);
+        largest = std::max(largest, cutting.tracker.last_bricks());
+        most_pending = std::max(most_pending, cutting.tracker.pending_count());
+    }
+    const int touched = CutField(cutting.body, 1).stamp(cutting.log.back(), cutting.tool);
+
+    // Then no tick stamps a whole record, none is committed early, and little more than a voxel's records are pending
+    EXPECT_GT(touched, 2 * CutTracker::bricks_per_tick);
+    EXPECT_LE(largest, 3 * CutTracker::bricks_per_tick);
+    EXPECT_LT(largest, touched);
+    EXPECT_EQ(cutting.tracker.early_commits(), 0u);
+    EXPECT_LE(most_pending, 26u);
+    cutting.end();
+    EXPECT_TRUE(cutting.committed.same_bits(cutting.exact));
+}
+
 TEST(CutLog, ScribblingOnTheSpotKeepsThePendingListShort) {
     // Ten seconds within 0.3 voxels of one place: along the axis, across it, round and round, and while creeping deeper
     struct Scribble {
