@@ -44,7 +44,7 @@ std::vector<Tick> ticks_of(const Axis& axis) {
              decade *= 10.0)
             for (const double part : {1.0, 2.0, 5.0})
                 if (part * decade >= axis.low * 0.999 && part * decade <= axis.high * 1.001)
-                    ticks.push_back({part * decade, part == 1.0 || decades < 2.0});
+                    ticks.push_back({part * decade, part == 1.0 || decades < 3.0});
         return ticks;
     }
     const double step = round_step(axis.high - axis.low);
