@@ -6,9 +6,9 @@
 /// Drilling force as [dental-implant-2013] prints it, equations 4 to 13 and 19.
 namespace kerf::as_printed {
 
-/// Equations 8 to 10 for one element: F_n and F_t [N], θ between its normal and the drill's axis, α = ωt. As printed all
-/// elements have the same α, so that opposite ones do not cancel (E02-5), and the tangential force goes with the turn
-/// (E02-7).
+/// Equations 8 to 10 for one element: F_n and F_t [N], θ between its normal and the drill's axis, α = ωt. As printed
+/// all elements have the same α, so that opposite ones do not cancel (E02-5), and the tangential force goes with the
+/// turn (E02-7).
 [[nodiscard]] Vec3 element_force(double f_n, double f_t, SinCos theta, SinCos alpha) noexcept;
 
 /// Equation 19: density at (x, y, z) from the eight nodes of a cell. As printed its weights take nodes 2 to 5 and 7 in
@@ -17,9 +17,9 @@ namespace kerf::as_printed {
 /// @param nodes  in the order of the list of indices: (0,0,0) (1,0,0) (1,1,0) (0,1,0) (0,0,1) (1,0,1) (1,1,1) (0,1,1)
 [[nodiscard]] double density_as_printed(const std::array<double, 8>& nodes, double x, double y, double z) noexcept;
 
-/// F_n = Δ k_n D, F_t = Δ k_t D (4, 5): of the density alone. As printed neither feed nor speed matters, and a drill that
-/// stands feels as much as one that is fed (E02-6); each element counts the same, whatever its length (P6).
-/// The density is interpolated by the host, with nodes in their right order.
+/// F_n = Δ k_n D, F_t = Δ k_t D (4, 5): of the density alone. As printed neither feed nor speed matters, and a drill
+/// that stands feels as much as one that is fed (E02-6); each element counts the same, whatever its length (P6). The
+/// density is interpolated by the host, with nodes in their right order.
 struct DentalImplant {
     using State = LastInterval;
     enum Parameter : std::size_t { k_n, k_t, element_interval, force_parameter_count };

@@ -17,19 +17,25 @@ constexpr kerf_dimension pressure_per_length{{-2, 1, -2, 0, 0, 0, 0, 0}};
 constexpr kerf_dimension damping{{0, 1, -1, 0, 0, 0, 0, 0}};
 constexpr kerf_dimension force_per_density{{4, 0, -2, 0, 0, 0, 0, 0}};
 
-constexpr const char* femur_point = "no paper reports a coefficient; calibrated: thrust 198.4 N and torque 186.3 N mm of a 3.2 mm drill at 2 mm/s and 1000 rpm [macavelia-2012], 45 % of the thrust on the chisel edge [saha-1982]";
+constexpr const char* femur_point =
+    "no paper reports a coefficient; calibrated: thrust 198.4 N and torque 186.3 N mm of a 3.2 mm drill at 2 mm/s and "
+    "1000 rpm [macavelia-2012], 45 % of the thrust on the chisel edge [saha-1982]";
 constexpr const char* not_stated = "not stated in the paper: assumed";
 
 constexpr kerf_param tool_parameters[] = {
-    {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 5.4_mm, "the largest drill of [tsai-2007]"},
+    {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 5.4_mm,
+     "the largest drill of [tsai-2007]"},
     {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, not_stated},
-    {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, not_stated},
-    {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 100.0_mm, "[tsai-2007]: points as far as 10 cm"},
+    {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15,
+     not_stated},
+    {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 100.0_mm,
+     "[tsai-2007]: points as far as 10 cm"},
 };
 static_assert(std::size(tool_parameters) == tool_parameter_count);
 
 constexpr kerf_drive drives[] = {
-    {"spindle_speed", "Speed of the spindle; no motor is modelled.", dimension::frequency, "rpm", 0.0_rpm, 50000.0_rpm, 1000.0_rpm},
+    {"spindle_speed", "Speed of the spindle; no motor is modelled.", dimension::frequency, "rpm", 0.0_rpm, 50000.0_rpm,
+     1000.0_rpm},
 };
 static_assert(std::size(drives) == drive_count);
 
@@ -49,17 +55,35 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
 }
 constexpr kerf_tool paper_drill_tool{sizeof(kerf_tool), drives, drive_count, &shape};
 
-#define KERF_INTERVAL {"element_interval", "Distance of sample points along the edges.", dimension::length, "mm", 0.01_mm, 5.0_mm, 0.1_mm, "[tsai-2007] section 5: 0.1 mm"}
-#define KERF_VOXEL {"voxel_width", "Distance of sample points on the drill's surface: one voxel.", dimension::length, "mm", 0.05_mm, 2.0_mm, 1.0_mm, "[tsai-2007] section 4, [volumetric-drilling] section III.A"}
-#define KERF_SHANK {"shank", "How far behind the tip the surface has points.", dimension::length, "mm", 1.0_mm, 200.0_mm, 100.0_mm, "[tsai-2007] section 4: 10 cm"}
-#define KERF_SOFTER {"softer", "Coefficients of a less dense tissue, as a share of the densest one's.", dimension::none, "", 0.0, 1.0, 0.1, "determined empirically by type of bone, figures not stated; 1:10 for the layered slab"}
+#define KERF_INTERVAL                                                                                               \
+    {                                                                                                               \
+        "element_interval", "Distance of sample points along the edges.", dimension::length, "mm", 0.01_mm, 5.0_mm, \
+            0.1_mm, "[tsai-2007] section 5: 0.1 mm"                                                                 \
+    }
+#define KERF_VOXEL                                                                                              \
+    {                                                                                                           \
+        "voxel_width", "Distance of sample points on the drill's surface: one voxel.", dimension::length, "mm", \
+            0.05_mm, 2.0_mm, 1.0_mm, "[tsai-2007] section 4, [volumetric-drilling] section III.A"               \
+    }
+#define KERF_SHANK                                                                                            \
+    {                                                                                                         \
+        "shank", "How far behind the tip the surface has points.", dimension::length, "mm", 1.0_mm, 200.0_mm, \
+            100.0_mm, "[tsai-2007] section 4: 10 cm"                                                          \
+    }
+#define KERF_SOFTER                                                                                                  \
+    {                                                                                                                \
+        "softer", "Coefficients of a less dense tissue, as a share of the densest one's.", dimension::none, "", 0.0, \
+            1.0, 0.1, "determined empirically by type of bone, figures not stated; 1:10 for the layered slab"        \
+    }
 
 constexpr kerf_param tsai_parameters[] = {
     {"k_h", "K_H at the axis: tangential.", dimension::pressure, "N/mm2", 0.0, 1e11, 1026.38_N_per_mm2, femur_point},
     {"k_h_slope", "K_H per radius.", pressure_per_length, "N/mm3", -1e15, 1e15, 0.0, not_stated},
-    {"k_t", "K_T at the axis: in the lip's plane, across the normal.", dimension::pressure, "N/mm2", 0.0, 1e11, 0.0, not_stated},
+    {"k_t", "K_T at the axis: in the lip's plane, across the normal.", dimension::pressure, "N/mm2", 0.0, 1e11, 0.0,
+     not_stated},
     {"k_t_slope", "K_T per radius.", pressure_per_length, "N/mm3", -1e15, 1e15, 0.0, not_stated},
-    {"k_v", "K_V at the axis: normal to the cut.", dimension::pressure, "N/mm2", 0.0, 1e11, 695.74_N_per_mm2, femur_point},
+    {"k_v", "K_V at the axis: normal to the cut.", dimension::pressure, "N/mm2", 0.0, 1e11, 695.74_N_per_mm2,
+     femur_point},
     {"k_v_slope", "K_V per radius.", pressure_per_length, "N/mm3", -1e15, 1e15, 0.0, not_stated},
     {"k_c", "K_C of the chisel edge.", dimension::pressure, "N/mm2", 0.0, 1e11, 1269.67_N_per_mm2, femur_point},
     {"sideways", "Force of a surface point per speed into bone.", damping, "N s/m", 0.0, 1e6, 1.0, not_stated},
@@ -71,13 +95,15 @@ constexpr kerf_param tsai_parameters[] = {
 static_assert(std::size(tsai_parameters) == Tsai2007::force_parameter_count);
 
 constexpr kerf_param touch_parameters[] = {
-    {"per_point", "Force of one immersed point.", dimension::force, "N", 0.0, 1000.0, 0.1_N, "[tsai-2007] section 6: one point is 0.1 N"},
+    {"per_point", "Force of one immersed point.", dimension::force, "N", 0.0, 1000.0, 0.1_N,
+     "[tsai-2007] section 6: one point is 0.1 N"},
     KERF_VOXEL,
     KERF_SHANK,
 };
 static_assert(std::size(touch_parameters) == TouchCount::force_parameter_count);
 
-constexpr const char* mill_fit = "no coefficient is reported: 1213 and 1033 N/mm2 of chip area from [macavelia-2012], times 2 pi for t as printed";
+constexpr const char* mill_fit =
+    "no coefficient is reported: 1213 and 1033 N/mm2 of chip area from [macavelia-2012], times 2 pi for t as printed";
 constexpr kerf_param volumetric_parameters[] = {
     {"k_n", "K_n of the densest tissue.", dimension::pressure, "N/mm2", 0.0, 1e11, 7621.0_N_per_mm2, mill_fit},
     {"k_f", "K_f of the densest tissue.", dimension::pressure, "N/mm2", 0.0, 1e11, 6491.0_N_per_mm2, mill_fit},
@@ -90,8 +116,10 @@ constexpr kerf_param volumetric_parameters[] = {
 static_assert(std::size(volumetric_parameters) == VolumetricDrilling::force_parameter_count);
 
 constexpr kerf_param dental_parameters[] = {
-    {"k_n", "k^n of each element: normal force per density.", force_per_density, "N/(g/cm3)", 0.0, 1.0, 3.68e-3, femur_point},
-    {"k_t", "k^t of each element: tangential force per density.", force_per_density, "N/(g/cm3)", 0.0, 1.0, 3.13e-3, femur_point},
+    {"k_n", "k^n of each element: normal force per density.", force_per_density, "N/(g/cm3)", 0.0, 1.0, 3.68e-3,
+     femur_point},
+    {"k_t", "k^t of each element: tangential force per density.", force_per_density, "N/(g/cm3)", 0.0, 1.0, 3.13e-3,
+     femur_point},
     KERF_INTERVAL,
 };
 static_assert(std::size(dental_parameters) == DentalImplant::force_parameter_count);
@@ -116,8 +144,8 @@ constexpr kerf_signal dental_signals[] = {{"elements", "Cutting elements.", dime
 template <class Law, std::size_t N>
 constexpr kerf_force table_of(const kerf_signal (&signals)[N]) {
     static_assert(N == Law::signal_count);
-    return {sizeof(kerf_force), sizeof(typename Law::State), alignof(typename Law::State), signals, N, 1000000,
-            &ForceTable<Law>::reset, &ForceTable<Law>::resist, &ForceTable<Law>::commit};
+    return {sizeof(kerf_force),      sizeof(typename Law::State), alignof(typename Law::State), signals, N, 1000000,
+            &ForceTable<Law>::reset, &ForceTable<Law>::resist,    &ForceTable<Law>::commit};
 }
 constexpr kerf_force tsai = table_of<Tsai2007>(tsai_signals);
 constexpr kerf_force touch = table_of<TouchCount>(touch_signals);
@@ -127,12 +155,13 @@ constexpr kerf_force dental = table_of<DentalImplant>(dental_signals);
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "paper_drill", "A twist drill as the papers have it.", tool_parameters,
      tool_parameter_count, 0, &paper_drill_tool, nullptr, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "tsai_2007", "[tsai-2007] sections 5.1 to 5.3, as printed.", tsai_parameters,
-     Tsai2007::force_parameter_count, 0, nullptr, &tsai, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "tsai_2007", "[tsai-2007] sections 5.1 to 5.3, as printed.",
+     tsai_parameters, Tsai2007::force_parameter_count, 0, nullptr, &tsai, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "touch_count", "[tsai-2007] section 4, as printed.", touch_parameters,
      TouchCount::force_parameter_count, 0, nullptr, &touch, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "volumetric_drilling", "[volumetric-drilling] equations 1 and 2, as printed.",
-     volumetric_parameters, VolumetricDrilling::force_parameter_count, 0, nullptr, &volumetric, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "volumetric_drilling",
+     "[volumetric-drilling] equations 1 and 2, as printed.", volumetric_parameters,
+     VolumetricDrilling::force_parameter_count, 0, nullptr, &volumetric, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "dental_implant", "[dental-implant-2013] equations 4 to 13, as printed.",
      dental_parameters, DentalImplant::force_parameter_count, 0, nullptr, &dental, nullptr},
 };

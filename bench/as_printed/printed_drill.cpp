@@ -23,8 +23,8 @@ LipPoints lip_points(const PaperDrill& drill, double interval, double angle) noe
         for (int i = 0; i < count; ++i) {
             const double s = first + (last - first) * (i + 0.5) / count, r = std::sqrt(s * s + b * b);
             const double c = side * a.cos, sn = side * a.sin;
-            points.point[points.count++] = {{s * c - b * sn, s * sn + b * c, -r * drill.p.cos / drill.p.sin}, r,
-                                            length / count, side};
+            points.point[points.count++] = {
+                {s * c - b * sn, s * sn + b * c, -r * drill.p.cos / drill.p.sin}, r, length / count, side};
         }
     return points;
 }

@@ -46,8 +46,8 @@ struct LipPoints {
 
 inline constexpr std::size_t chunk = 128;  ///< points asked about at once
 
-/// Calls `use(point, outward normal, is_in_bone)` for every point on the drill's surface: circles at `interval` from the
-/// tip to `length` behind it, points at `interval` around each.
+/// Calls `use(point, outward normal, is_in_bone)` for every point on the drill's surface: circles at `interval` from
+/// the tip to `length` behind it, points at `interval` around each.
 ///
 /// Source: [tsai-2007] section 4: from the end to 10 cm above, one voxel apart, some 2000 for 5.4 mm.
 template <class Use>

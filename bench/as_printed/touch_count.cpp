@@ -7,8 +7,8 @@ namespace {
 
 int immersed_points(const Tick& tick, const BoneQuery& bone) noexcept {
     int count = 0;
-    for_each_surface_point(paper_drill(tick.tool), tick.force[TouchCount::voxel_width], tick.force[TouchCount::shank], bone,
-                           [&](Vec3, Vec3, bool is_in_bone) { count += is_in_bone ? 1 : 0; });
+    for_each_surface_point(paper_drill(tick.tool), tick.force[TouchCount::voxel_width], tick.force[TouchCount::shank],
+                           bone, [&](Vec3, Vec3, bool is_in_bone) { count += is_in_bone ? 1 : 0; });
     return count;
 }
 

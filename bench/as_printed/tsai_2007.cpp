@@ -23,7 +23,8 @@ double engaged(const kerf_bone_sample& at, std::uint32_t tissues, double share_o
 DrillingSums sums_of(const Tick& tick, const BoneQuery& bone, const LastInterval& last) noexcept {
     const PaperDrill drill = paper_drill(tick.tool);
     const auto& f = tick.force;
-    const LinearInRadius k_h{f[P::k_h], f[P::k_h_slope]}, k_t{f[P::k_t], f[P::k_t_slope]}, k_v{f[P::k_v], f[P::k_v_slope]};
+    const LinearInRadius k_h{f[P::k_h], f[P::k_h_slope]}, k_t{f[P::k_t], f[P::k_t_slope]},
+        k_v{f[P::k_v], f[P::k_v_slope]};
     const double pps = tick.drive[drive_spindle_speed], tilt = length(angular(last.rate));
 
     const LipPoints lips = lip_points(drill, f[P::element_interval], last.angle);

@@ -26,24 +26,39 @@ struct LinearInRadius {
 ///
 /// θ is not defined in the text; read as the point's half angle. As printed its rows have length cos i instead of 1, so
 /// that force is lost (E00-1).
-struct ThrustAndRadius { double thrust, radius; };
+struct ThrustAndRadius {
+    double thrust, radius;
+};
 [[nodiscard]] ThrustAndRadius lip_transform(double r, double half_web, SinCos theta, double f_t, double f_v) noexcept;
 
 /// F_x, F_y from F_tang and F_radius (5.1, last display): a rotation by α.
-struct Lateral { double x, y; };
+struct Lateral {
+    double x, y;
+};
 [[nodiscard]] Lateral lateral_force(double f_radius, double f_tang, SinCos alpha) noexcept;
 
 /// Sums over all elements (5.1 second display, 5.2). As printed F_tang, F_radius, T_radius and T_thrust are plain sums
 /// over both lips, which cannot cancel (E00-2), and T_thrust is a sum of moments about axes that differ (E00-3).
 struct DrillingSums {
-    double tang = 0.0, thrust = 0.0, radius = 0.0;               ///< [N]
+    double tang = 0.0, thrust = 0.0, radius = 0.0;                       ///< [N]
     double torque_tang = 0.0, torque_radius = 0.0, torque_thrust = 0.0;  ///< [N·m]
 };
 
 struct Tsai2007 {
     using State = LastInterval;
     enum Parameter : std::size_t {
-        k_h, k_h_slope, k_t, k_t_slope, k_v, k_v_slope, k_c, sideways, element_interval, voxel_width, shank, softer,
+        k_h,
+        k_h_slope,
+        k_t,
+        k_t_slope,
+        k_v,
+        k_v_slope,
+        k_c,
+        sideways,
+        element_interval,
+        voxel_width,
+        shank,
+        softer,
         force_parameter_count
     };
     enum Signal : std::size_t { f_tang, f_radius, t_tang, t_radius, t_thrust, signal_count };

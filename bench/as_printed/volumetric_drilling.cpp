@@ -35,8 +35,8 @@ private:
     std::size_t held_ = 0;
 };
 
-/// Section III.A: interior points, shell points, and the shell's ways, all one voxel apart, as far back as the tip and a
-/// land behind it reach: what is behind has gone already.
+/// Section III.A: interior points, shell points, and the shell's ways, all one voxel apart, as far back as the tip and
+/// a land behind it reach: what is behind has gone already.
 void touch_all(const PaperDrill& drill, double interval, Vec3 moved, const BoneQuery& bone) noexcept {
     Toucher toucher(bone);
     const double back = drill.point_depth() + 0.5 * drill.radius;
@@ -53,7 +53,8 @@ void touch_all(const PaperDrill& drill, double interval, Vec3 moved, const BoneQ
                 const Vec3 at{r * c, r * s, -z};
                 toucher.touch(at);
                 if (r == outer)
-                    for (int w = 1; w <= along_way; ++w) toucher.touch(at + (static_cast<double>(w) / along_way) * moved);
+                    for (int w = 1; w <= along_way; ++w)
+                        toucher.touch(at + (static_cast<double>(w) / along_way) * moved);
                 const double turned = c * step.cos - s * step.sin;
                 s = s * step.cos + c * step.sin;
                 c = turned;
@@ -65,20 +66,25 @@ void touch_all(const PaperDrill& drill, double interval, Vec3 moved, const BoneQ
 }  // namespace
 
 ObliqueForce oblique_force(double n, double f, SinCos rake, SinCos inclination, SinCos flow) noexcept {
-    return {-n * rake.sin + f * rake.cos * flow.cos,
-            n * rake.cos * inclination.cos + f * flow.sin * inclination.sin + f * rake.sin * flow.cos * inclination.cos,
-            n * rake.cos * inclination.cos - f * flow.sin * inclination.sin + f * rake.sin * flow.cos * inclination.cos};
+    return {
+        -n * rake.sin + f * rake.cos * flow.cos,
+        n * rake.cos * inclination.cos + f * flow.sin * inclination.sin + f * rake.sin * flow.cos * inclination.cos,
+        n * rake.cos * inclination.cos - f * flow.sin * inclination.sin + f * rake.sin * flow.cos * inclination.cos};
 }
 
 ObliqueForce oblique_force_corrected(double n, double f, SinCos rake, SinCos inclination, SinCos flow) noexcept {
     ObliqueForce force = oblique_force(n, f, rake, inclination, flow);
-    force.e = n * rake.cos * inclination.sin - f * flow.sin * inclination.cos + f * rake.sin * flow.cos * inclination.sin;
+    force.e =
+        n * rake.cos * inclination.sin - f * flow.sin * inclination.cos + f * rake.sin * flow.cos * inclination.sin;
     return force;
 }
 
-double chip_thickness(double feed_rate, double revolutions) noexcept { return feed_rate / (2.0 * 2.0 * pi * revolutions); }
+double chip_thickness(double feed_rate, double revolutions) noexcept {
+    return feed_rate / (2.0 * 2.0 * pi * revolutions);
+}
 
-void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
+void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const State& state,
+                                Channels& channels) noexcept {
     const PaperDrill drill = paper_drill(tick.tool);
     const auto& f = tick.force;
     const LipPoints lips = lip_points(drill, f[element_interval], state.angle);
@@ -99,7 +105,7 @@ void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const S
             share += sample[i].weight[m] * (sample[i].density[m] < most ? f[softer] : 1.0);
         const double sin_beta = drill.half_web / e.r, cos_beta = std::sqrt(1.0 - sin_beta * sin_beta);
         const SinCos tau = of_sine(sin_beta * drill.p.sin);
-        const double area = sample[i].engagement * share * t * e.width * tau.cos;  // dw = dy cos τ
+        const double area = sample[i].engagement * share * t * e.width * tau.cos;                   // dw = dy cos τ
         const ObliqueForce to = oblique_force(f[k_n] * area, f[k_f] * area, rake_angle, tau, tau);  // ψ = τ
         // c against the edge's motion, r out of the bone, e along the edge outwards: the paper does not say.
         const Vec3 outwards = (1.0 / e.r) * Vec3{e.place.x, e.place.y, 0.0};

@@ -48,7 +48,8 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
         for (const Fineness& fineness : method.sweep) {
             const Standing& standing = chart.standings.emplace_back(standing_of(method, *law, fineness));
             say("tests  " + method.id + "  " + standing.knob + "  " +
-                (standing.fails.empty() ? "passes" : "fails " + drawing::joined(standing.fails)) + " (" + standing.told + ")");
+                (standing.fails.empty() ? "passes" : "fails " + drawing::joined(standing.fails)) + " (" +
+                standing.told + ")");
         }
     }
     // Where a voxel is small its place matters little, and a motion that is replayed on finer grids takes long.
@@ -61,12 +62,16 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
         std::size_t standing = 0;
         for (const Method& method : methods)
             for (const Fineness& fineness : method.sweep) {
-                Row row{scene.id, method.id, knob_text(method, fineness), fineness,
-                        measure(method, scene, *law, fineness, grids_of(method, scene, fineness)), chart.standings[standing++].fails};
+                Row row{scene.id,
+                        method.id,
+                        knob_text(method, fineness),
+                        fineness,
+                        measure(method, scene, *law, fineness, grids_of(method, scene, fineness)),
+                        chart.standings[standing++].fails};
                 if (row.measured.peak_step > largest_step) row.fails.push_back("S-16");
-                say(scene.id + "  " + row.method + "  " + row.knob + "  force error " + percent(row.measured.force_error) +
-                    ", volume " + percent(row.measured.volume_error) + ", step " + percent(row.measured.peak_step) + ", p99.9 " +
-                    drawing::figure(row.measured.cost.p999) + " us");
+                say(scene.id + "  " + row.method + "  " + row.knob + "  force error " +
+                    percent(row.measured.force_error) + ", volume " + percent(row.measured.volume_error) + ", step " +
+                    percent(row.measured.peak_step) + ", p99.9 " + drawing::figure(row.measured.cost.p999) + " us");
                 chart.rows.push_back(std::move(row));
             }
     }

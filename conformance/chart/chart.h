@@ -33,11 +33,13 @@ struct MethodNote {
     double stiffest = 0.0;  ///< K_max [N/m]
 };
 
-struct SceneTitle { std::string id{}, title{}; };
+struct SceneTitle {
+    std::string id{}, title{};
+};
 
 struct Chart {
-    std::string processor{};  ///< what the costs were measured on
-    CuttingLaw law{};         ///< that all but the papers share
+    std::string processor{};      ///< what the costs were measured on
+    CuttingLaw law{};             ///< that all but the papers share
     std::vector<Check> checks{};  ///< of the physics
     std::vector<SceneTitle> scenes{};
     std::vector<MethodNote> methods{};

@@ -23,7 +23,7 @@ using drawing::csv_quoted;
 using drawing::figure;
 using drawing::joined;
 
-constexpr double just_felt = 0.07;  // [–] of a force: below it a difference cannot be felt
+constexpr double just_felt = 0.07;    // [–] of a force: below it a difference cannot be felt
 constexpr double seen_volume = 0.02;  // [–] of a hole
 constexpr double picture_width = 1040, picture_height = 900;
 
@@ -83,9 +83,8 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
     panel.y.title = what;
     double least_x = 1e300, most_x = 0.0, least_y = 1e300, most_y = 0.0;
     for (const MethodNote& method : chart.methods) {
-        drawing::Curve curve{.colour = colour_of(method.id),
-                             .is_dashed = method.is_as_printed,
-                             .is_bold = method.id == "M9"};
+        drawing::Curve curve{
+            .colour = colour_of(method.id), .is_dashed = method.is_as_printed, .is_bold = method.id == "M9"};
         for (const Row* row : rows_of(chart, scene)) {
             if (row->method != method.id) continue;
             const double y = std::max(floor, value(row->measured)), x = row->measured.cost.p999;
@@ -134,19 +133,20 @@ const Row* cheapest_enough(const std::vector<const Row*>& rows) {
 }
 
 std::string chart_csv(const Chart& chart) {
-    std::string text = std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
-                       "; all else is the same wherever it is run\n"
-                       "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
-                       "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
-                       "K_max_N_per_m,fails\n";
+    std::string text =
+        std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
+        "; all else is the same wherever it is run\n"
+        "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
+        "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
+        "K_max_N_per_m,fails\n";
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
         const auto at = std::find_if(chart.methods.begin(), chart.methods.end(),
                                      [&](const MethodNote& note) { return note.id == row.method; });
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
         for (const double value : {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error,
-                                   m.worst_grid, m.volume_error, m.peak_step, m.reference, m.force_error * m.reference, m.off_lateral, m.gain,
-                                   m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
+                                   m.worst_grid, m.volume_error, m.peak_step, m.reference, m.force_error * m.reference,
+                                   m.off_lateral, m.gain, m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
             text += figure(value, 5) + ",";
         text += csv_quoted(joined(row.fails, " ")) + "\n";
     }
@@ -156,8 +156,8 @@ std::string chart_csv(const Chart& chart) {
 std::string tests_csv(const Chart& chart) {
     std::string text = std::string("# ") + notice_line + ".\nmethod,knob,fails,measured\n";
     for (const Standing& standing : chart.standings)
-        text += csv_quoted(standing.method) + "," + csv_quoted(standing.knob) + "," + csv_quoted(joined(standing.fails, " ")) + "," +
-                csv_quoted(standing.told) + "\n";
+        text += csv_quoted(standing.method) + "," + csv_quoted(standing.knob) + "," +
+                csv_quoted(joined(standing.fails, " ")) + "," + csv_quoted(standing.told) + "\n";
     return text;
 }
 
@@ -204,17 +204,20 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
     for (const MethodNote& method : chart.methods) {
         const auto fails = always_failed(chart, scene, method.id);
         content += drawing::marker_svg(x + 4, y - 4, colour_of(method.id), fails.empty());
-        content += drawing::text_at(x + 14, y, method.id + " " + method.title + (fails.empty() ? "" : ": fails " + joined(fails, " ")));
+        content += drawing::text_at(
+            x + 14, y, method.id + " " + method.title + (fails.empty() ? "" : ": fails " + joined(fails, " ")));
         if (x > half) y += 17;
         x = x > half ? 12 : half + 12;
     }
     const Row* enough = cheapest_enough(rows_of(chart, scene));
     content += drawing::text_at(12, picture_height - 28,
                                 std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
-                                    (enough != nullptr ? enough->method + " at " + enough->knob + ", " + figure(enough->measured.cost.p999) + " us."
+                                    (enough != nullptr ? enough->method + " at " + enough->knob + ", " +
+                                                             figure(enough->measured.cost.p999) + " us."
                                                        : "none."));
     content += drawing::text_at(12, picture_height - 10,
-                                std::string(notice_line) + ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device. " +
+                                std::string(notice_line) +
+                                    ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device. " +
                                     "Costs: " + chart.processor + ".",
                                 "class=\"kp-note\"");
     return drawing::picture(picture_width, picture_height, title, content);
@@ -227,37 +230,47 @@ std::string chart_html(const Chart& chart) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">"
         "<title>Accuracy against speed</title><style>";
     html += report_style;
-    html += "figure svg { width: 100%; }</style></head><body><main>\n<header class=\"top\"><div><h1>Accuracy against speed</h1>"
-            "<p class=\"soft\">How right the force of a drill is, and what it costs. Costs were measured on " +
-            html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
-    html += "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th>"
-            "<th class=\"number\">K_max</th><th>Tests failed, by fineness</th></tr></thead><tbody>";
+    html +=
+        "figure svg { width: 100%; }</style></head><body><main>\n<header class=\"top\"><div><h1>Accuracy against "
+        "speed</h1>"
+        "<p class=\"soft\">How right the force of a drill is, and what it costs. Costs were measured on " +
+        html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
+    html +=
+        "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th>"
+        "<th class=\"number\">K_max</th><th>Tests failed, by fineness</th></tr></thead><tbody>";
     for (const MethodNote& method : chart.methods) {
-        html += "<tr><td>" + html_escaped(method.id) + "</td><td>" + html_escaped(method.title) + "</td><td class=\"number\">" +
-                html_escaped(stiffness_text(method.stiffest)) + "</td><td>";
+        html += "<tr><td>" + html_escaped(method.id) + "</td><td>" + html_escaped(method.title) +
+                "</td><td class=\"number\">" + html_escaped(stiffness_text(method.stiffest)) + "</td><td>";
         for (const Standing& standing : chart.standings)
             if (standing.method == method.id)
-                html += "<span title=\"" + html_escaped(standing.told) + "\">" + html_escaped(standing.knob) + ": <span class=\"" +
-                        (standing.fails.empty() ? "ok\">none" : "broken\">" + html_escaped(joined(standing.fails, " "))) +
-                        "</span></span><br>";
+                html +=
+                    "<span title=\"" + html_escaped(standing.told) + "\">" + html_escaped(standing.knob) +
+                    ": <span class=\"" +
+                    (standing.fails.empty() ? "ok\">none" : "broken\">" + html_escaped(joined(standing.fails, " "))) +
+                    "</span></span><br>";
         html += "</td></tr>";
     }
-    html += "</tbody></table></div><p class=\"soft small\">S-01: a hand pushes into a block. S-07: twice the points. S-12: back into a "
-            "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest the pointer "
-            "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
+    html +=
+        "</tbody></table></div><p class=\"soft small\">S-01: a hand pushes into a block. S-07: twice the points. S-12: "
+        "back into a "
+        "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest "
+        "the pointer "
+        "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {
         html += "<section><figure>" + scene_svg(chart, scene.id) + "</figure>";
-        html += "<details><summary>Figures</summary><div class=\"wide\"><table><thead><tr><th>Method</th><th>Knob</th>"
-                "<th class=\"number\">Force error</th><th class=\"number\">Volume</th><th class=\"number\">Step</th>"
-                "<th class=\"number\">p99.9</th><th class=\"number\">Longest</th><th>Fails</th></tr></thead><tbody>";
+        html +=
+            "<details><summary>Figures</summary><div class=\"wide\"><table><thead><tr><th>Method</th><th>Knob</th>"
+            "<th class=\"number\">Force error</th><th class=\"number\">Volume</th><th class=\"number\">Step</th>"
+            "<th class=\"number\">p99.9</th><th class=\"number\">Longest</th><th>Fails</th></tr></thead><tbody>";
         for (const Row* row : rows_of(chart, scene.id)) {
             const Measured& m = row->measured;
             const auto cell = [&](double value, const char* unit) {
                 return "<td class=\"number\">" + sensible_number(value) + " " + unit + "</td>";
             };
             html += "<tr><td>" + html_escaped(row->method) + "</td><td>" + html_escaped(row->knob) + "</td>" +
-                    cell(100.0 * m.force_error, "%") + cell(100.0 * m.volume_error, "%") + cell(100.0 * m.peak_step, "%") +
-                    cell(m.cost.p999, "µs") + cell(m.cost.longest, "µs") + "<td>" + html_escaped(joined(row->fails)) + "</td></tr>";
+                    cell(100.0 * m.force_error, "%") + cell(100.0 * m.volume_error, "%") +
+                    cell(100.0 * m.peak_step, "%") + cell(m.cost.p999, "µs") + cell(m.cost.longest, "µs") + "<td>" +
+                    html_escaped(joined(row->fails)) + "</td></tr>";
         }
         html += "</tbody></table></div></details></section>\n";
     }

@@ -13,7 +13,8 @@ int ExactBone::tissue_at(Vec3 point) const {
 
 Body body_of(const ExactBone& bone, double spacing, Vec3 offset) {
     const double margin = 2.0 * spacing;
-    Grid grid = Grid::covering(bone.low - Vec3{margin, margin, margin}, bone.high + Vec3{margin, margin, margin}, spacing);
+    Grid grid =
+        Grid::covering(bone.low - Vec3{margin, margin, margin}, bone.high + Vec3{margin, margin, margin}, spacing);
     grid.origin = grid.origin + spacing * offset;
     Body body;
     body.id = "bone";

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "conformance/times.h"
 #include "conformance/stability/tool_under_test.h"
+#include "conformance/times.h"
 #include "core/field/removed_volume.h"
 #include "core/haptics/work_force.h"
 #include "kerf/assert.hpp"

@@ -16,7 +16,9 @@ public:
     KerfRun(const Scene& scene, const ToolSetup& setup, const Fineness& fineness, Way way);
 
     Felt tick(const Pose& next) override;
-    void command_spindle(double revolutions_per_second) override { simulation_.command_drive(0, revolutions_per_second); }
+    void command_spindle(double revolutions_per_second) override {
+        simulation_.command_drive(0, revolutions_per_second);
+    }
     double removed_volume() override;
 
 private:

@@ -33,8 +33,10 @@ std::optional<CuttingLaw> cutting_law_of(const std::vector<ParameterInfo>& force
     bool is_whole = true;
     const auto take = [&](const char* id, double& value) {
         const auto at = std::find_if(force.begin(), force.end(), [&](const ParameterInfo& p) { return p.id == id; });
-        if (at == force.end()) is_whole = false;
-        else value = at->def;
+        if (at == force.end())
+            is_whole = false;
+        else
+            value = at->def;
     };
     take("thrust_edge", law.thrust.edge);
     take("thrust_chip", law.thrust.chip);

@@ -35,9 +35,9 @@ struct EdgeLaw {
 /// The drilling plugin's law, by its parameters' names. Source: docs/models/drilling.md.
 struct CuttingLaw {
     EdgeLaw thrust, cutting, chisel;
-    double edge_depth = 4e-6;            ///< t_e [m]
-    double reference_density = 1850.0;   ///< [kg/m³]
-    double relief = 0.1745;              ///< [rad]; beyond 2π r tan(relief) per revolution the heel rides up
+    double edge_depth = 4e-6;           ///< t_e [m]
+    double reference_density = 1850.0;  ///< [kg/m³]
+    double relief = 0.1745;             ///< [rad]; beyond 2π r tan(relief) per revolution the heel rides up
 
     /// (ρ/ρ_ref)² [–].
     [[nodiscard]] double resistance(double density) const noexcept;
@@ -50,7 +50,9 @@ struct CuttingLaw {
 /// shaft, away from the shaft [m].
 inline constexpr int edge_count = 4;
 [[nodiscard]] constexpr bool is_lip(int edge) noexcept { return edge < 2; }
-struct Span { double from, to; };  ///< [m]
+struct Span {
+    double from, to;
+};  ///< [m]
 [[nodiscard]] Span span_of(const Drill& drill, int edge) noexcept;
 /// Where an edge's point lies, the first lip at `angle` [rad]. Tool frame [m].   [any] pure.
 [[nodiscard]] Vec3 place_on_edge(const Drill& drill, int edge, double s, double angle) noexcept;

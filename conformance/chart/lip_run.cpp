@@ -72,10 +72,12 @@ Engaged LipRun::engaged() const {
                 std::size_t m = 0;
                 while (m < borders && between(last.border[m], next.border[m]) >= 0.0) ++m;
                 const double from = last.s + (next.s - last.s) * at[k - 1], to = last.s + (next.s - last.s) * at[k];
-                const bool goes_on = !stretches.empty() && stretches.back().to == from &&
-                                     stretches.back().resistance == resistance_[m];
-                if (goes_on) stretches.back().to = to;
-                else stretches.push_back({from, to, resistance_[m]});
+                const bool goes_on =
+                    !stretches.empty() && stretches.back().to == from && stretches.back().resistance == resistance_[m];
+                if (goes_on)
+                    stretches.back().to = to;
+                else
+                    stretches.push_back({from, to, resistance_[m]});
             }
             last = next;
         }

@@ -7,9 +7,9 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
 
-/// M8: the lip integral on Kerf's distance fields. Distances are asked for at a few nodes of each edge; between them they
-/// are taken as straight, so borders are found where that line is zero, and stretches are integrated as a whole. The cut
-/// is read with lag and gap, as Kerf's edges do.
+/// M8: the lip integral on Kerf's distance fields. Distances are asked for at a few nodes of each edge; between them
+/// they are taken as straight, so borders are found where that line is zero, and stretches are integrated as a whole.
+/// The cut is read with lag and gap, as Kerf's edges do.
 class LipRun : public Run {
 public:
     /// `fineness.points`: nodes per lip; the chisel edge has a quarter of them per half, at least 2.

@@ -50,7 +50,8 @@ double calibration(const Method& method, const Scene& like, const CuttingLaw& la
         sum -= felt.wrench[2];
         count += 1.0;
     }
-    const double right = -edge_wrench(scene.drill, law, wholly_engaged(scene.drill), 0.0, scene.feed / (2.0 * scene.spindle))[2];
+    const double right =
+        -edge_wrench(scene.drill, law, wholly_engaged(scene.drill), 0.0, scene.feed / (2.0 * scene.spindle))[2];
     return std::abs(sum) > 1e-12 * count ? right * count / sum : 1.0;
 }
 
@@ -59,12 +60,13 @@ namespace {
 /// What one run felt, tick by tick, and what it should have felt.
 struct Track {
     std::vector<Felt> felt;
-    std::vector<Vec3> reference;        ///< [N] tool frame
+    std::vector<Vec3> reference;  ///< [N] tool frame
     std::vector<bool> is_compared;
     double volume = 0.0, volume_reference = 0.0;  ///< [m³]
 };
 
-Track run_through(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, double gain) {
+Track run_through(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness,
+                  double gain) {
     const auto run = method.start(scene, fineness, gain);
     ExactForce exact(scene, law);
     Track track;
@@ -112,7 +114,8 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
                 has_last = false;
                 continue;
             }
-            if (method.is_solved) force = {0, 0, force.z}, reference = {0, 0, reference.z};
+            if (method.is_solved)
+                force = {0, 0, force.z}, reference = {0, 0, reference.z};
             else if (std::hypot(reference.x, reference.y) < 1.0)
                 measured.off_lateral = std::max(measured.off_lateral, std::hypot(force.x, force.y));
             const Vec3 difference = force - reference;

@@ -15,11 +15,11 @@ namespace kerf::chart {
 
 /// What came of one tick.
 struct Felt {
-    Vec6 wrench{};              ///< bone on tool about its tip, tool frame [N, N·m]
+    Vec6 wrench{};                ///< bone on tool about its tip, tool frame [N, N·m]
     Pose from = identity_pose();  ///< where the tool was when it was felt
-    double rate = 0.0;          ///< [m/s] along the shaft that it was felt at
-    double cost = 0.0;          ///< [µs] of the haptic loop, on the processor
-    double commanded = 0.0;     ///< [N, device] against the feed, after the loop's own limits; solved methods only
+    double rate = 0.0;            ///< [m/s] along the shaft that it was felt at
+    double cost = 0.0;            ///< [µs] of the haptic loop, on the processor
+    double commanded = 0.0;       ///< [N, device] against the feed, after the loop's own limits; solved methods only
 };
 
 /// One method at work in one bone.
@@ -44,8 +44,8 @@ struct Fineness {
 enum class Knob { spacing, points };
 
 struct Method {
-    std::string id{};      ///< "M8"
-    std::string title{};   ///< for people
+    std::string id{};     ///< "M8"
+    std::string title{};  ///< for people
     Knob knob = Knob::spacing;
     std::vector<Fineness> sweep{};  ///< coarse to fine
     bool is_as_printed = false;     ///< with the paper's own slips

@@ -51,8 +51,8 @@ Values drill_of(const Scene& scene) {
             {"point_angle", scene.drill.point_angle},
             {"web", scene.drill.web},
             {"spindle_speed", scene.spindle},
-            {"run_up", 0.0},            // the motor follows at once
-            {"motor_torque", 20.0}};    // [N·m] and never gives way: the papers have none
+            {"run_up", 0.0},          // the motor follows at once
+            {"motor_torque", 20.0}};  // [N·m] and never gives way: the papers have none
 }
 
 ToolSetup own_setup(const Plugins& plugins, const Scene& scene, const Fineness& fineness) {
@@ -85,12 +85,16 @@ ToolSetup printed_setup(const Plugins& plugins, const CuttingLaw& law, const cha
 
 std::vector<Fineness> by_spacing(bool quick) {
     if (quick) return {{0.5_mm, usual_points, {}}, {0.25_mm, usual_points, {}}};
-    return {{1.0_mm, usual_points, {}}, {0.5_mm, usual_points, {}}, {0.25_mm, usual_points, {}}, {0.1_mm, usual_points, {}}};
+    return {{1.0_mm, usual_points, {}},
+            {0.5_mm, usual_points, {}},
+            {0.25_mm, usual_points, {}},
+            {0.1_mm, usual_points, {}}};
 }
 
 std::vector<Fineness> by_points(bool quick) {
     std::vector<Fineness> sweep;
-    for (const int points : quick ? std::vector{8, 31} : std::vector{4, 8, 16, 31, 62, 125}) sweep.push_back({0.5_mm, points, {}});
+    for (const int points : quick ? std::vector{8, 31} : std::vector{4, 8, 16, 31, 62, 125})
+        sweep.push_back({0.5_mm, points, {}});
     return sweep;
 }
 
@@ -128,9 +132,12 @@ Method on_fields(const Plugins& plugins, const char* id, const char* title, Kerf
     method.sweep = knob == Knob::points ? by_points(quick) : by_spacing(quick);
     method.is_solved = way == KerfRun::Way::solved;
     if (method.is_solved) {
-        method.setup = [=](const Scene& scene, const Fineness& fineness) { return own_setup(plugins, scene, fineness); };
+        method.setup = [=](const Scene& scene, const Fineness& fineness) {
+            return own_setup(plugins, scene, fineness);
+        };
         method.replay = [=](const Scene& scene, const Fineness& fineness) -> std::unique_ptr<Run> {
-            return std::make_unique<KerfRun>(with_room(scene), own_setup(plugins, scene, fineness), fineness, KerfRun::Way::direct);
+            return std::make_unique<KerfRun>(with_room(scene), own_setup(plugins, scene, fineness), fineness,
+                                             KerfRun::Way::direct);
         };
     }
     method.start = [=](const Scene& scene, const Fineness& fineness, double) -> std::unique_ptr<Run> {
@@ -156,31 +163,36 @@ std::optional<CuttingLaw> shared_law(const Plugins& plugins, std::string& error)
         return std::nullopt;
     }
     auto law = cutting_law_of(force->parameters);
-    if (!law) error = std::string("`") + drilling + "/drill_cutting` has other parameters than the chart knows: rebuild it.";
+    if (!law)
+        error = std::string("`") + drilling + "/drill_cutting` has other parameters than the chart knows: rebuild it.";
     return law;
 }
 
 std::vector<Method> all_methods(const Plugins& plugins, const CuttingLaw& law, bool quick) {
     using Reading = VoxelBone::Reading;
     using Removal = VoxelRun::Removal;
-    const bool has_printed = plugins.printed != nullptr && info_of(*plugins.printed, printed_papers, "tsai_2007") != nullptr;
+    const bool has_printed =
+        plugins.printed != nullptr && info_of(*plugins.printed, printed_papers, "tsai_2007") != nullptr;
     std::vector<Method> methods;
     if (has_printed)
-        methods.push_back(as_printed(plugins, law, "M1", "touch by counting, as printed", "touch_count", Reading::binary,
-                                     Removal::when_finished, quick));
+        methods.push_back(as_printed(plugins, law, "M1", "touch by counting, as printed", "touch_count",
+                                     Reading::binary, Removal::when_finished, quick));
     methods.push_back(on_voxels(plugins, "M2", "chip load, binary voxels", Reading::binary, quick));
     methods.push_back(on_voxels(plugins, "M3", "chip load, trilinear density", Reading::density, quick));
-    methods.push_back(on_fields(plugins, "M4", "chip load, borders within a voxel", KerfRun::Way::direct, Knob::points, quick));
+    methods.push_back(
+        on_fields(plugins, "M4", "chip load, borders within a voxel", KerfRun::Way::direct, Knob::points, quick));
     methods.push_back(on_voxels(plugins, "M5", "chip load, mixed elements", Reading::fraction, quick));
     if (has_printed)
-        methods.push_back(as_printed(plugins, law, "M6", "density alone, as printed", "dental_implant", Reading::density,
-                                     Removal::where_asked, quick));
-    Method lips{.id = "M8", .title = "lip integral on distance fields", .knob = Knob::points, .sweep = by_points(quick)};
+        methods.push_back(as_printed(plugins, law, "M6", "density alone, as printed", "dental_implant",
+                                     Reading::density, Removal::where_asked, quick));
+    Method lips{
+        .id = "M8", .title = "lip integral on distance fields", .knob = Knob::points, .sweep = by_points(quick)};
     lips.start = [law](const Scene& scene, const Fineness& fineness, double) -> std::unique_ptr<Run> {
         return std::make_unique<LipRun>(scene, law, fineness);
     };
     methods.push_back(lips);
-    methods.push_back(on_fields(plugins, "M9", "M4 with proxy and coupling: Kerf", KerfRun::Way::solved, Knob::spacing, quick));
+    methods.push_back(
+        on_fields(plugins, "M9", "M4 with proxy and coupling: Kerf", KerfRun::Way::solved, Knob::spacing, quick));
     if (has_printed) {
         methods.push_back(as_printed(plugins, law, "000", "Tsai 2007, as printed", "tsai_2007", Reading::binary,
                                      Removal::when_finished, quick));

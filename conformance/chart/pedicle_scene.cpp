@@ -17,7 +17,8 @@ using namespace literals;
 Scene pedicle_scene(double medial) {
     Diagnostics diagnostics;
     const auto anatomy = read_anatomy_text("vertebra-phantom.yaml", vertebra_phantom, diagnostics);
-    KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(), "the anatomy in procedures/ reads without error");
+    KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(),
+                "the anatomy in procedures/ reads without error");
     Scene scene;
     scene.id = medial == 0.0 ? "pedicle" : "pedicle-breach";
     scene.title = std::string("Pedicle of the vertebra phantom, 3.2 mm drill, ") +
@@ -37,14 +38,17 @@ Scene pedicle_scene(double medial) {
     const Vec3 to_the_left{1, 0, 0};  // the canal lies to the left of the right pedicle
     const Vec3 sideways = normalized(to_the_left - dot(to_the_left, scene.along) * scene.along);
     scene.entry = axis->from + medial * sideways;
-    while (scene.bone.surface(scene.entry) > 1.0_um) scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
+    while (scene.bone.surface(scene.entry) > 1.0_um)
+        scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
     scene.depth = {-1.5_mm};
     go_to(scene, 30.0_mm, scene.feed);
     // As much of the vertebra as the drill can reach.
     const double room = scene.drill.radius() + 1.0_mm;
     const Vec3 ends[] = {scene.entry - 2.0_mm * scene.along, scene.entry + 30.5_mm * scene.along};
-    scene.bone.low = {std::min(ends[0].x, ends[1].x) - room, std::min(ends[0].y, ends[1].y) - room, std::min(ends[0].z, ends[1].z) - room};
-    scene.bone.high = {std::max(ends[0].x, ends[1].x) + room, std::max(ends[0].y, ends[1].y) + room, std::max(ends[0].z, ends[1].z) + room};
+    scene.bone.low = {std::min(ends[0].x, ends[1].x) - room, std::min(ends[0].y, ends[1].y) - room,
+                      std::min(ends[0].z, ends[1].z) - room};
+    scene.bone.high = {std::max(ends[0].x, ends[1].x) + room, std::max(ends[0].y, ends[1].y) + room,
+                       std::max(ends[0].z, ends[1].z) + room};
     return scene;
 }
 

@@ -27,7 +27,8 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
     double most = 0.0;
     for (std::size_t t = 0; t < scene.ticks(); ++t) {
         const double rate = (scene.depth[t + 1] - scene.depth[t]) / dt;
-        const double thrust = -exact.wrench(scene.pose_at(scene.depth[t]), rate, 2.0 * pi * scene.spindle * dt * static_cast<double>(t))[2];
+        const double thrust = -exact.wrench(scene.pose_at(scene.depth[t]), rate,
+                                            2.0 * pi * scene.spindle * dt * static_cast<double>(t))[2];
         if (scene.depth[t] >= from && scene.depth[t] <= to) most = std::max(most, thrust);
     }
     return most;
@@ -37,11 +38,15 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
 
 std::vector<PublishedSeries> published_series() {
     return {
-        {"macavelia-2012", "human femur", 2.0_mm_per_s,
+        {"macavelia-2012",
+         "human femur",
+         2.0_mm_per_s,
          {{1000.0_rpm, 198.4, 14.2, 186.3_Nmm, 16.9_Nmm},
           {1250.0_rpm, 180.6, 14.0, 157.8_Nmm, 16.1_Nmm},
           {1500.0_rpm, 176.3, 11.2, 140.2_Nmm, 16.4_Nmm}}},
-        {"macavelia-2012", "artificial femur", 2.0_mm_per_s,
+        {"macavelia-2012",
+         "artificial femur",
+         2.0_mm_per_s,
          {{1000.0_rpm, 87.2, 19.3, 67.2_Nmm, 8.4_Nmm},
           {1250.0_rpm, 82.2, 11.2, 61.0_Nmm, 2.9_Nmm},
           {1500.0_rpm, 75.7, 8.8, 53.3_Nmm, 2.9_Nmm}}},
@@ -54,7 +59,9 @@ std::vector<PublishedSeries> published_series() {
 std::vector<FeedLaw> fitted_laws(const PublishedSeries& series, bool of_torque) {
     const std::size_t last = series.means.size() - 1;
     // Where the feed was not seen, only its ratio counts: a fixed feed speed is assumed.
-    const auto feed = [&](std::size_t i) { return (series.feed_rate > 0.0 ? series.feed_rate : 1e-3) / series.means[i].speed; };
+    const auto feed = [&](std::size_t i) {
+        return (series.feed_rate > 0.0 ? series.feed_rate : 1e-3) / series.means[i].speed;
+    };
     const double f0 = feed(0), f1 = feed(last);
     const double y0 = quantity_of(series.means[0], of_torque), y1 = quantity_of(series.means[last], of_torque);
     const double chip = (y0 - y1) / (f0 - f1), edge = y0 - chip * f0, power = std::log(y0 / y1) / std::log(f0 / f1);
@@ -74,13 +81,14 @@ std::vector<Prediction> predictions(const CuttingLaw& law) {
         for (const bool of_torque : {false, true}) {
             const auto add = [&](const char* name, std::size_t i, double predicted) {
                 const PublishedMean& mean = series.means[i];
-                all.push_back({series.source, series.tissue, name, of_torque ? "torque" : "thrust", mean.speed, predicted,
-                               quantity_of(mean, of_torque), of_torque ? mean.torque_sd : mean.thrust_sd});
+                all.push_back({series.source, series.tissue, name, of_torque ? "torque" : "thrust", mean.speed,
+                               predicted, quantity_of(mean, of_torque), of_torque ? mean.torque_sd : mean.thrust_sd});
             };
             const double feed_rate = series.feed_rate > 0.0 ? series.feed_rate : 1e-3;
             for (const FeedLaw& fitted : fitted_laws(series, of_torque))
                 for (std::size_t i = 0; i < series.means.size(); ++i)
-                    if (std::find(fitted.calibrated_on.begin(), fitted.calibrated_on.end(), i) == fitted.calibrated_on.end())
+                    if (std::find(fitted.calibrated_on.begin(), fitted.calibrated_on.end(), i) ==
+                        fitted.calibrated_on.end())
                         add(fitted.name, i, fitted.at(feed_rate / series.means[i].speed));
             if (std::string(series.tissue) == "human femur")
                 add("Kerf", 1, shared_law_at(law, series.feed(series.means[1]), of_torque));
@@ -99,41 +107,51 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
     };
     const auto in_words = [](const Prediction& p) {
         const double unit = p.quantity == "torque" ? 1e3 : 1.0;
-        return figure(unit * p.predicted, 4) + " against " + figure(unit * p.measured, 4) + (unit > 1.0 ? " N mm" : " N") + ", " +
-               figure(p.off_in_sd(), 2) + " SD";
+        return figure(unit * p.predicted, 4) + " against " + figure(unit * p.measured, 4) +
+               (unit > 1.0 ? " N mm" : " N") + ", " + figure(p.off_in_sd(), 2) + " SD";
     };
     for (const char* quantity : {"thrust", "torque"}) {
         const Prediction p = off("proportional", quantity, 1500.0_rpm);
-        checks.push_back({"B1-a", std::string("proportional, from 1000 rpm: ") + quantity + " at 1500 rpm", in_words(p), "within 1 SD",
-                          std::abs(p.off_in_sd()) <= 1.0, "one constant, one mean; no edge term"});
+        checks.push_back({"B1-a", std::string("proportional, from 1000 rpm: ") + quantity + " at 1500 rpm", in_words(p),
+                          "within 1 SD", std::abs(p.off_in_sd()) <= 1.0, "one constant, one mean; no edge term"});
     }
     for (const char* name : {"edge + chip", "Kerf", "power"})
         for (const char* quantity : {"thrust", "torque"}) {
             const Prediction p = off(name, quantity, 1250.0_rpm);
             const bool is_kerf = std::string(name) == "Kerf";
-            checks.push_back({"B1-a", std::string(name) + (is_kerf ? ", from all three: " : ", from 1000 and 1500 rpm: ") + quantity + " at 1250 rpm", in_words(p),
-                              "within 1 SD", std::abs(p.off_in_sd()) <= 1.0,
-                              is_kerf ? "the plugin's law along its edges; its line is the least-squares one through all three means: agreement, no prediction"
+            checks.push_back({"B1-a",
+                              std::string(name) + (is_kerf ? ", from all three: " : ", from 1000 and 1500 rpm: ") +
+                                  quantity + " at 1250 rpm",
+                              in_words(p), "within 1 SD", std::abs(p.off_in_sd()) <= 1.0,
+                              is_kerf ? "the plugin's law along its edges; its line is the least-squares one through "
+                                        "all three means: agreement, no prediction"
                                       : "two constants, two means"});
         }
 
     const double cortical = shared_law_at(law, 0.12_mm, false), cancellous = law.resistance(353.0) * cortical;
-    checks.push_back({"B1-b", "cortical resists more than cancellous bone", figure(cortical) + " N at 1.85 g/cm3, " + figure(cancellous) + " N at 0.353 g/cm3",
-                      "in this order", cortical > cancellous, "cancellous by the square of density [carter-hayes-1977], not calibrated"});
+    checks.push_back({"B1-b", "cortical resists more than cancellous bone",
+                      figure(cortical) + " N at 1.85 g/cm3, " + figure(cancellous) + " N at 0.353 g/cm3",
+                      "in this order", cortical > cancellous,
+                      "cancellous by the square of density [carter-hayes-1977], not calibrated"});
     const auto all = published_series();
-    const bool is_ordered = all[0].means[0].thrust > all[1].means[0].thrust && all[2].means[0].thrust > all[3].means[0].thrust &&
+    const bool is_ordered = all[0].means[0].thrust > all[1].means[0].thrust &&
+                            all[2].means[0].thrust > all[3].means[0].thrust &&
                             all[3].means[0].thrust > all[4].means[0].thrust;
-    checks.push_back({"B1-b", "human over artificial; bovine over porcine over artificial", "198 > 87 N; 20.1 > 11.3 > 5.6 N as measured",
-                      "in this order", is_ordered, "the measurements' own order: densities are not reported, so no law predicts it"});
+    checks.push_back({"B1-b", "human over artificial; bovine over porcine over artificial",
+                      "198 > 87 N; 20.1 > 11.3 > 5.6 N as measured", "in this order", is_ordered,
+                      "the measurements' own order: densities are not reported, so no law predicts it"});
 
     // Past the shell that the drill enters by; the breach goes through the canal's wall after that.
     const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(5.0_mm);
     constexpr double past_entry = 6.0_mm, to = 26.0_mm;
-    const double safe_peak = peak_thrust(safe, law, past_entry, to), breach_peak = peak_thrust(breach, law, past_entry, to);
+    const double safe_peak = peak_thrust(safe, law, past_entry, to),
+                 breach_peak = peak_thrust(breach, law, past_entry, to);
     const double ratio = breach_peak / safe_peak;
-    checks.push_back({"B1-c", "largest thrust of a breach over that of a safe way, behind the entry",
-                      figure(breach_peak) + " over " + figure(safe_peak) + " N = " + figure(ratio), "1.5 to 1.7", ratio >= 1.5 && ratio <= 1.7,
-                      "measured with an awl that is pushed; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3"});
+    checks.push_back(
+        {"B1-c", "largest thrust of a breach over that of a safe way, behind the entry",
+         figure(breach_peak) + " over " + figure(safe_peak) + " N = " + figure(ratio), "1.5 to 1.7",
+         ratio >= 1.5 && ratio <= 1.7,
+         "measured with an awl that is pushed; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3"});
 
     bool falls = true;
     std::string found;
@@ -144,7 +162,8 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
         last = thrust;
         found += (found.empty() ? "" : ", ") + figure(thrust, 4);
     }
-    checks.push_back({"B1-d", "thrust falls as the spindle turns faster at 2 mm/s", found + " N at 1000, 1250, 1500 rpm", "falling", falls, ""});
+    checks.push_back({"B1-d", "thrust falls as the spindle turns faster at 2 mm/s",
+                      found + " N at 1000, 1250, 1500 rpm", "falling", falls, ""});
 
     CuttingLaw no_chisel = law, edge_only = law;
     no_chisel.chisel = {};
@@ -152,10 +171,11 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
     const double whole = shared_law_at(law, 0.12_mm, false);
     const double share = 1.0 - shared_law_at(no_chisel, 0.12_mm, false) / whole;
     const double remains = shared_law_at(edge_only, 0.12_mm, false) / whole;
-    checks.push_back({"B1-e", "the chisel edge's share of the thrust", figure(100.0 * share) + " %", "about 45 %", std::abs(share - 0.45) < 0.01,
-                      "calibrated: what a split point saves [saha-1982], no check"});
-    checks.push_back({"B1-e", "what remains of the thrust as the feed goes to nothing", figure(100.0 * remains) + " %", "65 % of the line through the means",
-                      std::abs(remains - 0.65) < 0.01, "an extrapolation: nobody has measured below 0.08 mm/rev; at standstill the law is zero"});
+    checks.push_back({"B1-e", "the chisel edge's share of the thrust", figure(100.0 * share) + " %", "about 45 %",
+                      std::abs(share - 0.45) < 0.01, "calibrated: what a split point saves [saha-1982], no check"});
+    checks.push_back({"B1-e", "what remains of the thrust as the feed goes to nothing", figure(100.0 * remains) + " %",
+                      "65 % of the line through the means", std::abs(remains - 0.65) < 0.01,
+                      "an extrapolation: nobody has measured below 0.08 mm/rev; at standstill the law is zero"});
     return checks;
 }
 

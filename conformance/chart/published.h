@@ -13,14 +13,14 @@ namespace kerf::chart {
 
 /// One mean of a published series.
 struct PublishedMean {
-    double speed;                ///< [1/s]
-    double thrust, thrust_sd;    ///< [N]; sd 0: not reported
-    double torque, torque_sd;    ///< [N·m]
+    double speed;              ///< [1/s]
+    double thrust, thrust_sd;  ///< [N]; sd 0: not reported
+    double torque, torque_sd;  ///< [N·m]
 };
 struct PublishedSeries {
     const char* source;  ///< key in docs/references.md
     const char* tissue;
-    double feed_rate;    ///< [m/s]; 0: not seen
+    double feed_rate;                  ///< [m/s]; 0: not seen
     std::vector<PublishedMean> means;  ///< by rising speed
     [[nodiscard]] double feed(const PublishedMean& mean) const noexcept { return feed_rate / mean.speed; }
 };
@@ -33,7 +33,8 @@ struct FeedLaw {
     std::vector<std::size_t> calibrated_on;  ///< indices of means: as many as it has constants
     std::function<double(double)> at;
 };
-/// Proportional (one constant, from the slowest spindle), edge + chip and power (two, from the slowest and the fastest).
+/// Proportional (one constant, from the slowest spindle), edge + chip and power (two, from the slowest and the
+/// fastest).
 [[nodiscard]] std::vector<FeedLaw> fitted_laws(const PublishedSeries& series, bool of_torque);
 
 /// Thrust [N] or torque [N·m] of the shared law's exact integral over all edges of a 3.2 mm drill.

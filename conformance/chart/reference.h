@@ -12,8 +12,8 @@ namespace kerf::chart {
 [[nodiscard]] Engaged exactly_engaged(const ExactBone& bone, const Drill& drill, const CuttingLaw& law,
                                       const Pose& body_from_tool, double angle);
 
-/// The exact law along one straight way, with a memory of how deep the drill has been: behind the front there is nothing
-/// to cut.
+/// The exact law along one straight way, with a memory of how deep the drill has been: behind the front there is
+/// nothing to cut.
 class ExactForce {
 public:
     /// Both must outlive this.

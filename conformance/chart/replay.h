@@ -12,7 +12,8 @@ struct Replayed {
     double volume = 0.0;        ///< [m³] Richardson-extrapolated from two grids
 };
 
-/// Moves a tool as another one moved, its law evaluated at that motion, on grids of 0.2 and 0.1 mm with 62 points per lip.
+/// Moves a tool as another one moved, its law evaluated at that motion, on grids of 0.2 and 0.1 mm with 62 points per
+/// lip.
 /// @param felt  of a run of the solved `method`   [main]
 [[nodiscard]] Replayed replay(const Method& method, const Scene& scene, const std::vector<Felt>& felt);
 

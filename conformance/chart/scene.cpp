@@ -29,10 +29,9 @@ Scene slab_scene(double tilt) {
     scene.along = {std::sin(tilt), 0.0, -std::cos(tilt)};
     scene.is_oblique = tilt != 0.0;
     scene.bone.surface = [](Vec3 p) { return std::abs(p.z + 0.5 * third) - 0.5 * third; };
-    scene.bone.tissues = {
-        {"cancellous", 1850.0 * std::sqrt(0.1),
-         [](Vec3 p) { return std::abs(p.z + 0.5 * (first + second)) - 0.5 * (second - first); }},
-        {"cortical", 1850.0, {}}};
+    scene.bone.tissues = {{"cancellous", 1850.0 * std::sqrt(0.1),
+                           [](Vec3 p) { return std::abs(p.z + 0.5 * (first + second)) - 0.5 * (second - first); }},
+                          {"cortical", 1850.0, {}}};
     const double beyond = scene.drill.point_depth() + scene.drill.radius() * std::tan(tilt) + 0.5_mm;
     const double last = (third + scene.drill.radius() * std::sin(tilt)) / std::cos(tilt) + beyond;
     const double reach = scene.drill.radius() + 1.0_mm;

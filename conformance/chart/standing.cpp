@@ -34,16 +34,18 @@ struct Bench {
     double gain;
 
     Bench(const Method& m, const CuttingLaw& l, const Fineness& f)
-        : method(m), law(l), fineness(f), scene(block_scene(slab_scene(0.0), 5.0_mm)), gain(calibration(m, scene, l, f)) {
+        : method(m),
+          law(l),
+          fineness(f),
+          scene(block_scene(slab_scene(0.0), 5.0_mm)),
+          gain(calibration(m, scene, l, f)) {
         fineness.offset = {0.31, 0.17, 0.73};
     }
     [[nodiscard]] double thrust() const {
         return -edge_wrench(scene.drill, law, wholly_engaged(scene.drill), 0.0, scene.feed / (2.0 * scene.spindle))[2];
     }
     [[nodiscard]] std::unique_ptr<Run> start() const { return start(fineness); }
-    [[nodiscard]] std::unique_ptr<Run> start(const Fineness& at) const {
-        return method.start(scene, at, gain);
-    }
+    [[nodiscard]] std::unique_ptr<Run> start(const Fineness& at) const { return method.start(scene, at, gain); }
 };
 
 struct Verdict {
@@ -86,14 +88,18 @@ Verdict back_into_the_hole(const Bench& bench) {
             const Felt one = run->tick(bench.scene.pose_at(hand));
             const double from = dot(one.from.position - bench.scene.entry, bench.scene.along);
             tip = from + one.rate * dt;
-            if (is_in_the_hole && std::max(from, tip) < deepest - before) most = std::max(most, length(linear(one.wrench)));
+            if (is_in_the_hole && std::max(from, tip) < deepest - before)
+                most = std::max(most, length(linear(one.wrench)));
             deepest = std::max(deepest, tip);
         }
         is_back = is_back && ticks < longest;
     };
-    lead(bench.scene.feed, [&] { return tip >= bottom; }, false);
-    lead(-speed, [&] { return tip <= top; }, false);
-    lead(speed, [&] { return tip >= deepest - before; }, true);
+    lead(
+        bench.scene.feed, [&] { return tip >= bottom; }, false);
+    lead(
+        -speed, [&] { return tip <= top; }, false);
+    lead(
+        speed, [&] { return tip >= deepest - before; }, true);
     return {is_back && most < felt, is_back ? "back in the hole: " + figure(most) + " N" : "never back in the hole"};
 }
 
@@ -109,7 +115,8 @@ std::pair<Verdict, Verdict> standing_still(const Bench& bench) {
             last = length(linear(one.wrench));
         }
     };
-    for (std::size_t t = 0; t < bench.scene.ticks(); ++t) (void)run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
+    for (std::size_t t = 0; t < bench.scene.ticks(); ++t)
+        (void)run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
     stand(50);
     turning = last;
     run->command_spindle(0.0);
@@ -160,7 +167,8 @@ bool rests_on_a_wall(const Body& body, const ToolSetup& setup, const DeviceRecor
     constexpr double above = -0.1_mm, push = 2.0;
     Port port(settings, above);
     stability::KerfLoop loop(body, setup, gains, above);
-    const auto trace = stability::press(port, [&](double depth) { return loop.answer(depth); }, 1500, push);
+    const auto trace = stability::press(
+        port, [&](double depth) { return loop.answer(depth); }, 1500, push);
     return stability::judge(trace, settings.resolution, false).is_stable();
 }
 

@@ -30,7 +30,8 @@ Scene trochanter_scene() {
     scene.drill.diameter = 5.4_mm;
     scene.drill.point_angle = 118.0_deg;
     scene.is_oblique = true;
-    // The neck lies along the drill's way, -z; the shaft's axis crosses it where the drill has passed half of the shaft.
+    // The neck lies along the drill's way, -z; the shaft's axis crosses it where the drill has passed half of the
+    // shaft.
     const Vec3 down_the_shaft{std::sin(neck_shaft), 0.0, -std::cos(neck_shaft)};
     const Vec3 crossing{0, 0, -shaft_radius / std::sin(neck_shaft)};
     const Vec3 head = crossing - (offset / std::sin(neck_shaft)) * Vec3{0, 0, 1};

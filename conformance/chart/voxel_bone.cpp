@@ -84,10 +84,12 @@ void VoxelBone::sample(const kerf_vec3* points, std::uint32_t count, kerf_bone_s
         one.reserved = 0;
         for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) one.density[m] = m < densities_.size() ? densities_[m] : 0.0;
         const Vec3 p = (1.0 / spacing_) * (body_from_tool_ * points[n] - origin_);
-        Voxel* voxel = at(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
-                          static_cast<int>(std::floor(p.z)));
-        if (reading_ == Reading::binary) answer_binary(voxel, one);
-        else answer_mixed(p, one);
+        Voxel* voxel =
+            at(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), static_cast<int>(std::floor(p.z)));
+        if (reading_ == Reading::binary)
+            answer_binary(voxel, one);
+        else
+            answer_mixed(p, one);
         one.body = one.engagement > 0.0 ? 0 : -1;
         if (loss_ > 0.0 && voxel != nullptr && voxel->tissue >= 0)
             voxel->left = std::max(0.0F, voxel->left - static_cast<float>(loss_));
@@ -99,7 +101,8 @@ void VoxelBone::take(const std::function<bool(Vec3)>& is_taken) {
         for (int j = 0; j < size_[1]; ++j)
             for (int i = 0; i < size_[0]; ++i) {
                 Voxel& voxel = *at(i, j, k);
-                if (voxel.tissue >= 0 && is_taken(origin_ + spacing_ * Vec3{i + 0.5, j + 0.5, k + 0.5})) voxel.left = 0.0F;
+                if (voxel.tissue >= 0 && is_taken(origin_ + spacing_ * Vec3{i + 0.5, j + 0.5, k + 0.5}))
+                    voxel.left = 0.0F;
             }
 }
 

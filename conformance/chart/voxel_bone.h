@@ -19,7 +19,8 @@ public:
     /// How a point is answered.
     enum class Reading {
         binary,    ///< by the voxel it lies in: whole or gone [tsai-2007]
-        density,   ///< by trilinear density, air counting as none [dental-implant-2013, eq. 19, nodes in their right order]
+        density,   ///< by trilinear density, air counting as none [dental-implant-2013, eq. 19, nodes in their right
+                   ///< order]
         fraction,  ///< by the shares of the tissues, trilinear [volumetric-drilling, eq. 1, as fractions of volume]
     };
 
@@ -42,7 +43,7 @@ public:
 
 private:
     struct Voxel {
-        float left = 1.0F;      ///< [–]
+        float left = 1.0F;  ///< [–]
         std::int8_t tissue = -1;
     };
     void sample(const kerf_vec3* points, std::uint32_t count, kerf_bone_sample* out) const noexcept;

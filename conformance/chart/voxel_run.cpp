@@ -27,8 +27,8 @@ Felt VoxelRun::tick(const Pose& next) {
     Felt felt;
     felt.from = pose_;
     const Pose tool_from_next = inverse(pose_) * next;
-    const Vec6 rate = make_vec6((1.0 / dt) * tool_from_next.position,
-                                (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
+    const Vec6 rate =
+        make_vec6((1.0 / dt) * tool_from_next.position, (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
     felt.rate = rate[2];
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};

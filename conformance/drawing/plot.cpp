@@ -40,10 +40,11 @@ std::vector<Tick> ticks_of(const Axis& axis) {
     std::vector<Tick> ticks;
     if (axis.is_log) {
         const double decades = std::log10(axis.high / axis.low);
-        for (double decade = std::pow(10.0, std::floor(std::log10(axis.low))); decade <= axis.high * 1.001; decade *= 10.0)
+        for (double decade = std::pow(10.0, std::floor(std::log10(axis.low))); decade <= axis.high * 1.001;
+             decade *= 10.0)
             for (const double part : {1.0, 2.0, 5.0})
                 if (part * decade >= axis.low * 0.999 && part * decade <= axis.high * 1.001)
-                    ticks.push_back({part * decade, part == 1.0 || decades < 2.0});
+                    ticks.push_back({part * decade, part == 1.0 || decades < 3.0});
         return ticks;
     }
     const double step = round_step(axis.high - axis.low);
@@ -67,11 +68,13 @@ std::string axes_svg(const Panel& panel, const Scale& x, const Scale& y) {
     std::string svg;
     for (const Tick& tick : ticks_of(panel.x)) {
         svg += path("M" + px(x.at(tick.at)) + " " + px(y.from) + "V" + px(y.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.at(tick.at), y.from + 16, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
+        if (tick.has_number)
+            svg += text_at(x.at(tick.at), y.from + 16, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"middle\"");
     }
     for (const Tick& tick : ticks_of(panel.y)) {
         svg += path("M" + px(x.from) + " " + px(y.at(tick.at)) + "H" + px(x.to), "class=\"kp-grid\"");
-        if (tick.has_number) svg += text_at(x.from - 7, y.at(tick.at) + 4, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
+        if (tick.has_number)
+            svg += text_at(x.from - 7, y.at(tick.at) + 4, tick_text(tick.at), "class=\"kp-soft\" text-anchor=\"end\"");
     }
     for (const Guide& guide : panel.x.guides) {
         if (!x.holds(guide.at)) continue;
@@ -98,15 +101,17 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
         line += (line.empty() ? "M" : "L") + px(mx) + " " + px(my);
         if (!curve.has_dots) continue;
         std::string one = "<g class=\"" + class_of(curve) + "\"><title>" + html_escaped(m.told) + "</title>";
-        if (m.x_most > m.x) one += path("M" + px(mx) + " " + px(my) + "H" + px(x.at(m.x_most)) + "m0 -3v6", "class=\"kp-whisker\"");
+        if (m.x_most > m.x)
+            one += path("M" + px(mx) + " " + px(my) + "H" + px(x.at(m.x_most)) + "m0 -3v6", "class=\"kp-whisker\"");
         if (m.y_spread > 0.0)
-            one += path("M" + px(mx) + " " + px(y.at(m.y - m.y_spread)) + "V" + px(y.at(m.y + m.y_spread)), "class=\"kp-whisker\"");
+            one += path("M" + px(mx) + " " + px(y.at(m.y - m.y_spread)) + "V" + px(y.at(m.y + m.y_spread)),
+                        "class=\"kp-whisker\"");
         const bool is_filled = m.is_filled && x.holds(m.x) && y.holds(m.y);
-        one += "<circle cx=\"" + px(mx) + "\" cy=\"" + px(my) + "\" r=\"" + (curve.is_bold ? "5" : "4") + "\" class=\"" +
-               (is_filled ? "kp-full" : "kp-hollow") + "\"/>";
+        one += "<circle cx=\"" + px(mx) + "\" cy=\"" + px(my) + "\" r=\"" + (curve.is_bold ? "5" : "4") +
+               "\" class=\"" + (is_filled ? "kp-full" : "kp-hollow") + "\"/>";
         // The last marker's label hangs below it, out of the way of its neighbours'.
-        const bool is_below = curve.has_labels_below ||
-                              (&m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line);
+        const bool is_below =
+            curve.has_labels_below || (&m == &curve.markers.back() && curve.markers.size() > 1 && curve.has_line);
         if (!m.label.empty()) one += text_at(mx + 7, is_below ? my + 13 : my - 6, m.label, "class=\"kp-mark\"");
         marks += one + "</g>\n";
     }
@@ -115,7 +120,8 @@ std::string curve_svg(const Curve& curve, const Scale& x, const Scale& y) {
     return (curve.has_line && curve.markers.size() > 1 ? path(line, style) + "\n" : "") + marks;
 }
 
-/// Names stand at the right border, at the height of their curve's last marker where there is room, else below or above.
+/// Names stand at the right border, at the height of their curve's last marker where there is room, else below or
+/// above.
 std::string names_svg(const Panel& panel, const Scale& x, const Scale& y) {
     struct Name {
         const Curve* curve;
@@ -142,8 +148,10 @@ std::string names_svg(const Panel& panel, const Scale& x, const Scale& y) {
     for (const Name& name : names) {
         const Marker& last = name.curve->markers.back();
         svg += "<g class=\"" + class_of(*name.curve) + "\">" +
-               path("M" + px(x.at(last.x) + 6) + " " + px(y.at(last.y)) + "L" + px(x.to + 4) + " " + px(name.at), "class=\"kp-lead\"") +
-               text_at(x.to + 8, name.at + 4, name.curve->name, std::string("class=\"kp-name") + (name.curve->is_bold ? " kp-strong" : "") + "\"") +
+               path("M" + px(x.at(last.x) + 6) + " " + px(y.at(last.y)) + "L" + px(x.to + 4) + " " + px(name.at),
+                    "class=\"kp-lead\"") +
+               text_at(x.to + 8, name.at + 4, name.curve->name,
+                       std::string("class=\"kp-name") + (name.curve->is_bold ? " kp-strong" : "") + "\"") +
                "</g>";
     }
     return svg;
@@ -157,7 +165,8 @@ std::string front_svg(const std::vector<Marker>& front, const Scale& x, const Sc
         line += i == 0 ? "M" + h + " " + px(y.to) + "V" + v : "H" + h + "V" + v;
     }
     line += "H" + px(x.to);
-    return path(line, "class=\"kp-front\"") + text_at(x.to - 6, y.at(front.back().y) + 13, "Pareto front", "class=\"kp-note\" text-anchor=\"end\"");
+    return path(line, "class=\"kp-front\"") +
+           text_at(x.to - 6, y.at(front.back().y) + 13, "Pareto front", "class=\"kp-note\" text-anchor=\"end\"");
 }
 
 }  // namespace
@@ -178,7 +187,8 @@ const char* plot_style() {
            ".kp .kp-name,.kp .kp-mark{fill:var(--c)}"
            ".kp-c0{--c:#0b6e6e}.kp-c1{--c:#1f5fbf}.kp-c2{--c:#2f7d32}.kp-c3{--c:#d97400}.kp-c4{--c:#7d6b00}"
            ".kp-c5{--c:#7b4fb0}.kp-c6{--c:#868e94}.kp-c7{--c:#a34672}.kp-c8{--c:#c62828}.kp-c9{--c:#6d4534}"
-           "@media (prefers-color-scheme: dark){.kp{--ink:#e6eaed;--soft:#9aa6ae;--grid:#2a3136;--paper:#1c2125;--guide:#f2877f}"
+           "@media (prefers-color-scheme: "
+           "dark){.kp{--ink:#e6eaed;--soft:#9aa6ae;--grid:#2a3136;--paper:#1c2125;--guide:#f2877f}"
            ".kp-c0{--c:#4fc9c2}.kp-c1{--c:#7fb2ff}.kp-c2{--c:#77cf7c}.kp-c3{--c:#f0a35a}.kp-c4{--c:#d9bf4f}"
            ".kp-c5{--c:#c0a0ee}.kp-c6{--c:#a9b3ba}.kp-c7{--c:#ec93bf}.kp-c8{--c:#ff8a80}.kp-c9{--c:#c9a18f}}";
 }
@@ -200,8 +210,9 @@ std::string marker_svg(double x, double y, int colour, bool is_filled) {
 std::string picture(double width, double height, const std::string& title, const std::string& content) {
     const std::string size = px(width) + " " + px(height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"kp\" viewBox=\"0 0 " + size + "\" width=\"" + px(width) +
-           "\" height=\"" + px(height) + "\" role=\"img\"><title>" + html_escaped(title) + "</title><style>" + plot_style() +
-           "</style><rect width=\"" + px(width) + "\" height=\"" + px(height) + "\" class=\"kp-paper\"/>\n" + content + "</svg>\n";
+           "\" height=\"" + px(height) + "\" role=\"img\"><title>" + html_escaped(title) + "</title><style>" +
+           plot_style() + "</style><rect width=\"" + px(width) + "\" height=\"" + px(height) +
+           "\" class=\"kp-paper\"/>\n" + content + "</svg>\n";
 }
 
 }  // namespace kerf::drawing

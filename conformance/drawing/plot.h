@@ -10,11 +10,11 @@ namespace kerf::drawing {
 
 struct Marker {
     double x = 0.0, y = 0.0;
-    double x_most = 0.0;     ///< where its whisker ends; ≤ x: it has none
-    double y_spread = 0.0;   ///< half the height of its error bar; 0: none
+    double x_most = 0.0;    ///< where its whisker ends; ≤ x: it has none
+    double y_spread = 0.0;  ///< half the height of its error bar; 0: none
     bool is_filled = true;
-    std::string label{};     ///< beside it
-    std::string told{};      ///< when the pointer rests on it
+    std::string label{};  ///< beside it
+    std::string told{};   ///< when the pointer rests on it
 };
 
 struct Curve {

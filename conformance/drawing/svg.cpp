@@ -16,7 +16,8 @@ std::string text_at(double x, double y, std::string_view text, std::string_view 
 
 std::string px(double value) {
     char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, std::round(10.0 * value) / 10.0, std::chars_format::fixed, 1);
+    const auto end =
+        std::to_chars(text, text + sizeof text, std::round(10.0 * value) / 10.0, std::chars_format::fixed, 1);
     return {text, end.ptr};
 }
 

@@ -18,7 +18,8 @@ namespace kerf::drawing {
 /// A field of a CSV row, in quotation marks.
 [[nodiscard]] std::string csv_quoted(std::string_view field);
 
-/// printf's `%.*g`, whatever the locale, without an exponent below a million; what is less than 1e-12 is 0 and has no sign.
+/// printf's `%.*g`, whatever the locale, without an exponent below a million; what is less than 1e-12 is 0 and has no
+/// sign.
 [[nodiscard]] std::string figure(double value, int digits = 3);
 
 /// Words with commas between them.

@@ -80,7 +80,8 @@ TEST(Tsai2007, NoProcedureFindsIt) {
 }
 
 TEST(Tsai2007, TheSidewaysForceTurnsWithTheDrill) {
-    const Lateral at_rest = lateral_force(3.0, 4.0, sin_cos_exact(0.0)), turned = lateral_force(3.0, 4.0, sin_cos_exact(90.0_deg));
+    const Lateral at_rest = lateral_force(3.0, 4.0, sin_cos_exact(0.0)),
+                  turned = lateral_force(3.0, 4.0, sin_cos_exact(90.0_deg));
     EXPECT_EQ(at_rest.x, 3.0);
     EXPECT_EQ(at_rest.y, 4.0);
     EXPECT_NEAR(turned.x, -4.0, 1e-15);

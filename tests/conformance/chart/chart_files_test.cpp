@@ -23,7 +23,10 @@ Chart small_chart() {
     chart.methods = {{"M2", "chip load, \"binary\" voxels", false, 200.0}, {"M9", "Kerf", false, 1400.0}};
     for (const char* method : {"M2", "M9"})
         for (const double spacing : {1e-3, 0.5e-3}) {
-            Row row{.scene = "slab-0", .method = method, .knob = spacing > 0.7e-3 ? "1 mm" : "0.5 mm", .fineness = {spacing, 31, {}}};
+            Row row{.scene = "slab-0",
+                    .method = method,
+                    .knob = spacing > 0.7e-3 ? "1 mm" : "0.5 mm",
+                    .fineness = {spacing, 31, {}}};
             row.measured.force_error = 10.0 * spacing;
             row.measured.volume_error = row.measured.peak_step = spacing;
             row.measured.cost = {10.0, 5e-3 / spacing, 100.0};
@@ -64,7 +67,8 @@ TEST(Chart, AQuickOneHasEveryMethodOnOneScene) {
     EXPECT_EQ(lines, 40);
     EXPECT_FALSE(chart.processor.empty());
     for (const Row& row : chart.rows) {
-        EXPECT_TRUE(row.method != "M9" || row.knob != "0.25 mm" || row.fails.empty()) << "Kerf, where it is fine enough";
+        EXPECT_TRUE(row.method != "M9" || row.knob != "0.25 mm" || row.fails.empty())
+            << "Kerf, where it is fine enough";
         EXPECT_GT(row.measured.cost.longest, 0.0) << row.method;
     }
     EXPECT_EQ(scene_svg(chart, "slab-0").find("nan"), std::string::npos);
@@ -91,7 +95,9 @@ TEST(Chart, ItsPageNeedsNoNetworkAndSaysWhatItIsNotFor) {
     EXPECT_EQ(html.find("src="), html.find("src=", html.size())) << "nothing is fetched";
     std::size_t links = 0, names = 0;
     for (std::size_t at = html.find("http"); at != std::string::npos; at = html.find("http", at + 1)) ++links;
-    for (std::size_t at = html.find("http://www.w3.org/2000/svg"); at != std::string::npos; at = html.find("http://www.w3.org/2000/svg", at + 1)) ++names;
+    for (std::size_t at = html.find("http://www.w3.org/2000/svg"); at != std::string::npos;
+         at = html.find("http://www.w3.org/2000/svg", at + 1))
+        ++names;
     EXPECT_EQ(links - 1, names) << "the name of a format is no address; one http-equiv";
 }
 

@@ -60,7 +60,8 @@ TEST(LipIntegral, OneLipKeepsTheLengthOfItsForces) {  // P1: what E00-1 loses
     const double ds = 1e-7 * (span.to - span.from);
     engaged[0].push_back({span.to - ds, span.to, 1.0});
     const Vec6 wrench = edge_wrench(drill, law, engaged, 0.0, per_lip);
-    const double sin_p = std::sin(59.0_deg), cos_i = std::sqrt(1.0 - std::pow(drill.half_web() / drill.radius() * sin_p, 2));
+    const double sin_p = std::sin(59.0_deg),
+                 cos_i = std::sqrt(1.0 - std::pow(drill.half_web() / drill.radius() * sin_p, 2));
     EXPECT_NEAR(length(linear(wrench)) / (ds * cos_i / sin_p), 1.0, 1e-6) << "force per width of cut";
 }
 

@@ -59,7 +59,8 @@ TEST(Methods, OneStepOfASampledLipIsOnePoint) {  // 02-18
 
 TEST(Methods, AsPrintedTheLargestForceIsOneThatShouldNotBe) {
     const Measured printed = on_the_slab("000", 0.5_mm);
-    EXPECT_GT(printed.off_lateral, printed.reference) << "[N] across the shaft of a drill that goes straight into a flat slab";
+    EXPECT_GT(printed.off_lateral, printed.reference)
+        << "[N] across the shaft of a drill that goes straight into a flat slab";
     EXPECT_GT(printed.force_error, 1.0);
 }
 
@@ -79,7 +80,8 @@ TEST(Methods, EachFailsWhatItMust) {
 }
 
 TEST(Methods, ASampledSpringOnABareDeviceIsSofterThanTheCoupling) {
-    const double sampled = stiffest(method("M2"), test::shared_law()), solved = stiffest(method("M9"), test::shared_law());
+    const double sampled = stiffest(method("M2"), test::shared_law()),
+                 solved = stiffest(method("M9"), test::shared_law());
     EXPECT_NEAR(sampled, 200.0, 10.0) << "2b/T";
     EXPECT_GT(solved, sampled);
 }
@@ -93,7 +95,8 @@ TEST(Methods, TheSameRunGivesTheSameFigures) {
 
 TEST(Methods, WithoutThePapersTheirsAreLeftOut) {
     const PluginRegistry none;
-    for (const Method& one : all_methods({&test::own_plugins(), &none}, test::shared_law(), true)) EXPECT_FALSE(one.is_as_printed) << one.id;
+    for (const Method& one : all_methods({&test::own_plugins(), &none}, test::shared_law(), true))
+        EXPECT_FALSE(one.is_as_printed) << one.id;
     std::string error;
     EXPECT_FALSE(shared_law({&none, &none}, error).has_value());
     EXPECT_NE(error.find("kerf.drilling"), std::string::npos);

@@ -93,7 +93,8 @@ TEST(ExactVolume, OfAHoleThroughATubeIsTheClosedForm) {  // C.1
     constexpr int n = 20000;
     for (int i = 0; i < n; ++i) {
         const double y = -a + (i + 0.5) * 2.0 * a / n;
-        expected += 4.0 * std::sqrt(a * a - y * y) * (std::sqrt(outer * outer - y * y) - std::sqrt(inner * inner - y * y)) * 2.0 * a / n;
+        expected += 4.0 * std::sqrt(a * a - y * y) *
+                    (std::sqrt(outer * outer - y * y) - std::sqrt(inner * inner - y * y)) * 2.0 * a / n;
     }
     double error = 0.0;
     EXPECT_NEAR(exact_volume(scene, scene.depth.back(), &error) * 1e9, expected, 1e-3 * expected);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "conformance/chart/scene.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "conformance/chart/scene.h"
 #include "kerf/units.hpp"
 
 namespace kerf::chart {
@@ -24,9 +23,9 @@ TEST(Scenes, BeginInAirAndStayWithinTheirBoxes) {
                 EXPECT_EQ(scene.bone.tissue_at(start * corner), -1) << scene.id;
                 const double deepest = *std::max_element(scene.depth.begin(), scene.depth.end());
                 const Vec3 end = scene.pose_at(deepest) * corner;
-                EXPECT_TRUE(scene.bone.tissue_at(end) < 0 || (end.x > scene.bone.low.x && end.x < scene.bone.high.x &&
-                                                              end.y > scene.bone.low.y && end.y < scene.bone.high.y &&
-                                                              end.z > scene.bone.low.z && end.z < scene.bone.high.z))
+                EXPECT_TRUE(scene.bone.tissue_at(end) < 0 ||
+                            (end.x > scene.bone.low.x && end.x < scene.bone.high.x && end.y > scene.bone.low.y &&
+                             end.y < scene.bone.high.y && end.z > scene.bone.low.z && end.z < scene.bone.high.z))
                     << scene.id;
             }
     }
@@ -40,7 +39,8 @@ TEST(Scenes, HaveNamesOfTheirOwn) {
 
 TEST(Scenes, FeedNoFasterThanTheyAreTold) {
     for (const Scene& scene : all_scenes())
-        for (std::size_t t = 0; t < scene.ticks(); ++t) EXPECT_LE(std::abs(scene.depth[t + 1] - scene.depth[t]), 1.0_mm + 1e-12) << scene.id;
+        for (std::size_t t = 0; t < scene.ticks(); ++t)
+            EXPECT_LE(std::abs(scene.depth[t + 1] - scene.depth[t]), 1.0_mm + 1e-12) << scene.id;
 }
 
 TEST(Scenes, ThePedicleIsThatOfTheProcedure) {
@@ -48,7 +48,8 @@ TEST(Scenes, ThePedicleIsThatOfTheProcedure) {
     EXPECT_NEAR(std::acos(-scene.along.y) / 1.0_deg, 14.4, 0.1) << "its transverse angle";
     EXPECT_EQ(scene.bone.tissues.size(), 2u);
     EXPECT_NEAR(scene.bone.surface(scene.entry), 0.0, 2.0_um);
-    EXPECT_EQ(scene.bone.tissues[static_cast<std::size_t>(scene.bone.tissue_at(scene.pose_at(10.0_mm).position))].id, "cancellous");
+    EXPECT_EQ(scene.bone.tissues[static_cast<std::size_t>(scene.bone.tissue_at(scene.pose_at(10.0_mm).position))].id,
+              "cancellous");
 }
 
 TEST(Scenes, TheBreachOpensTheCanalAndThePlannedWayDoesNot) {
@@ -56,7 +57,8 @@ TEST(Scenes, TheBreachOpensTheCanalAndThePlannedWayDoesNot) {
         for (double depth = 8.0_mm; depth < 22.0_mm; depth += 0.2_mm)
             for (double angle = 0.0; angle < pi; angle += 0.2)
                 for (const int lip : {0, 1})
-                    if (scene.bone.tissue_at(scene.pose_at(depth) * place_on_edge(scene.drill, lip, span_of(scene.drill, lip).to, angle)) < 0)
+                    if (scene.bone.tissue_at(scene.pose_at(depth) *
+                                             place_on_edge(scene.drill, lip, span_of(scene.drill, lip).to, angle)) < 0)
                         return true;
         return false;
     };

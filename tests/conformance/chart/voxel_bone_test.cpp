@@ -35,7 +35,8 @@ TEST(VoxelBone, BinaryIsTheTissueOfTheVoxelsCentre) {
 TEST(VoxelBone, SharesOfTissueRiseAlongALine) {  // 01-01: linear in the share, ends equal to one tissue
     VoxelBone bone(two_layers(), 1e-3, {0, 0, 0}, VoxelBone::Reading::fraction);
     EXPECT_NEAR(ask(bone, {0, 0, -0.5e-3}).engagement, 1.0, 1e-12);
-    EXPECT_NEAR(ask(bone, {0, 0, 0.0}).engagement, 0.5, 1e-9) << "half way between the last voxel of bone and the first of air";
+    EXPECT_NEAR(ask(bone, {0, 0, 0.0}).engagement, 0.5, 1e-9)
+        << "half way between the last voxel of bone and the first of air";
     EXPECT_NEAR(ask(bone, {0, 0, 0.25e-3}).engagement, 0.25, 1e-9);
     EXPECT_NEAR(ask(bone, {0, 0, -5e-3}).weight[0], 0.5, 1e-9);
 }
