@@ -51,6 +51,14 @@ inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBloc
     return c < 0.0 ? 0.0 : (c > 1.0 ? 1.0 : c);
 }
 
+/// Share of an edge that is in bone, `uncut` and `cut` [m] the distances to the bone before any cut and to what was
+/// removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a ramp of
+/// no more: the end of a lip runs along the wall of its own hole and must not feel it.
+[[nodiscard]] inline double engagement(double uncut, double cut, double spacing) noexcept {
+    const double there = coverage(uncut, spacing), left = coverage(cut, 0.4 * spacing);
+    return there < left ? there : left;
+}
+
 /// Weights of the materials at a place: front to back, a partition of unity (resolutions B2).
 inline void material_weights(const Body& body, const BrickPlace& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
     double left = 1.0;

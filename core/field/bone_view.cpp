@@ -45,11 +45,12 @@ void BoneView::committed_distance(const PlaceBlock& places, BlockValues& distanc
 
 void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_sample* out) const noexcept {
     PlaceBlock places;
-    BlockValues engagement;
+    BlockValues uncut, cut, engagement;
     locate(*body_, points, places);
-    committed_distance(places, engagement);
+    body_->surface.at(places, uncut);
+    committed_->at(places, cut);
     const double h = body_->grid().spacing;
-    for (std::size_t i = 0; i < points.count; ++i) engagement[i] = coverage(engagement[i], h);
+    for (std::size_t i = 0; i < points.count; ++i) engagement[i] = kerf::engagement(uncut[i], cut[i], h);
 
     // Whatever lies in air is answered; the others go on.
     std::array<std::uint8_t, block_capacity> lane;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace literals;
 
-constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, 1000 and 1500 rpm [macavelia-2012]; docs/models/drilling.md";
+constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, least squares over 1000, 1250 and 1500 rpm [macavelia-2012]; docs/models/drilling.md";
 
 // What every drill has; a step drill has three more.
 #define KERF_DRILL_PARAMETERS     {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"}, \

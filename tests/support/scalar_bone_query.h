@@ -17,7 +17,7 @@ struct ScalarBoneQuery {
         const BrickPlace place = locate(body, p);
         kerf_bone_sample s{};
         s.body = -1;
-        s.engagement = coverage(std::max(body.surface.at(place), committed.at(place)), body.grid().spacing);
+        s.engagement = engagement(body.surface.at(place), committed.at(place), body.grid().spacing);
         if (s.engagement <= 0.0) return s;
         s.body = 0;
         if (body.region.contains(p)) s.gap = tracker.gap(p, rotate(body_from_tool.rotation, direction));
