@@ -42,10 +42,14 @@ double feed_of(const Procedure& procedure) {
     return 1e-3;
 }
 
-std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
+/// Before the minute's work that goes into it.
+std::string make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) return folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`.";
+    return error ? folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`." : "";
+}
+
+std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
     const std::string failed = write_file(folder + "/plan.txt", text);
     return failed.empty() ? write_file(folder + "/plan.csv", csv) : failed;
 }
@@ -56,6 +60,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
+    if (!folder.empty() && !(outcome.error = make_folder(folder)).empty()) return outcome;
     std::string text = std::string(notice_line) + ".\n" + procedure.id + ", " + procedure.title + "\n";
     std::vector<plan::StepPlan> plans;
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
