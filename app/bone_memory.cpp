@@ -59,9 +59,7 @@ void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagn
         spacing *= 1.05;
     const double rounded = std::ceil(spacing * 1e5) * 1e-5;  // to 0.01 mm
 
-    Diagnostics known_already;
-    const std::optional<Document> parsed = parse_document(procedure.file, procedure.text, known_already);
-    const Document document = parsed ? *parsed : Document(procedure.file, procedure.text);
+    const Document document = read_again(procedure.file, procedure.text);
     const Node* accuracy = document.root.find("accuracy");
     const Node* node = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
     constexpr double gigabyte = 1024.0 * 1024 * 1024;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/bone_memory.h"
+#include "app/run_checks.h"
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
@@ -13,14 +14,6 @@
 namespace kerf {
 
 namespace {
-
-Diagnostic fault(std::string code, const std::string& file, std::string message) {
-    Diagnostic d;
-    d.code = std::move(code);
-    d.place.file = file;
-    d.message = std::move(message);
-    return d;
-}
 
 /// Without data files the text's own.
 std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>& files) {
@@ -47,26 +40,8 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
 
     // What needs no bone is checked before the bone is made.
     scene.device = find_device(scene.procedure.device.c_str());
-    if (scene.device == nullptr) {
-        int count = 0;
-        const DeviceRecord* known = all_devices(count);
-        std::string names;
-        for (int i = 0; i < count; ++i) names += std::string(i > 0 ? ", " : "") + known[i].id;
-        diagnostics.push_back(fault("E0701", procedure_file, "haptics.device: there is no device `" + scene.procedure.device + "`. There are: " + names + "."));
-    }
+    check_run(scene.procedure, diagnostics);
     const Step& first = scene.procedure.steps.front();
-    for (const auto& step : scene.procedure.steps)
-        if (step.instrument != first.instrument || step.axis != first.axis)
-            diagnostics.push_back(fault("E0702", procedure_file,
-                                        "step `" + step.id + "` changes instrument or axis, which is not possible yet: every step needs `instrument: " +
-                                            first.instrument + "` and `axis: " + first.axis + "`."));
-    for (const auto& rehearsal : scene.procedure.rehearsals) {
-        if (rehearsal.path.size() < 2)
-            diagnostics.push_back(fault("E0704", procedure_file, "rehearsal `" + rehearsal.id + "` has " + std::to_string(rehearsal.path.size()) +
-                                                                     " waypoint, need at least 2: from where and to where."));
-        else if (rehearsal.path.front().depth >= 0.0)
-            diagnostics.push_back(fault("E0705", procedure_file, "rehearsal `" + rehearsal.id + "` starts inside the bone: its first waypoint needs a depth below 0 mm."));
-    }
     if (!has_error(diagnostics)) check_bone_memory(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
@@ -94,7 +69,7 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     scene.setup.force_parameters = instrument->force_parameters;
     scene.setup.drives = instrument->drives;
     if (std::string why; !outline_of(scene.setup, scene.outline, why))
-        diagnostics.push_back(fault("E0703", procedure_file, "instrument `" + first.instrument + "`: " + why));
+        refuse_tool(scene.procedure, why, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.

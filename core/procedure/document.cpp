@@ -384,4 +384,10 @@ std::optional<Document> parse_document(const std::string& file, std::string text
     return document;
 }
 
+Document read_again(const std::string& file, const std::string& text) {
+    Diagnostics known_already;
+    auto document = parse_document(file, text, known_already);
+    return document ? std::move(*document) : Document(file, text);
+}
+
 }  // namespace kerf

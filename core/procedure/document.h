@@ -74,6 +74,9 @@ private:
     bool is_end_told_ = false;
 };
 
+/// A text that was read without complaint, once more: what is made of it keeps no places, its text still has them.   [main]
+Document read_again(const std::string& file, const std::string& text);
+
 /// Reads a file of at most 1 MB as UTF-8 text. Empty when it cannot be read; says why.   [main]
 std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics);
 

@@ -65,6 +65,13 @@ enum class Code {
     missing_tissue = 503,
     axis_is_a_point = 504,
     missing_midline = 505,
+
+    // What it asks of a run
+    unknown_device = 701,
+    one_tool_only = 702,     ///< a step with another instrument or axis than the first
+    impossible_tool = 703,   ///< the plugin refuses these parameters
+    no_way = 704,            ///< a rehearsal with fewer than two waypoints
+    starts_in_bone = 705,
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -488,10 +488,7 @@ std::optional<Procedure> read_procedure_text(const std::string& file, std::strin
 }
 
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
-    // The procedure keeps no places; its text still has them.
-    Diagnostics known_already;
-    const std::optional<Document> parsed = parse_document(procedure.file, procedure.text, known_already);
-    const Document document = parsed ? *parsed : Document(procedure.file, procedure.text);
+    const Document document = read_again(procedure.file, procedure.text);
     Report report(document, diagnostics);
     const Node* needs = document.root.find("needs");
     const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };

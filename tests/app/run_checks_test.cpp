@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_checks.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+constexpr const char* text =
+    "haptics: {device: tuoch}\n"
+    "instruments:\n"
+    "  pilot: {plugin: kerf.drilling}\n"
+    "steps:\n"
+    "  - {id: first, instrument: pilot, axis: left}\n"
+    "  - {id: second, instrument: pilot, axis: right}\n"
+    "rehearsals:\n"
+    "  - {id: short, path: [{depth: -5 mm}]}\n"
+    "  - {id: deep, path: [{depth: 1 mm}, {depth: 5 mm}]}\n";
+
+Procedure procedure() {
+    Procedure p;
+    p.file = "hole.yaml";
+    p.text = text;
+    p.device = "touch";
+    p.steps = {{.id = "first", .title = "", .instrument = "pilot", .axis = "left", .goals = {}, .limits = {}}};
+    return p;
+}
+
+void expect_one(const Diagnostics& found, const char* code, int line, int column) {
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].code, code);
+    EXPECT_EQ(found[0].place.line, line);
+    EXPECT_EQ(found[0].place.column, column);
+}
+
+TEST(RunChecks, HasNothingAgainstARunThatCanBe) {
+    Diagnostics found;
+    check_run(procedure(), found);
+    EXPECT_TRUE(found.empty()) << to_text(found);
+}
+
+TEST(RunChecks, NamesTheDeviceThatWasMeantWhereItStands) {
+    Procedure p = procedure();
+    p.device = "tuoch";
+    Diagnostics found;
+    check_run(p, found);
+    expect_one(found, "E0701", 1, 19);
+    EXPECT_NE(to_text(found).find("Write `touch`"), std::string::npos) << to_text(found);
+}
+
+TEST(RunChecks, PointsAtTheStepThatChangesItsAxis) {
+    Procedure p = procedure();
+    p.steps.push_back(p.steps[0]);
+    p.steps[1].axis = "right";
+    Diagnostics found;
+    check_run(p, found);
+    expect_one(found, "E0702", 6, 43);
+}
+
+TEST(RunChecks, PointsAtRehearsalsThatCannotBeCarriedOut) {
+    Procedure p = procedure();
+    p.rehearsals.resize(2);
+    p.rehearsals[0].path = {{.depth = -5e-3, .medial = 0.0}};
+    p.rehearsals[1].path = {{.depth = 1e-3, .medial = 0.0}, {.depth = 5e-3, .medial = 0.0}};
+    Diagnostics found;
+    check_run(p, found);
+    ASSERT_EQ(found.size(), 2u) << to_text(found);
+    EXPECT_EQ(found[0].code, "E0704");
+    EXPECT_EQ(found[0].place.line, 8);
+    EXPECT_EQ(found[1].code, "E0705");
+    EXPECT_EQ(found[1].place.line, 9);
+}
+
+TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {
+    Diagnostics found;
+    refuse_tool(procedure(), "it cannot be made.", found);
+    expect_one(found, "E0703", 3, 10);
+}
+
+}  // namespace
+}  // namespace kerf
