@@ -88,6 +88,7 @@ private:
                 Met met;
                 if (!go(*body, task_.setup, task_.way, met, error)) return false;
                 choice.error = apart(met, reference_);
+                whole_ = std::move(met);
                 without_body_ = std::move(*body);
             }
             plan_.tried.push_back(choice);
@@ -114,6 +115,7 @@ private:
             plan_.tried.push_back(choice);
             if (!choice.keeps(task_.accuracy)) continue;
             plan_.chosen = choice;
+            whole_ = std::move(met);
             without_ = with_pitch(choice.pitch);
             return true;
         }
@@ -121,9 +123,7 @@ private:
     }
 
     bool choose_features(std::string& error) {
-        Met whole;
-        if (!go(without_body_, without_, task_.way, whole, error)) return false;
-        std::vector<Feature> features = features_of(without_, task_.tool, task_.force, without_body_);
+        const std::vector<Feature> features = features_of(without_, task_.tool, task_.force, without_body_);
         for (const Feature& feature : features) {
             tell("without " + feature.id);
             ToolSetup setup = without_;
@@ -131,7 +131,7 @@ private:
             feature.leave_out(setup, body);
             Met met;
             if (!go(body, setup, task_.way, met, error)) return false;
-            plan_.features.push_back({feature.id, feature.help, apart(met, whole), false});
+            plan_.features.push_back({feature.id, feature.help, apart(met, whole_), false});
         }
         if (!plan_.keeps_accuracy) return true;
         // Those that change least go first, as long as all that is left out together stays within the accuracy.
@@ -162,7 +162,7 @@ private:
     const Progress& progress_;
     std::optional<Pitch> pitch_;
     StepPlan plan_;
-    Met reference_;
+    Met reference_, whole_;  ///< whole: of what is chosen, before anything is left out
     ToolSetup without_;  ///< what is chosen so far
     Body without_body_;
 };

@@ -45,13 +45,12 @@ void locate(const LatticeShape &shape, std::size_t count, ConstCoordinates point
     }
 }
 
-template <class Sample>
-void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                 double *values) noexcept {
+/// The samples at the eight corners of each point's cell, x fastest.
+template <class Sample, class Value>
+void gather(const Sample* const* corner, std::size_t count, std::array<std::array<Value, block_capacity>, 8>& c) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;
-    std::array<std::array<Sample, block_capacity>, 8> c;
     for (std::size_t i = 0; i < count; ++i) {
-        const Sample *v = corner[i];
+        const Sample* v = corner[i];
         c[0][i] = v[0];
         c[1][i] = v[1];
         c[2][i] = v[y];
@@ -61,6 +60,13 @@ void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinate
         c[6][i] = v[z + y];
         c[7][i] = v[z + y + 1];
     }
+}
+
+template <class Sample>
+void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinates fraction, double quantum,
+                 double *values) noexcept {
+    std::array<std::array<Sample, block_capacity>, 8> c;
+    gather(corner, count, c);
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
     double *__restrict to = values;
@@ -73,19 +79,8 @@ void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinate
 
 void gradient(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
               double* values, Coordinates gradient) noexcept {
-    constexpr int y = stored_edge, z = stored_edge * stored_edge;
     std::array<std::array<double, block_capacity>, 8> c;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::int16_t* v = corner[i];
-        c[0][i] = v[0];
-        c[1][i] = v[1];
-        c[2][i] = v[y];
-        c[3][i] = v[y + 1];
-        c[4][i] = v[z];
-        c[5][i] = v[z + 1];
-        c[6][i] = v[z + y];
-        c[7][i] = v[z + y + 1];
-    }
+    gather(corner, count, c);
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
     double *__restrict to = values, *__restrict gx = gradient.x, *__restrict gy = gradient.y, *__restrict gz = gradient.z;
