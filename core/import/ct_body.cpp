@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/import/image_file.h"
+#include "core/import/image/image_file.h"
 
 namespace kerf {
 namespace {

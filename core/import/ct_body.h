@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/import/import_report.h"
-#include "core/import/read_image.h"
+#include "core/import/image/read_image.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/solids.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/import/read_image.h"
+#include "core/import/image/read_image.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <limits>
 
-#include "core/import/image_file.h"
+#include "core/import/image/image_file.h"
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 

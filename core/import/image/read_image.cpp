@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/import/read_image.h"
+#include "core/import/image/read_image.h"
 
 #include <itkImage.h>
 #include <itkImageFileReader.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/import/image_file.h"
+#include "core/import/image/image_file.h"
 
 namespace kerf {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "core/import/read_image.h"
+#include "core/import/image/read_image.h"
 
 namespace kerf {
 

@@ -56,7 +56,7 @@ private:
 
 /// Reads NIfTI-1 (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd): three dimensions, one number per voxel.
 /// The file is checked by `check_image_file()` first, so that a small file that lies costs no memory.
-/// Error (E062x, codes in core/import/image_file.h): nothing is left half-read. Never throws.   [main]
+/// Error (E062x, codes in core/import/image/image_file.h): nothing is left half-read. Never throws.   [main]
 [[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/import/image_file.h"
+#include "core/import/image/image_file.h"
 
 #include <zlib.h>
 
