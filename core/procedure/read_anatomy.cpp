@@ -133,22 +133,40 @@ DensityLine read_density_line(const Node& node, Report& report) {
     return line;
 }
 
+/// A label's number, or what a segmentation calls it.
+void read_kept_label(const Node& item, CtSource& ct, Report& report) {
+    const bool is_number = !item.text.empty() && item.text.find_first_not_of("+-.0123456789") == std::string::npos;
+    if (item.kind == Node::Kind::scalar && !item.text.empty() && !is_number) {
+        ct.keep_named.push_back(item.text);
+        return;
+    }
+    const std::optional<double> value = read_quantity(item, "A label", label, report);
+    if (!value) return;
+    if (*value != std::floor(*value)) report.error(Code::not_a_number, item.span, "A label must be a whole number.");
+    ct.keep.push_back(static_cast<int>(*value));
+}
+
 CtSource read_ct(const Node& node, Report& report) {
     MapReader map(node, "ct", report);
     CtSource ct;
     ct.image = read_data_path(map.required("image"), "ct.image", report);
+    ct.series = map.optional_text("series");
+    if (const Node* resample = map.optional("resample"))
+        ct.may_resample = read_yes_no(*resample, "ct.resample", report).value_or(false);
+    if (const Node* found = map.optional("intensity"))
+        if (const auto word = read_word(*found, "ct.intensity", {"HU", "grey"}, report))
+            ct.intensity = *word == "HU" ? CtSource::Intensity::hounsfield : CtSource::Intensity::grey;
     if (const Node* found = map.optional("labels")) {
         MapReader labels(*found, "ct.labels", report);
         ct.labels = read_data_path(labels.required("file"), "ct.labels.file", report);
         if (const Node* keep = labels.required("keep"))
-            for (const Node& item : read_list(*keep, "ct.labels.keep", report)) {
-                const std::optional<double> value = read_quantity(item, "A label", label, report);
-                if (!value) continue;
-                if (*value != std::floor(*value))
-                    report.error(Code::not_a_number, item.span, "A label must be a whole number.");
-                ct.keep.push_back(static_cast<int>(*value));
-            }
+            for (const Node& item : read_list(*keep, "ct.labels.keep", report)) read_kept_label(item, ct, report);
         labels.finish();
+    }
+    if (const Node* found = map.optional("keep")) {
+        MapReader keep(*found, "ct.keep", report);
+        ct.component_at = keep.id("component_at");
+        keep.finish();
     }
     ct.threshold = map.quantity("threshold", voxel_value);
     map.quantity("closing", closing_radius, ct.closing);
@@ -201,6 +219,22 @@ const std::vector<Node>& read_named(const Node* node, const std::string& name, U
     return node->children;
 }
 
+std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
+    std::vector<MarkupsFile> files;
+    for (const Node& item : read_list(node, "landmarks.markups", report)) {
+        MapReader map(item, "markups", report);
+        MarkupsFile markups;
+        markups.file = read_data_path(map.required("file"), "markups.file", report);
+        markups.tolerance = map.quantity("tolerance", tolerance);
+        if (const Node* names = map.optional("names"); names && is_kind(*names, Node::Kind::map, "markups.names", report))
+            for (const Node& name : names->children)
+                if (const auto id = read_id(name, "markups.names." + name.key, report)) markups.names[name.key] = *id;
+        map.finish();
+        files.push_back(std::move(markups));
+    }
+    return files;
+}
+
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     MapReader map(node, "landmarks", report);
     UniqueIds ids;  // a step names a landmark without saying of which sort
@@ -210,6 +244,11 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         landmark.id = item.key;
         landmark.at = point.vector("at", coordinate).value_or(Vec3{});
         landmark.tolerance = point.quantity("tolerance", tolerance);
+        if (const Node* lies = point.optional("lies"))
+            if (const auto word = read_word(*lies, point.name_of("lies"), {"on_bone", "in_bone", "off_bone"}, report))
+                landmark.lies = *word == "on_bone"   ? LandmarkPoint::Lies::on_bone
+                                : *word == "in_bone" ? LandmarkPoint::Lies::in_bone
+                                                     : LandmarkPoint::Lies::off_bone;
         point.finish();
         anatomy.points.push_back(std::move(landmark));
     }
@@ -222,6 +261,21 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         axis.finish();
         anatomy.axes.push_back(std::move(landmark));
     }
+    for (const Node& item : read_named(map.optional("planes"), "landmarks.planes", ids, report)) {
+        MapReader plane(item, item.key, report);
+        LandmarkPlane landmark;
+        landmark.id = item.key;
+        landmark.at = plane.vector("at", coordinate).value_or(Vec3{});
+        if (const auto normal = plane.vector("normal", direction)) {
+            landmark.normal = normalized(*normal);
+            if (!(length(*normal) > 1e-6))
+                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length.");
+        }
+        landmark.tolerance = plane.quantity("tolerance", tolerance);
+        plane.finish();
+        anatomy.planes.push_back(std::move(landmark));
+    }
+    if (const Node* files = map.optional("markups")) anatomy.markups = read_markups(*files, report);
     map.finish();
 }
 

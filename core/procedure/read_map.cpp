@@ -116,6 +116,14 @@ std::optional<bool> read_yes_no(const Node& node, const std::string& name, Repor
     return std::nullopt;
 }
 
+std::optional<std::string> read_word(const Node& node, const std::string& name, const std::vector<std::string>& words,
+                                     Report& report) {
+    auto text = read_text(node, name, report);
+    if (!text || std::find(words.begin(), words.end(), *text) != words.end()) return text;
+    report.error(Code::unknown_word, node.span, name + " must be " + listed(words) + ".", closest(*text, words, report));
+    return std::nullopt;
+}
+
 std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;

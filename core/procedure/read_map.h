@@ -27,6 +27,9 @@ std::optional<std::string> read_text(const Node& node, const std::string& name, 
 std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report);
 /// `true` or `false`, no other spelling.
 std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report);
+/// One of a few words.
+std::optional<std::string> read_word(const Node& node, const std::string& name, const std::vector<std::string>& words,
+                                     Report& report);
 std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report);
 /// `3.0 193.0 -60.5 mm`, or a list of three quantities.
 std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report);
