@@ -9,7 +9,7 @@ find_package(ZLIB REQUIRED)
 # Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)   # its packages list all that Debian keeps in other ones
 find_package(ITK 5 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta)
-find_package(GDCM 3 REQUIRED)          # a slice's header and its voxels; ITK's own reader of series is not used
+find_package(GDCM 3 REQUIRED)          # codecs of compressed DICOM, nothing else
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 
 function(dep_wrap name)   # the first target that exists wins
@@ -34,7 +34,7 @@ target_link_libraries(dep_itk INTERFACE ${ITK_LIBRARIES})
 target_include_directories(dep_itk SYSTEM INTERFACE ${ITK_INCLUDE_DIRS})
 add_library(dep::itk ALIAS dep_itk)
 add_library(dep_gdcm INTERFACE)
-target_link_libraries(dep_gdcm INTERFACE gdcmMSFF gdcmDSED gdcmCommon)
+target_link_libraries(dep_gdcm INTERFACE gdcmMSFF gdcmDSED gdcmDICT gdcmCommon)
 target_include_directories(dep_gdcm SYSTEM INTERFACE ${GDCM_INCLUDE_DIRS})
 add_library(dep::gdcm ALIAS dep_gdcm)
 if(KERF_TESTS)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/image/dicom_file.h"
 
-#include <gdcmImageReader.h>
-#include <gdcmReader.h>
-#include <gdcmTrace.h>
-
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
-#include "core/import/image/dicom_layout.h"
+#include "core/import/image/dicom_codec.h"
+#include "core/import/image/dicom_elements.h"
 
 namespace kerf {
 namespace {
@@ -24,69 +22,22 @@ struct Trouble {
     std::string what;
 };
 
-/// The elements that are asked for, as text and numbers, whatever the locale.
-class Elements {
-public:
-    explicit Elements(const gdcm::DataSet& set) : set_(set) {}
-
-    [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const {
-        const gdcm::Tag tag(group, element);
-        if (!set_.FindDataElement(tag)) return {};
-        const gdcm::ByteValue* value = set_.GetDataElement(tag).GetByteValue();
-        if (value == nullptr || value->GetPointer() == nullptr) return {};
-        std::string text(value->GetPointer(), value->GetLength());
-        const auto is_blank = [](char c) { return c == ' ' || c == '\0'; };
-        while (!text.empty() && is_blank(text.back())) text.pop_back();
-        text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), is_blank));
-        return text;
-    }
-
-    /// Decimal strings, separated by backslashes. Empty if one of them is no finite number.
-    [[nodiscard]] std::vector<double> numbers(std::uint16_t group, std::uint16_t element) const {
-        const std::string all = text(group, element);
-        std::vector<double> values;
-        for (std::size_t at = 0; at < all.size();) {
-            const std::size_t end = std::min(all.find('\\', at), all.size());
-            const char *first = all.data() + at, *last = all.data() + end;
-            while (first < last && (*first == ' ' || *first == '+')) ++first;
-            while (last > first && last[-1] == ' ') --last;
-            double value = 0.0;
-            const auto read = std::from_chars(first, last, value);
-            if (read.ec != std::errc{} || read.ptr != last || !std::isfinite(value)) return {};
-            values.push_back(value);
-            at = end + 1;
-        }
-        return values;
-    }
-
-    /// The one number of a decimal string.
-    [[nodiscard]] std::optional<double> number(std::uint16_t group, std::uint16_t element) const {
-        const auto values = numbers(group, element);
-        return values.empty() ? std::nullopt : std::optional(values.front());
-    }
-
-    /// A whole number of 16 bits, in this machine's order: the reader has turned it.
-    [[nodiscard]] std::optional<int> word(std::uint16_t group, std::uint16_t element, bool is_signed = false) const {
-        const gdcm::Tag tag(group, element);
-        if (!set_.FindDataElement(tag)) return std::nullopt;
-        const gdcm::ByteValue* value = set_.GetDataElement(tag).GetByteValue();
-        std::uint16_t raw = 0;
-        if (value == nullptr || value->GetLength() < sizeof raw) return std::nullopt;
-        std::copy_n(value->GetPointer(), sizeof raw, reinterpret_cast<char*>(&raw));
-        return is_signed ? static_cast<int>(static_cast<std::int16_t>(raw)) : static_cast<int>(raw);
-    }
-
-private:
-    const gdcm::DataSet& set_;
-};
-
 int whole(std::optional<double> number) {
     return number && std::abs(*number) < 1e9 ? static_cast<int>(std::lround(*number)) : 0;
 }
 
 bool is_unit(Vec3 v) { return std::abs(length(v) - 1.0) < straight; }
 
-void read_place(const Elements& of, DicomSlice& slice) {
+/// Whether its pixels can be got at all.
+void check_encoding(const DicomElements& of) {
+    static constexpr std::array<const char*, 3> plain{"1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2"};
+    const bool is_plain = std::find(plain.begin(), plain.end(), of.encoding) != plain.end();
+    if (!is_plain && !can_unpack(of.encoding))
+        throw Trouble{"it is encoded in a way that cannot be read; plain, run length, JPEG, JPEG-LS and JPEG 2000 can"};
+    if (is_plain == of.is_encapsulated) throw Trouble{"its pixels are not encoded as its header says"};
+}
+
+void read_place(const DicomElements& of, DicomSlice& slice) {
     const auto at = of.numbers(0x0020, 0x0032), axes = of.numbers(0x0020, 0x0037), spacing = of.numbers(0x0028, 0x0030);
     if (at.size() != 3) throw Trouble{"it has no position (0020,0032)"};
     if (axes.size() != 6) throw Trouble{"it has no orientation (0020,0037)"};
@@ -106,7 +57,7 @@ void read_place(const Elements& of, DicomSlice& slice) {
     if (const auto tilt = of.number(0x0018, 0x1120)) slice.tilt = *tilt * 3.14159265358979323846 / 180.0;
 }
 
-void read_values(const Elements& of, const DicomLayout& layout, DicomSlice& slice) {
+void read_values(const DicomElements& of, DicomSlice& slice) {
     slice.rows = of.word(0x0028, 0x0010).value_or(0);
     slice.columns = of.word(0x0028, 0x0011).value_or(0);
     for (const int n : {slice.rows, slice.columns})
@@ -129,9 +80,13 @@ void read_values(const Elements& of, const DicomLayout& layout, DicomSlice& slic
     if (!has_bits) throw Trouble{"its bits per pixel are not 8, 16 or 32, or do not fit together"};
     const std::uint64_t need = static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) *
                                static_cast<std::uint64_t>(slice.bits_allocated / 8);
-    if (!layout.is_encapsulated && layout.voxel_bytes < need)
-        throw Trouble{"it has " + std::to_string(layout.voxel_bytes) + " bytes of pixels, its size needs " +
+    if (!of.is_encapsulated && of.voxels.front().size < need)
+        throw Trouble{"it has " + std::to_string(of.voxels.front().size) + " bytes of pixels, its size needs " +
                       std::to_string(need)};
+    slice.encoding = of.encoding;
+    slice.is_big_endian = of.is_big_endian;
+    slice.is_compressed = of.is_encapsulated;
+    slice.voxels = of.voxels;
 
     slice.slope = of.number(0x0028, 0x1053).value_or(1.0);
     slice.intercept = of.number(0x0028, 0x1052).value_or(0.0);
@@ -139,7 +94,7 @@ void read_values(const Elements& of, const DicomLayout& layout, DicomSlice& slic
     slice.padding = of.word(0x0028, 0x0120, slice.is_signed);
 }
 
-void read_sort(const Elements& of, DicomSlice& slice) {
+void read_sort(const DicomElements& of, DicomSlice& slice) {
     slice.series = of.text(0x0020, 0x000e);
     slice.frame_of_reference = of.text(0x0020, 0x0052);
     slice.series_number = whole(of.number(0x0020, 0x0011));
@@ -149,13 +104,6 @@ void read_sort(const Elements& of, DicomSlice& slice) {
     if (modality.size() == 2 && std::all_of(modality.begin(), modality.end(), is_capital)) slice.modality = modality;
     slice.is_localizer = of.text(0x0008, 0x0008).find("LOCALIZER") != std::string::npos;
     slice.is_lossy = of.text(0x0028, 0x2110) == "01";
-}
-
-/// The library's own words are for its developers, and may repeat what stands in the file.
-void silence() {
-    gdcm::Trace::DebugOff();
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
 }
 
 /// A raw value of the given bits, moved down and its sign spread.
@@ -168,21 +116,39 @@ std::int32_t unpacked(std::uint32_t raw, const DicomSlice& slice) {
     return static_cast<std::int32_t>(value);
 }
 
+std::string bytes_of(std::ifstream& in, const DicomElements::Piece& piece, std::uint64_t most) {
+    std::string bytes(std::min(piece.size, most), '\0');
+    in.seekg(static_cast<std::streamoff>(piece.offset));
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!in) throw Trouble{"its pixels cannot be read"};
+    return bytes;
+}
+
+/// Pixels as rows × columns × bits_allocated / 8 bytes, least significant first.
+std::vector<char> raw_pixels(const DicomSlice& slice) {
+    std::ifstream in(slice.file, std::ios::binary);
+    if (slice.is_compressed) {
+        std::vector<std::string> fragments;
+        for (std::size_t n = 1; n < slice.voxels.size(); ++n)
+            fragments.push_back(bytes_of(in, slice.voxels[n], slice.voxels[n].size));
+        std::vector<char> pixels = fragments.empty() ? std::vector<char>() : unpacked_pixels(slice, fragments);
+        if (pixels.empty()) throw Trouble{"its pixels are damaged, or compressed in a way that cannot be unpacked"};
+        return pixels;
+    }
+    const std::size_t bytes = static_cast<std::size_t>(slice.bits_allocated / 8);
+    const std::string stored = bytes_of(in, slice.voxels.front(),
+                                        static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) * bytes);
+    std::vector<char> pixels(stored.begin(), stored.end());
+    if (slice.is_big_endian)
+        for (auto at = pixels.begin(); at != pixels.end(); at += static_cast<std::ptrdiff_t>(bytes))
+            std::reverse(at, at + static_cast<std::ptrdiff_t>(bytes));
+    return pixels;
+}
+
 std::vector<float> decoded(const DicomSlice& slice) {
-    silence();
-    gdcm::ImageReader reader;
-    reader.SetFileName(slice.file.c_str());
-    if (!reader.Read()) throw Trouble{"its pixels are compressed in a way that cannot be decoded, or damaged"};
-    const gdcm::Image& image = reader.GetImage();
+    const std::vector<char> buffer = raw_pixels(slice);
     const std::size_t count = static_cast<std::size_t>(slice.rows) * static_cast<std::size_t>(slice.columns);
     const std::size_t bytes = static_cast<std::size_t>(slice.bits_allocated / 8);
-    if (image.GetNumberOfDimensions() < 2 || image.GetDimension(0) != static_cast<unsigned>(slice.columns) ||
-        image.GetDimension(1) != static_cast<unsigned>(slice.rows) || image.GetBufferLength() != count * bytes)
-        throw Trouble{"its pixels are of another size than its header says"};
-    std::vector<char> buffer(count * bytes);
-    if (!image.GetBuffer(buffer.data()))
-        throw Trouble{"its pixels are compressed in a way that cannot be decoded, or damaged"};
-
     std::vector<float> values(count);
     for (std::size_t at = 0; at < count; ++at) {
         std::uint32_t raw = 0;
@@ -200,32 +166,22 @@ std::vector<float> decoded(const DicomSlice& slice) {
 
 DicomHeader read_dicom_header(const std::string& file) {
     DicomHeader header;
-    const DicomLayout layout = dicom_layout(file);
-    if (!layout.is_dicom) return header;
+    const DicomElements elements = read_dicom_elements(file);
+    if (!elements.is_dicom) return header;
     header.kind = DicomHeader::Kind::damaged;
-    header.trouble = layout.fault;
-    if (!layout.fault.empty()) return header;
+    header.trouble = elements.fault;
+    if (!elements.fault.empty()) return header;
     header.kind = DicomHeader::Kind::no_slice;
-    if (!layout.has_voxels) return header;
+    if (!elements.has_voxels) return header;
     header.kind = DicomHeader::Kind::slice;
     header.slice.file = file;
-    if (layout.encoding == "1.2.840.10008.1.2.1.99") {
-        header.trouble = "all of it is deflated";
-        return header;
-    }
     try {
-        silence();
-        gdcm::Reader reader;
-        reader.SetFileName(file.c_str());
-        if (!reader.ReadUpToTag(gdcm::Tag(0x7fe0, 0x0010))) throw Trouble{"its header cannot be read"};
-        const Elements elements(reader.GetFile().GetDataSet());
         read_sort(elements, header.slice);
+        check_encoding(elements);
+        read_values(elements, header.slice);
         read_place(elements, header.slice);
-        read_values(elements, layout, header.slice);
     } catch (const Trouble& trouble) {
         header.trouble = trouble.what;
-    } catch (const std::exception&) {
-        header.trouble = "its header cannot be read";
     }
     return header;
 }

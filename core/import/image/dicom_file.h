@@ -6,7 +6,7 @@
 
 #include "core/import/image/dicom_slice.h"
 
-/// One DICOM file at a time: its header and its voxels. What reads them (GDCM) is seen by one unit only.
+/// One DICOM file at a time: its header and its voxels.
 namespace kerf {
 
 struct DicomHeader {

@@ -31,25 +31,25 @@ struct Group {
     std::vector<const DicomHeader*> headers;
 };
 
-/// By UID; named by the series' number, and by a letter behind it where numbers are shared.
+/// By UID; named by the least of the series' numbers, and by a letter behind it where series share one.
 std::vector<Group> groups_of(const std::vector<const DicomHeader*>& slices) {
-    std::map<std::pair<int, std::string>, std::vector<const DicomHeader*>> by_series;
-    std::map<int, int> sharing;
-    for (const DicomHeader* header : slices) {
-        auto& group = by_series[{header->slice.series_number, header->slice.series}];
-        if (group.empty()) ++sharing[header->slice.series_number];
-        group.push_back(header);
+    std::map<std::string, std::vector<const DicomHeader*>> by_series;
+    for (const DicomHeader* header : slices) by_series[header->slice.series].push_back(header);
+    std::map<int, std::vector<Group>> by_number;
+    for (auto& [uid, headers] : by_series) {
+        const auto least = std::min_element(headers.begin(), headers.end(), [](const auto* a, const auto* b) {
+            return a->slice.series_number < b->slice.series_number;
+        });
+        by_number[(*least)->slice.series_number].push_back({"", headers});
     }
     std::vector<Group> groups;
-    std::map<int, int> named;
-    for (auto& [key, headers] : by_series) {
-        std::string name = std::to_string(key.first);
-        if (sharing[key.first] > 1) {
-            const int n = named[key.first]++;
-            name += n < 26 ? std::string(1, static_cast<char>('a' + n)) : "-" + std::to_string(n + 1);
+    for (auto& [number, sharing] : by_number)
+        for (std::size_t n = 0; n < sharing.size(); ++n) {
+            sharing[n].name = std::to_string(number);
+            if (sharing.size() > 1)
+                sharing[n].name += n < 26 ? std::string(1, static_cast<char>('a' + n)) : "-" + std::to_string(n + 1);
+            groups.push_back(sharing[n]);
         }
-        groups.push_back({std::move(name), std::move(headers)});
-    }
     return groups;
 }
 

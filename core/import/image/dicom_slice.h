@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/import/image/dicom_elements.h"
 #include "kerf/math.hpp"
 
 namespace kerf {
@@ -29,6 +31,11 @@ struct DicomSlice {
     bool is_signed = false;
     std::optional<int> padding;       ///< raw value of pixels that were never measured
     double slope = 1.0, intercept = 0.0;  ///< value = slope × raw + intercept
+
+    std::string encoding;         ///< UID of the transfer syntax
+    bool is_big_endian = false;
+    bool is_compressed = false;   ///< in fragments, of which the first is a table
+    std::vector<DicomElements::Piece> voxels;  ///< where they lie in the file
 
     [[nodiscard]] Vec3 normal() const noexcept { return cross(along_row, down_column); }
 };

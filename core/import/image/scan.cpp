@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/import/image/dicom_layout.h"
+#include "core/import/image/dicom_elements.h"
 #include "core/import/image/read_image.h"
 #include "core/import/import_report.h"
 
@@ -195,7 +195,7 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
         scan.notes_ = scan.series_->notes;
         return scan;
     }
-    if (dicom_layout(path).is_dicom) {
+    if (read_dicom_elements(path).is_dicom) {
         complain(diagnostics, Diagnostic::Level::error, "E0669", path,
                  "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them.");
         return std::nullopt;

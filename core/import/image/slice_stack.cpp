@@ -25,8 +25,9 @@ Offset offset_of(const SliceStack& stack, std::size_t slice) {
             dot(from_first, stack.down_column) / dot(stack.down_column, stack.down_column)};
 }
 
+/// Of an even number the lower one: one gap among two steps is a gap.
 double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
@@ -138,15 +139,14 @@ VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
     const std::size_t even = stack.origins.size() - 1;
     double steps = static_cast<double>(even);
     if (shape.is_straight()) low = high = {};
-    if (!shape.is_even()) steps = std::max(1.0, std::floor(whole / shape.least + 1e-3));
+    if (!shape.is_even()) steps = std::max(1.0, std::ceil(whole / shape.least - 1e-3));
 
     const double columns = stack.columns + std::ceil(high.columns - low.columns - 1e-3);
     const double rows = stack.rows + std::ceil(high.rows - low.rows - 1e-3);
     VoxelGrid grid;
     if (!(columns * rows * (steps + 1.0) <= most_voxels)) return grid;
     grid.size = {static_cast<int>(columns), static_cast<int>(rows), static_cast<int>(steps) + 1};
-    const double up = shape.is_even() ? whole / steps : shape.least;
-    grid.place(stack.along_row, stack.down_column, up * stack.normal(),
+        grid.place(stack.along_row, stack.down_column, whole / steps * stack.normal(),
                stack.origins[0] + low.columns * stack.along_row + low.rows * stack.down_column);
     return grid;
 }

@@ -48,7 +48,7 @@ struct StackShape {
 [[nodiscard]] StackShape shape_of(const SliceStack& stack);
 
 /// The grid along the slices' own axes and their normal that holds them all: their own voxels where they are straight,
-/// otherwise as fine as their narrowest gap. Too many voxels: a grid of none.   [any] pure.
+/// otherwise at least as fine as their narrowest gap. Too many voxels: a grid of none.   [any] pure.
 [[nodiscard]] VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape);
 
 /// Gives the values of a slice, row by row, NaN where nothing was measured; empty ends everything.
