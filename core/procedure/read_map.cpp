@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <filesystem>
 #include <utility>
 
+#include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -143,6 +146,16 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
     return parsed.value;
 }
 
+std::string read_path(const Node& node, const std::string& name, const std::string& where, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return {};
+    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
+    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
+    if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
+    report.error(Code::path_outside, node.span, name + " must be a path inside " + where + ", with `/` between folders.");
+    return {};
+}
+
 const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report) {
     static const std::vector<Node> none;
     if (!is_kind(node, Node::Kind::list, name, report)) return none;
@@ -189,8 +202,9 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
     return is_right;
 }
 
-MapReader::MapReader(const Node& node, std::string name, Report& report)
+MapReader::MapReader(const Node& node, const Shape& shape, std::string name, Report& report)
     : node_(node),
+      shape_(shape),
       name_(std::move(name)),
       report_(report),
       span_(node.key.empty() ? node.span : node.key_span),
@@ -198,70 +212,121 @@ MapReader::MapReader(const Node& node, std::string name, Report& report)
 
 std::string MapReader::name_of(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
 
-const Node* MapReader::optional(const std::string& key) {
-    known_.push_back(key);
+const KeyShape& MapReader::shape_of(const std::string& key) const {
+    const KeyShape* shape = shape_.find(key);
+    KERF_ASSERT(shape != nullptr, ("add `" + key + "` to the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    return *shape;
+}
+
+const Node* MapReader::ask(const std::string& key) {
+    asked_.push_back(shape_of(key).name);
     return is_map_ ? node_.find(key) : nullptr;
 }
 
+const Node* MapReader::find(const std::string& key) {
+    return shape_of(key).presence == Presence::required ? required(key) : ask(key);
+}
+
 const Node* MapReader::required(const std::string& key) {
-    const Node* found = optional(key);
+    const Node* found = ask(key);
     if (!found && is_map_)
         report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`.");
     return found;
 }
 
 std::string MapReader::text(const std::string& key) {
-    const Node* found = required(key);
-    return found ? read_text(*found, name_of(key), report_).value_or("") : "";
-}
-
-std::string MapReader::optional_text(const std::string& key) {
-    const Node* found = optional(key);
+    const Node* found = find(key);
     return found ? read_text(*found, name_of(key), report_).value_or("") : "";
 }
 
 std::string MapReader::id(const std::string& key) {
-    const Node* found = required(key);
+    const Node* found = find(key);
     return found ? read_id(*found, name_of(key), report_).value_or("") : "";
 }
 
-double MapReader::quantity(const std::string& key, const QuantityNeed& need) {
-    const Node* found = required(key);
-    return found ? read_quantity(*found, name_of(key), need, report_).value_or(need.min) : need.min;
+std::vector<std::string> MapReader::ids(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_ids(*found, name_of(key), report_) : std::vector<std::string>{};
 }
 
-void MapReader::quantity(const std::string& key, const QuantityNeed& need, double& value) {
-    if (const Node* found = optional(key)) value = read_quantity(*found, name_of(key), need, report_).value_or(value);
+std::string MapReader::word(const std::string& key) {
+    const Node* found = find(key);
+    const std::string word = found ? read_text(*found, name_of(key), report_).value_or("") : "";
+    const std::vector<std::string>& words = shape_of(key).value.words;
+    if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
+    report_.error(Code::unknown_word, found->span, name_of(key) + " must be " + listed(words) + ".", closest(word, words, report_));
+    return {};
 }
 
-std::optional<Vec3> MapReader::vector(const std::string& key, const QuantityNeed& need) {
-    const Node* found = required(key);
-    return found ? read_vector(*found, name_of(key), need, report_) : std::nullopt;
+bool MapReader::yes_no(const std::string& key) {
+    const Node* found = find(key);
+    return found && read_yes_no(*found, name_of(key), report_).value_or(false);
 }
 
-const Node* MapReader::one_of(const std::vector<std::string>& keys) {
+double MapReader::quantity(const std::string& key) {
+    double value = need_of(key).min;
+    quantity(key, value);
+    return value;
+}
+
+void MapReader::quantity(const std::string& key, double& value) {
+    if (const Node* found = find(key)) value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
+}
+
+std::vector<int> MapReader::whole_numbers(const std::string& key) {
+    std::vector<int> numbers;
+    const Node* found = find(key);
+    if (!found) return numbers;
+    const QuantityNeed& need = shape_of(key).value.item.front().need;
+    for (const Node& item : read_list(*found, name_of(key), report_)) {
+        const std::string name = "A number in " + name_of(key);
+        const std::optional<double> value = read_quantity(item, name, need, report_);
+        if (!value) continue;
+        if (*value == std::floor(*value)) numbers.push_back(static_cast<int>(*value));
+        else report_.error(Code::not_a_number, item.span, name + " must be a whole number.");
+    }
+    return numbers;
+}
+
+std::optional<Vec3> MapReader::vector(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_vector(*found, name_of(key), need_of(key), report_) : std::nullopt;
+}
+
+const Node* MapReader::one_of() {
     const Node* found = nullptr;
-    for (const std::string& key : keys) {
-        const Node* candidate = optional(key);
+    std::vector<std::string> keys;
+    for (const KeyShape& key : shape_.keys) {
+        if (key.presence != Presence::one_of) continue;
+        keys.push_back(key.name);
+        const Node* candidate = ask(key.name);
         if (candidate && found) {
             report_.error(Code::one_of, candidate->key_span,
-                          name_ + " has both `" + found->key + "` and `" + key + "`; it can have one.");
+                          (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name + "`; it can have one.");
         } else if (candidate) {
             found = candidate;
         }
     }
-    if (!found && is_map_) report_.error(Code::one_of, span_, name_ + " needs " + listed(keys) + ".");
+    if (!found && is_map_)
+        report_.error(Code::one_of, span_, (name_.empty() ? "The document" : name_) + " needs " + listed(keys) + ".");
     return found;
 }
 
 void MapReader::finish() {
+    std::vector<std::string> known;
+    for (const KeyShape& key : shape_.keys) {
+        known.push_back(key.name);
+        KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
+                    ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    }
     if (!is_map_) return;
     for (const Node& child : node_.children) {
-        if (std::find(known_.begin(), known_.end(), child.key) != known_.end()) continue;
-        const std::string meant = closest(child.key, known_, report_);
+        if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
+        const std::string meant = closest(child.key, known, report_);
         report_.error(Code::unknown_key, child.key_span,
                       "`" + child.key.substr(0, longest_word) + "` is not a key of " +
-                          (name_.empty() ? "the document" : name_) + "; it knows " + listed(known_) + ".",
+                          (name_.empty() ? "the document" : name_) +
+                          (known.empty() ? "; it has none." : "; it knows " + listed(known) + "."),
                       meant.empty() ? "" : meant + ":");
     }
 }
