@@ -17,11 +17,13 @@ struct EveryKey {
     std::size_t choice = 0;  ///< which of keys that exclude each other
     int depth = 9;           ///< how deep maps are spelled out; below that their example stands
     std::string dropped{};   ///< "shape/key" that is left out
+    std::string altered{};   ///< "shape/key" that holds
+    std::string other{};     ///< this instead
 
     std::string document(const Shape& shape) const {
         std::string text;
         for (const KeyShape& key : shape.keys)
-            if (is_written(shape, key)) text += key.name + ": " + value(key, depth) + "\n";
+            if (is_written(shape, key)) text += key.name + ": " + value(shape, key, depth) + "\n";
         return text;
     }
 
@@ -44,11 +46,12 @@ private:
     std::string map(const Shape& shape, int levels) const {
         std::string text;
         for (const KeyShape& key : shape.keys)
-            if (is_written(shape, key)) text += (text.empty() ? "" : ", ") + key.name + ": " + value(key, levels);
+            if (is_written(shape, key)) text += (text.empty() ? "" : ", ") + key.name + ": " + value(shape, key, levels);
         return "{" + text + "}";
     }
 
-    std::string value(const KeyShape& key, int levels) const {
+    std::string value(const Shape& shape, const KeyShape& key, int levels) const {
+        if (shape.id + "/" + key.name == altered) return other;
         // The last tissue has no thickness, and no density of its own where the image gives it one.
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
         const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";

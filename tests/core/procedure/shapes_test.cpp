@@ -20,13 +20,6 @@ struct Kind {
     std::function<bool(const std::string&, Diagnostics&)> is_accepted;
 };
 
-/// The plugin that the examples speak of; core knows none by name.
-ComponentCatalog example_catalog() {
-    ComponentCatalog catalog = drilling_catalog();
-    for (ComponentInfo& component : catalog) component.plugin = "example.drilling";
-    return catalog;
-}
-
 std::vector<Kind> kinds() {
     return {{shapes::procedure,
              [](const std::string& text, Diagnostics& found) { return read_procedure_text("p.yaml", text, example_catalog(), found).has_value(); }},
