@@ -115,8 +115,15 @@ std::string what_is_needed(const QuantityNeed& need) {
     return need.unit.empty() ? "a plain number" : "a number in " + need.unit;
 }
 
+/// A value to show how one is written.
+double example_of(const QuantityNeed& need) {
+    const std::optional<Unit> unit = parse_unit(need.unit);
+    return std::clamp(unit ? unit->factor : 1.0, need.min, need.max);
+}
+
 QuantityProblem not_a_number(std::string_view text, const std::string& name, const QuantityNeed& need) {
-    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ".", {}};
+    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ". Write one, as in `" +
+                                                    quantity_text(example_of(need), need.unit) + "`.", {}};
 
     // "3,2 mm" is how half of the world writes it.
     std::string with_point(text.substr(0, 40));
@@ -305,18 +312,18 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
     for (double& component : number) {
         const std::optional<double> taken = take_number(rest);
         const bool is_apart = &component == &number.back() || trimmed(rest).size() < rest.size();
-        if (!taken || !is_apart || rest.starts_with(','))
-            return {std::nullopt,
-                    {Code::not_three_numbers,
-                     name + " is " + quoted(text) + ", must be three numbers" +
-                         (need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`."),
-                     without_commas(text, name, need)}};
+        if (!taken || !is_apart || rest.starts_with(',')) {
+            const std::string meant = without_commas(text, name, need);
+            const std::string example = need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`.";
+            return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers" + example +
+                                                                (meant.empty() ? " Write it so." : ""), meant}};
+        }
         component = *taken;
     }
     const std::string_view number_part = text.substr(0, text.size() - rest.size());
     rest = trimmed(rest);
     if (std::string_view more = rest; take_number(more) && !parse_unit(rest))
-        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more.", {}}};
+        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more. Remove the rest.", {}}};
     const Parsed<double> factor = factor_of(rest, number_part, text, name, need);
     if (!factor.value) return {std::nullopt, factor.problem};
     for (double& component : number) {

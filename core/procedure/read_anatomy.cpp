@@ -21,7 +21,7 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name, Report& repo
     ends.from = *from;
     ends.to = *to;
     if (length(*to - *from) < shortest)
-        report.error(Code::degenerate, map.span(), name + " goes from a point to the same point.");
+        report.error(Code::degenerate, map.span(), name + " goes from a point to the same point. Move one of its ends.");
 }
 
 Solid read_box(const Node& node, const std::string& name, Report& report) {
@@ -52,7 +52,7 @@ Solid read_elliptic_tube(const Node& node, const std::string& name, Report& repo
         tube.up = read_vector(*up, map.name_of("up"), map.need_of("up"), report).value_or(tube.up);
         const Vec3 along = normalized(tube.to - tube.from);
         if (length(cross(along, normalized(tube.up))) < 1e-3 && length(along) > 0.0)
-            report.error(Code::degenerate, up->span, map.name_of("up") + " must point across the tube, not along it.");
+            report.error(Code::degenerate, up->span, map.name_of("up") + " must point across the tube, not along it. Turn it.");
     }
     map.finish();
     return tube;
@@ -81,7 +81,7 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
         if (const Node* subtract = map.find("subtract")) {
             part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
             if (part.subtract && parts.empty())
-                report.error(Code::degenerate, subtract->span, "The first part has nothing to be taken away from.");
+                report.error(Code::degenerate, subtract->span, "The first part has nothing to be taken away from. Put it behind what it is taken from.");
         }
         map.finish();
         parts.push_back(std::move(part));
@@ -131,7 +131,7 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
     if (items.size() > KERF_MAX_TISSUES)
         report.error(Code::out_of_range, items[KERF_MAX_TISSUES].span,
                      "There are " + std::to_string(items.size()) + " tissues; a force model can mix at most " +
-                         std::to_string(KERF_MAX_TISSUES) + ".");
+                         std::to_string(KERF_MAX_TISSUES) + ". Remove some.");
     for (const Node& item : items) {
         MapReader map(item, shapes::tissue, item_name(item, "tissue"), report);
         Tissue tissue;

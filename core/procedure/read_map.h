@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <set>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +20,9 @@ namespace kerf {
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);   // [any]
 
+/// What to add to a message that lists what there is: empty if `meant` says already what to write.   [any]
+std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");
+
 /// "`a`, `b` or `c`"; shortened when there are many.   [any]
 std::string listed(const std::vector<std::string>& words);
 
@@ -28,7 +31,9 @@ std::optional<std::string> read_text(const Node& node, const std::string& name, 
 std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report);
 /// `true` or `false`, no other spelling.
 std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report);
-std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report);
+/// `declared` is shown beside a value out of range.
+std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
+                                    std::optional<Reason> declared = {});
 /// `3.0 193.0 -60.5 mm`, or a list of three quantities.
 std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report);
 /// A path that stays inside `where` ("the document's own folder"); empty when it does not.
@@ -56,7 +61,7 @@ public:
     bool add(const std::string& id, TextSpan span, Report& report);
 
 private:
-    std::set<std::string> ids_;
+    std::map<std::string, TextSpan> ids_;
 };
 
 /// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Asking for a key that

@@ -121,9 +121,12 @@ private:
         for (const ComponentInfo& component : catalog_)
             if (!contains(known, component.plugin)) known.push_back(component.plugin);
         if (contains(known, id)) return true;
+        const std::string meant = closest(id, known, report_);
         report_.error(Code::unknown_plugin, node.span,
-                      known.empty() ? "No plugin was found at all." : "No such plugin was found; there is " + listed(known) + ".",
-                      closest(id, known, report_));
+                      known.empty() ? "No plugin was found at all. Name the folder that holds it in KERF_PLUGIN_PATH."
+                                    : "No such plugin was found; there is " + listed(known) + "." +
+                                          or_choose(meant, "Write one of these, or name the folder that holds it in KERF_PLUGIN_PATH."),
+                      meant);
         return false;
     }
 
@@ -138,21 +141,24 @@ private:
             if (component.id == id) return &component;
             known.push_back(component.id);
         }
+        const std::string meant = closest(id, known, report_);
         report_.error(is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
                       plugin + " has no such " + (is_tool ? "tool" : "force") +
-                          (known.empty() ? "." : "; it has " + listed(known) + "."),
-                      closest(id, known, report_));
+                          (known.empty() ? ". Choose another plugin." : "; it has " + listed(known) + "." + or_choose(meant)),
+                      meant);
         return nullptr;
     }
 
     /// Sets the one of `values` that `node` names. False if it names none.
-    bool set(const Node& node, const std::string& instrument, const std::vector<ParameterInfo>& parameters,
-             std::vector<double>& values) {
+    bool set(const Node& node, const std::string& instrument, const ComponentInfo& component,
+             const std::vector<ParameterInfo>& parameters, std::vector<double>& values) {
         const auto found = std::find_if(parameters.begin(), parameters.end(),
                                         [&](const ParameterInfo& p) { return p.id == node.key; });
         if (found == parameters.end()) return false;
         const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
-        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_))
+        Reason declared{{component.plugin + "/" + component.id}, found->id + " is declared there from " + quantity_text(need.min, need.unit) +
+                            " to " + quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) + " if not given.", {}};
+        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
             values[static_cast<std::size_t>(found - parameters.begin())] = *value;
         return true;
     }
@@ -164,13 +170,14 @@ private:
             if (!contains(known, id)) known.push_back(id);
         for (const Node& child : node.children) {
             // The same quantity may matter to both, as a diameter does.
-            const bool is_of_tool = set(child, instrument.id, tool.parameters, instrument.tool_parameters);
-            const bool is_of_force = set(child, instrument.id, force.parameters, instrument.force_parameters);
+            const bool is_of_tool = set(child, instrument.id, tool, tool.parameters, instrument.tool_parameters);
+            const bool is_of_force = set(child, instrument.id, force, force.parameters, instrument.force_parameters);
             if (is_of_tool || is_of_force) continue;
+            const std::string meant = suggestion(child.key, known);
             report_.error(Code::unknown_parameter, child.key_span,
                           "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
-                              (known.empty() ? "." : "; they have " + listed(known) + "."),
-                          suggestion(child.key, known));
+                              (known.empty() ? ". Remove it." : "; they have " + listed(known) + "." + or_choose(meant)),
+                          meant);
         }
     }
 
@@ -178,10 +185,12 @@ private:
         if (!is_kind(node, Node::Kind::map, instrument.id + ".drives", report_)) return;
         const std::vector<std::string> known = ids_of(tool.drives);
         for (const Node& child : node.children)
-            if (!set(child, instrument.id, tool.drives, instrument.drives))
+            if (!set(child, instrument.id, tool, tool.drives, instrument.drives)) {
+                const std::string meant = suggestion(child.key, known);
                 report_.error(Code::unknown_drive, child.key_span,
-                              tool.id + " has no such drive" + (known.empty() ? "." : "; it has " + listed(known) + "."),
-                              suggestion(child.key, known));
+                              tool.id + " has no such drive" + (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
+                              meant);
+            }
     }
 
     std::string suggestion(const std::string& key, const std::vector<std::string>& known) const {
@@ -206,9 +215,9 @@ void read_bound_values(MapReader& map, const std::string& name, Bound& bound, Re
     read_end("at_least", bound.at_least);
     read_end("at_most", bound.at_most);
     if (!is_bounded && map.is_map())
-        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`.");
+        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`. Add one.");
     if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
-        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it.");
+        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it. Exchange the two.");
 }
 
 Goal read_goal(const Node& item, const Document& document, Report& report) {
@@ -226,6 +235,25 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
     return goal;
 }
 
+/// A name of a step or limit that the procedure does not say it needs. The reason is the list in which it should stand.
+void refuse_undeclared(Code code, const Node& name, const std::string& what, const std::vector<std::string>& declared,
+                       const Document& document, Report& report) {
+    const std::string list = what + "s", meant = closest(name.text, declared, report);
+    const Node* needs = document.root.find("needs");
+    const Node* place = needs ? needs->find(list) : nullptr;
+    report.error(code, name.span, "This " + what + " is not listed under needs." + list + "." + or_choose(meant, "Add it there."), meant,
+                 place ? std::optional(report.because(place->key_span, "what the procedure needs is listed here.")) : std::nullopt);
+}
+
+void refuse_instrument(const Node& name, const std::vector<std::string>& instruments, const Document& document, Report& report) {
+    const std::string meant = closest(name.text, instruments, report);
+    const Node* place = document.root.find("instruments");
+    report.error(Code::unknown_instrument, name.span,
+                 instruments.empty() ? "There are no instruments. Add one under `instruments:`."
+                                     : "There is no such instrument; there is " + listed(instruments) + "." + or_choose(meant), meant,
+                 place ? std::optional(report.because(place->key_span, "the instruments stand here.")) : std::nullopt);
+}
+
 Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
     MapReader map(item, shapes::limit, "limit", report);
     Limit limit;
@@ -237,8 +265,7 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
         if (const Node* zone = is_clearance ? bound.find("zone") : nullptr) {
             limit.zone = read_id(*zone, "clearance.zone", report).value_or("");
             if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
-                report.error(Code::undeclared_zone, zone->span, "This zone is not listed under needs.zones.",
-                             closest(limit.zone, procedure.needs_zones, report));
+                refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
         read_bound_values(bound, quantity->key, limit.bound, report);
         bound.finish();
@@ -257,16 +284,12 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
     if (const Node* instrument = map.find("instrument")) {
         step.instrument = read_id(*instrument, "instrument", report).value_or("");
         if (!step.instrument.empty() && !contains(instrument_ids, step.instrument))
-            report.error(Code::unknown_instrument, instrument->span,
-                         instrument_ids.empty() ? "There are no instruments."
-                                                : "There is no such instrument; there is " + listed(instrument_ids) + ".",
-                         closest(step.instrument, instrument_ids, report));
+            refuse_instrument(*instrument, instrument_ids, document, report);
     }
     if (const Node* axis = map.find("axis")) {
         step.axis = read_id(*axis, "axis", report).value_or("");
         if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
-            report.error(Code::undeclared_landmark, axis->span, "This landmark is not listed under needs.landmarks.",
-                         closest(step.axis, procedure.needs_landmarks, report));
+            refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document, report);
     }
     if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report)) step.goals.push_back(read_goal(goal, document, report));
@@ -289,6 +312,14 @@ std::vector<std::string> limit_names(const std::vector<Step>& steps) {
     return names;
 }
 
+void refuse_limit(const Node& name, const std::vector<std::string>& limits, Report& report) {
+    const std::string meant = closest(name.text, limits, report);
+    report.error(Code::unknown_limit, name.span,
+                 limits.empty() ? "No step has a limit that could be broken. Add one to a step."
+                                : "No step has such a limit; there is " + listed(limits) + "." + or_choose(meant),
+                 meant);
+}
+
 /// `expect: pass`, or `expect: {fail: canal}`.
 void read_expectation(const Node& node, const std::vector<std::string>& limits, Rehearsal& rehearsal, Report& report) {
     if (node.kind == Node::Kind::map) {
@@ -297,10 +328,7 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
         if (const Node* limit = map.find("fail")) {
             rehearsal.expect_limit = read_id(*limit, "expect.fail", report).value_or("");
             if (!rehearsal.expect_limit.empty() && !contains(limits, rehearsal.expect_limit))
-                report.error(Code::unknown_limit, limit->span,
-                             limits.empty() ? "No step has a limit that could be broken."
-                                            : "No step has such a limit; there is " + listed(limits) + ".",
-                             closest(rehearsal.expect_limit, limits, report));
+                refuse_limit(*limit, limits, report);
         }
         map.finish();
         return;
@@ -309,7 +337,7 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
     if (!text) return;
     rehearsal.expect = *text;
     if (*text != "pass")
-        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks.");
+        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
 }
 
 Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, Report& report) {
@@ -352,7 +380,7 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
     for (const Step& step : steps) used.insert(step.instrument);
     for (const Node& child : instruments.children)
         if (!used.contains(child.key))
-            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument.");
+            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument. Remove it, or name it in a step.");
 }
 
 Procedure read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report) {
@@ -388,7 +416,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     const Node* instruments = map.find("instruments");
     if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
         InstrumentReader reader(catalog, report);
-        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments.");
+        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
         for (const Node& child : instruments->children) {
             procedure.instruments.push_back(reader.read(child));
             instrument_ids.push_back(child.key);
@@ -421,13 +449,28 @@ TextSpan span_of_item(const Node* list, std::size_t index) {
     return list && index < list->children.size() ? list->children[index].span : TextSpan{};
 }
 
+/// The anatomy's own place for what is wrong with it here: the first of `keys`, each within the one before, that it has.
+Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, const std::string& message) {
+    const Document document = read_again(anatomy.file, anatomy.text);
+    const Node* node = &document.root;
+    TextSpan span;
+    for (const std::string& key : keys)
+        if (const Node* within = node ? node->find(key) : nullptr) {
+            node = within;
+            span = node->key_span;
+        }
+    return {document.place(span), message, document.source_line(span)};
+}
+
 void check_names(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
-                 Code code, const std::string& what, Report& report) {
+                 Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (contains(present, needed[i])) continue;
+        const std::string meant = closest(needed[i], present, report);
         report.error(code, span_of_item(list, i), "The anatomy has no " + what + " " + quoted_id(needed[i]) +
-                                                      (present.empty() ? "." : "; it has " + listed(present) + "."),
-                     closest(needed[i], present, report));
+                                                      (present.empty() ? "." : "; it has " + listed(present) + ".") +
+                                                      or_choose(meant, "Add it there, or choose another anatomy."),
+                     meant, report.is_full() ? std::nullopt : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
     }
 }
 
@@ -466,9 +509,9 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     append_ids(anatomy.points, landmarks);
     append_ids(anatomy.zones, zones);
     append_ids(anatomy.tissues, tissues);
-    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", report);
-    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", report);
-    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", report);
+    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy, report);
+    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", anatomy, report);
+    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
 
     const Node* steps = document.root.find("steps");
     for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
@@ -476,9 +519,11 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         if (!contains(points, axis) || contains(axes, axis)) continue;
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
+        const std::string meant = closest(axis, axes, report);
         report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis.",
-                     closest(axis, axes, report));
+                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis." +
+                         or_choose(meant, "Name an axis, or give the anatomy one."),
+                     meant, in_anatomy(anatomy, {"landmarks", "points", axis}, "it is a point here."));
     }
 
     if (contains(points, midline)) return;
@@ -489,7 +534,8 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         if (shifted == path.end()) continue;
         const Node* node = rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
         report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
-                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.");
+                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`. Add it "
+                     "there, or remove `medial`.", {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
     }
 }
 
