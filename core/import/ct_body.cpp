@@ -138,11 +138,13 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     }
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                        [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
-    const Vec3 place = landmark != anatomy.points.end() ? landmark->at : Vec3{};
+    if (landmark == anatomy.points.end())
+        throw Refusal{"E0634", "there is no landmark point `" + ct.component_at + "`, which `ct.keep` names. "
+                               "Add it under `landmarks.points`."};
     const VoxelImage& image = mask.image;
-    const double near = std::max(landmark != anatomy.points.end() ? landmark->tolerance : 0.0,
-                                 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
-    const std::optional<double> way = keep_nearest(mask, place);
+    const double near =
+        std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
+    const std::optional<double> way = keep_nearest(mask, landmark->at);
     if (way && *way > near)
         throw Refusal{"E0634", "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
                                    "`, must be within " + millimetres(near) +
