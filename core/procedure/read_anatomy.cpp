@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/procedure/read_map.h"
@@ -104,15 +105,38 @@ DensityLine read_density_line(const Node& node, Report& report) {
     return line;
 }
 
+/// A label's number, or what a segmentation calls it.
+void read_kept_label(const Node& item, const QuantityNeed& need, CtSource& ct, Report& report) {
+    const bool is_number = !item.text.empty() && item.text.find_first_not_of("+-.0123456789") == std::string::npos;
+    if (item.kind == Node::Kind::scalar && !item.text.empty() && !is_number) {
+        ct.keep_named.push_back(item.text);
+        return;
+    }
+    const std::optional<double> value = read_quantity(item, "A label", need, report);
+    if (!value) return;
+    if (*value != std::floor(*value)) report.error(Code::not_a_number, item.span, "A label must be a whole number. Remove its fraction.");
+    ct.keep.push_back(static_cast<int>(*value));
+}
+
 CtSource read_ct(const Node& node, Report& report) {
     MapReader map(node, shapes::ct, "ct", report);
     CtSource ct;
     ct.image = read_data_path(map.find("image"), "ct.image", report);
+    ct.series = map.text("series");
+    ct.may_resample = map.yes_no("resample");
+    if (map.word("intensity") == "grey") ct.intensity = CtSource::Intensity::grey;
     if (const Node* found = map.find("labels")) {
         MapReader labels(*found, shapes::labels, "ct.labels", report);
         ct.labels = read_data_path(labels.find("file"), "ct.labels.file", report);
-        ct.keep = labels.whole_numbers("keep");
+        if (const Node* keep = labels.find("keep"))
+            for (const Node& item : read_list(*keep, "ct.labels.keep", report))
+                read_kept_label(item, labels.item_need_of("keep"), ct, report);
         labels.finish();
+    }
+    if (const Node* found = map.find("keep")) {
+        MapReader keep(*found, shapes::kept_piece, "ct.keep", report);
+        ct.component_at = keep.id("component_at");
+        keep.finish();
     }
     ct.threshold = map.quantity("threshold");
     map.quantity("closing", ct.closing);
@@ -168,6 +192,22 @@ const std::vector<Node>& read_named(const Node* node, const std::string& name, U
     return node->children;
 }
 
+std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
+    std::vector<MarkupsFile> files;
+    for (const Node& item : read_list(node, "landmarks.markups", report)) {
+        MapReader map(item, shapes::markups, "markups", report);
+        MarkupsFile markups;
+        markups.file = read_data_path(map.find("file"), "markups.file", report);
+        markups.tolerance = map.quantity("tolerance");
+        if (const Node* names = map.find("names"); names && is_kind(*names, Node::Kind::map, "markups.names", report))
+            for (const Node& name : names->children)
+                if (const auto id = read_id(name, "markups.names." + name.key, report)) markups.names[name.key] = *id;
+        map.finish();
+        files.push_back(std::move(markups));
+    }
+    return files;
+}
+
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     MapReader map(node, shapes::landmarks, "landmarks", report);
     UniqueIds ids;  // a step names a landmark without saying of which sort
@@ -177,6 +217,10 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         landmark.id = item.key;
         landmark.at = point.vector("at").value_or(Vec3{});
         landmark.tolerance = point.quantity("tolerance");
+        const std::string lies = point.word("lies");
+        if (lies == "on_bone") landmark.lies = LandmarkPoint::Lies::on_bone;
+        if (lies == "in_bone") landmark.lies = LandmarkPoint::Lies::in_bone;
+        if (lies == "off_bone") landmark.lies = LandmarkPoint::Lies::off_bone;
         point.finish();
         anatomy.points.push_back(std::move(landmark));
     }
@@ -189,6 +233,21 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         axis.finish();
         anatomy.axes.push_back(std::move(landmark));
     }
+    for (const Node& item : read_named(map.find("planes"), "landmarks.planes", ids, report)) {
+        MapReader plane(item, shapes::plane, item.key, report);
+        LandmarkPlane landmark;
+        landmark.id = item.key;
+        landmark.at = plane.vector("at").value_or(Vec3{});
+        if (const auto normal = plane.vector("normal")) {
+            landmark.normal = normalized(*normal);
+            if (!(length(*normal) > 1e-6))
+                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
+        }
+        landmark.tolerance = plane.quantity("tolerance");
+        plane.finish();
+        anatomy.planes.push_back(std::move(landmark));
+    }
+    if (const Node* files = map.find("markups")) anatomy.markups = read_markups(*files, report);
     map.finish();
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -308,21 +307,6 @@ double MapReader::quantity(const std::string& key) {
 
 void MapReader::quantity(const std::string& key, double& value) {
     if (const Node* found = find(key)) value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
-}
-
-std::vector<int> MapReader::whole_numbers(const std::string& key) {
-    std::vector<int> numbers;
-    const Node* found = find(key);
-    if (!found) return numbers;
-    const QuantityNeed& need = shape_of(key).value.item.front().need;
-    for (const Node& item : read_list(*found, name_of(key), report_)) {
-        const std::string name = "A number in " + name_of(key);
-        const std::optional<double> value = read_quantity(item, name, need, report_);
-        if (!value) continue;
-        if (*value == std::floor(*value)) numbers.push_back(static_cast<int>(*value));
-        else report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
-    }
-    return numbers;
 }
 
 std::optional<Vec3> MapReader::vector(const std::string& key) {

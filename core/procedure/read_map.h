@@ -82,7 +82,6 @@ public:
     bool yes_no(const std::string& key);
     double quantity(const std::string& key);   ///< the least that is allowed when absent or wrong
     void quantity(const std::string& key, double& value);
-    std::vector<int> whole_numbers(const std::string& key);  ///< a list
     std::optional<Vec3> vector(const std::string& key);
 
     /// The one of the shape's keys of which there must be one; reports none or several.
@@ -95,6 +94,7 @@ public:
     TextSpan span() const noexcept { return span_; }
     std::string name_of(const std::string& key) const;
     const QuantityNeed& need_of(const std::string& key) const { return shape_of(key).value.need; }
+    const QuantityNeed& item_need_of(const std::string& key) const { return shape_of(key).value.item.front().need; }
 
 private:
     const KeyShape& shape_of(const std::string& key) const;

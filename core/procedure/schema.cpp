@@ -43,11 +43,11 @@ Json vector_schema(const QuantityNeed& need) {
 /// An example of a single value as an editor would write it; nothing for maps and lists.
 Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
-    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::parameters &&
+    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed && kind != Kind::parameters &&
                            kind != Kind::drives && kind != Kind::patch && !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
-    const bool is_plain = (kind == Kind::quantity || kind == Kind::whole) && key.value.need.unit.empty();
+    const bool is_plain = kind == Kind::quantity && key.value.need.unit.empty();
     const Json number = is_plain ? Json::parse(key.example, nullptr, false) : Json();
     return number.is_number() ? number : Json(key.example);
 }
@@ -115,16 +115,15 @@ private:
                 return value.shape ? Json{{"anyOf", {words, reference(*value.shape)}}} : words;
             }
             case Kind::quantity: return quantity_schema(value.need);
-            case Kind::whole: {
-                Json schema = quantity_schema(value.need);
-                schema["multipleOf"] = 1;
-                return schema;
-            }
+            case Kind::label:
+                return {{"type", {"number", "string"}}, {"minimum", value.need.min}, {"maximum", value.need.max}, {"multipleOf", 1}};
             case Kind::vector: return vector_schema(value.need);
             case Kind::map: return reference(*value.shape);
             case Kind::list: return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};
             case Kind::named:
                 return {{"type", "object"}, {"propertyNames", {{"pattern", id_pattern}}}, {"additionalProperties", of_value(value.item.front())}};
+            case Kind::renamed:
+                return {{"type", "object"}, {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
             case Kind::parameters:
             case Kind::drives:
             case Kind::patch: break;

@@ -23,11 +23,12 @@ struct ValueShape {
         yes_no,      ///< `true` or `false`
         word,        ///< one of `words`; or the map `shape`, if there is one
         quantity,    ///< a number and its unit, as `need` says
-        whole,       ///< a number without a fraction, as `need` says
+        label,       ///< a number without a fraction, as `need` says, or a name
         vector,      ///< three numbers and their unit, as `need` says
         map,         ///< of `shape`
         list,        ///< of `item`, not empty
         named,       ///< a map of `item` under ids that the author chooses
+        renamed,     ///< a map of any names to ids
         parameters,  ///< of the instrument's tool and force: their plugin says which there are
         drives,      ///< of the instrument's tool, likewise
         patch,       ///< of the procedure itself: the paths of values, and what they are instead

@@ -29,7 +29,7 @@ ValueShape quantity(kerf_dimension dimension, const char* unit, double min, doub
     return {.kind = Kind::quantity, .need = {dimension, unit, min, max}};
 }
 ValueShape number(double min, double max) { return quantity(dimension::none, "", min, max); }
-ValueShape whole(double min, double max) { return {.kind = Kind::whole, .need = {dimension::none, "", min, max}}; }
+ValueShape label(double min, double max) { return {.kind = Kind::label, .need = {dimension::none, "", min, max}}; }
 ValueShape length(double min, double max) { return quantity(dimension::length, "mm", min, max); }
 ValueShape density(double min, double max) { return quantity(dimension::density, "g/cm3", min, max); }
 ValueShape speed() { return quantity(dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s); }
@@ -204,7 +204,11 @@ const Shape phantom{"phantom", "Bone out of solids.", {
 
 const Shape labels{"labels", "Which voxels are this bone, by a label map on the image's grid.", {
     {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/labels.nrrd"},
-    {required, "keep", list(whole(1.0, 65535.0)), "The labels that are this bone.", "[22]"},
+    {required, "keep", list(label(1.0, 65535.0)), "The labels that are this bone, or what the segmentation calls them.", "[22]"},
+}};
+
+const Shape kept_piece{"kept_piece", "Which piece of bone, where there are several.", {
+    {required, "component_at", id(), "A landmark point: the piece nearest to it.", "midline"},
 }};
 
 const Shape density_line{"density_line", "Density of the last tissue out of a voxel's value: at_zero + per_unit × value.", {
@@ -215,8 +219,12 @@ const Shape density_line{"density_line", "Density of the last tissue out of a vo
 }};
 
 const Shape ct{"ct", "Bone out of a CT.", {
-    {required, "image", path(), "In this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
+    {required, "image", path(), "A file, or a folder with a DICOM series, in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
+    {optional, "series", text(), "Which series of the folder, as import offers it; the only one if not given.", "2"},
+    {optional, "resample", yes_no(), "Across missing slices.", "true"},
+    {optional, "intensity", word({"HU", "grey"}), "What the values are: cone-beam CT gives grey levels.", "HU"},
     {optional, "labels", map(labels), "Which voxels are this bone; those above the threshold if not given.", "{file: scans/labels.nrrd, keep: [22]}"},
+    {optional, "keep", map(kept_piece), "Which piece of bone, where there are several; the largest if not given.", "{component_at: midline}"},
     {required, "threshold", number(-4000.0, 65535.0), "The value at the border of bone, in HU or grey levels.", "150"},
     {optional, "closing", length(0.0_mm, 10.0_mm), "Narrower gaps in the mask are closed: a radius.", "2 mm"},
     {optional, "fill", yes_no(), "Cavities without a way out count as bone.", "true"},
@@ -234,6 +242,7 @@ const Shape tissue{"tissue", "What bone is made of: shells from the surface inwa
 const Shape point{"point", "A place.", {
     {required, "at", position(), "Where it is: LPS, x to the patient's left, y to the back, z to the head.", "0 26 5 mm"},
     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+    {optional, "lies", word({"on_bone", "in_bone", "off_bone"}), "What import checks of it, within the tolerance.", "on_bone"},
 }};
 
 const Shape axis{"axis", "A way into the bone.", {
@@ -242,9 +251,23 @@ const Shape axis{"axis", "A way into the bone.", {
     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
 }};
 
+const Shape plane{"plane", "A plane.", {
+    {required, "at", position(), "A place in it.", "0 26 5 mm"},
+    {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Across it.", "0 0 1"},
+    {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+}};
+
+const Shape markups{"markups", "Landmarks out of a file of 3D Slicer: its points, lines and planes.", {
+    {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/entry.mrk.json"},
+    {required, "tolerance", tolerance(), "How well they are known.", "1.5 mm"},
+    {optional, "names", of_kind(Kind::renamed), "What the file calls one, and which id it gets; others keep their name.", "{F-1: entry}"},
+}};
+
 const Shape landmarks{"landmarks", "Places that procedures name.", {
     {optional, "points", named(map(point)), "Places.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
     {optional, "axes", named(map(axis)), "Ways into the bone.", "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
+    {optional, "planes", named(map(plane)), "Planes.", "{endplate: {at: 0 0 14 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
+    {optional, "markups", list(map(markups)), "Files of 3D Slicer with more of them.", "[{file: scans/entry.mrk.json, tolerance: 1.5 mm}]"},
 }};
 
 const Shape anatomy{"anatomy", "What there is: bone, tissues, and places with names.", {

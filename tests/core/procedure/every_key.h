@@ -65,7 +65,7 @@ private:
     std::string value(const ValueShape& shape, const std::string& example, int levels) const {
         using Kind = ValueShape::Kind;
         const bool has_maps = shape.kind == Kind::map || (!shape.item.empty() && shape.item[0].kind != Kind::id &&
-                                                          shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::whole);
+                                                          shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::label);
         if (shape.kind == Kind::word && shape.shape != nullptr) return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
         if (!has_maps) return example;
         if (shape.kind == Kind::map) return map(*shape.shape, levels);
