@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/procedure/read_map.h"
@@ -229,7 +230,7 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         if (const auto normal = plane.vector("normal")) {
             landmark.normal = normalized(*normal);
             if (!(length(*normal) > 1e-6))
-                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length.");
+                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
         }
         landmark.tolerance = plane.quantity("tolerance");
         plane.finish();

@@ -96,6 +96,7 @@ public:
     TextSpan span() const noexcept { return span_; }
     std::string name_of(const std::string& key) const;
     const QuantityNeed& need_of(const std::string& key) const { return shape_of(key).value.need; }
+    const QuantityNeed& item_need_of(const std::string& key) const { return shape_of(key).value.item.front().need; }
 
 private:
     const KeyShape& shape_of(const std::string& key) const;

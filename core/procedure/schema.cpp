@@ -43,7 +43,7 @@ Json vector_schema(const QuantityNeed& need) {
 /// An example of a single value as an editor would write it; nothing for maps and lists.
 Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
-    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::parameters &&
+    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed && kind != Kind::parameters &&
                            kind != Kind::drives && kind != Kind::patch && !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
@@ -121,6 +121,8 @@ private:
             case Kind::list: return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};
             case Kind::named:
                 return {{"type", "object"}, {"propertyNames", {{"pattern", id_pattern}}}, {"additionalProperties", of_value(value.item.front())}};
+            case Kind::renamed:
+                return {{"type", "object"}, {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
             case Kind::parameters:
             case Kind::drives:
             case Kind::patch: break;

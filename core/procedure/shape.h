@@ -28,6 +28,7 @@ struct ValueShape {
         map,         ///< of `shape`
         list,        ///< of `item`, not empty
         named,       ///< a map of `item` under ids that the author chooses
+        renamed,     ///< a map of any names to ids
         parameters,  ///< of the instrument's tool and force: their plugin says which there are
         drives,      ///< of the instrument's tool, likewise
         patch,       ///< of the procedure itself: the paths of values, and what they are instead

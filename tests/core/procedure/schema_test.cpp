@@ -67,6 +67,7 @@ std::vector<std::string> mistakes(const ValueShape& value) {
         case Kind::map: return {"5", "[a]", "{surely_unknown: 1}"};
         case Kind::list: return {"5", "[]", "{a: b}"};
         case Kind::named: return {"5", "[a]", "{two words: {}}"};
+        case Kind::renamed: return {"5", "[a]", "{F-1: two words}"};
         case Kind::parameters: return {"5", "{surely_unknown: 1 mm}", "{diameter: 5}", "{diameter: 5 N}"};
         case Kind::drives: return {"5", "{surely_unknown: 1 rpm}", "{spindle_speed: 1000}", "{spindle_speed: 5 mm}"};
         case Kind::patch: return {"5", "[a]"};
