@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 
+#include "core/import/data_file.h"
 #include "core/import/image/image_file.h"
+#include "core/import/planned_region.h"
 
 namespace kerf {
 namespace {
 
-constexpr double around_axes = 15e-3;  // [m] of bone that is taken along on every side
 constexpr std::array<std::array<int, 3>, 6> neighbours{
     {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
@@ -51,16 +50,9 @@ void for_each_voxel(const VoxelImage& image, const Visit& visit) {
 
 // ---- the part that matters ------------------------------------------------------------------------------------------
 
-/// The box around the axes, as far as the image goes. (An image that is turned against LPS has corners that are not in
-/// its box: there is air.)
+/// Around the axes, as far as the image goes. (An image that is turned against LPS has corners that are not in its box:
+/// there is air.)
 Box region_of(const std::vector<LandmarkAxis>& axes, const VoxelImage& image) {
-    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (const auto& axis : axes)
-        for (const Vec3 end : {axis.from, axis.to}) {
-            box.low = {std::min(box.low.x, end.x), std::min(box.low.y, end.y), std::min(box.low.z, end.z)};
-            box.high = {std::max(box.high.x, end.x), std::max(box.high.y, end.y), std::max(box.high.z, end.z)};
-        }
-    const Vec3 around{around_axes, around_axes, around_axes};
     Box ends{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (int corner = 0; corner < 8; ++corner) {
         const auto end = [&](std::size_t axis) {
@@ -70,9 +62,7 @@ Box region_of(const std::vector<LandmarkAxis>& axes, const VoxelImage& image) {
         ends.low = {std::min(ends.low.x, p.x), std::min(ends.low.y, p.y), std::min(ends.low.z, p.z)};
         ends.high = {std::max(ends.high.x, p.x), std::max(ends.high.y, p.y), std::max(ends.high.z, p.z)};
     }
-    const Vec3 low = box.low - around, high = box.high + around;
-    return {{std::max(low.x, ends.low.x), std::max(low.y, ends.low.y), std::max(low.z, ends.low.z)},
-            {std::min(high.x, ends.high.x), std::min(high.y, ends.high.y), std::min(high.z, ends.high.z)}};
+    return common_part(box_around(axes), ends);
 }
 
 /// The box's voxels and `margin` [m] around them; an image without voxels if they miss each other.
@@ -382,18 +372,6 @@ std::optional<VoxelImage> densities(const VoxelImage& part, const VoxelImage& di
     if (count == 0.0) return std::nullopt;
     extend(density, std::move(known));
     return density;
-}
-
-// ---- files ----------------------------------------------------------------------------------------------------------
-
-/// In the document's folder, or else in KERF_DATA.
-std::string found_file(const std::string& written, const std::string& document) {
-    const std::filesystem::path beside = std::filesystem::path(document).parent_path() / written;
-    std::error_code ignored;
-    const char* data = std::getenv("KERF_DATA");
-    if (!std::filesystem::exists(beside, ignored) && data && *data)
-        return (std::filesystem::path(data) / written).string();
-    return beside.string();
 }
 
 }  // namespace

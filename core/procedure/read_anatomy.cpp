@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -22,6 +24,8 @@ const QuantityNeed bone_density{dimension::density, "g/cm3", 0.05_g_per_cm3, 3.0
 const QuantityNeed line_density{dimension::density, "g/cm3", -3.0_g_per_cm3, 3.0_g_per_cm3};
 const QuantityNeed least_density{dimension::density, "g/cm3", 0.01_g_per_cm3, 3.0_g_per_cm3};
 const QuantityNeed closing_radius{dimension::length, "mm", 0.0_mm, 10.0_mm};
+const QuantityNeed hole{dimension::length, "mm", 0.0_mm, 20.0_mm};
+const QuantityNeed crumb{dimension::volume, "mm3", 0.0, 1e-6};
 const QuantityNeed voxel_value{dimension::none, "", -4000.0, 65535.0};
 const QuantityNeed label{dimension::none, "", 1.0, 65535.0};
 const QuantityNeed direction{dimension::none, "", -1.0, 1.0};
@@ -159,6 +163,52 @@ CtSource read_ct(const Node& node, Report& report) {
     return ct;
 }
 
+/// One of a few words; the first when it is none of them.
+std::size_t read_word(const Node& node, const std::string& name, const std::vector<std::string>& words, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return 0;
+    const auto found = std::find(words.begin(), words.end(), *text);
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+    report.error(Code::unknown_word, node.span, name + " must be " + listed(words) + ".", closest(*text, words, report));
+    return 0;
+}
+
+void read_repair(const Node& node, MeshSource& mesh, Report& report) {
+    MapReader map(node, "mesh.repair", report);
+    map.quantity("holes_up_to", hole, mesh.holes_up_to);
+    map.quantity("pieces_under", crumb, mesh.pieces_under);
+    if (const Node* inner = map.optional("inner"))
+        mesh.inner = read_word(*inner, "mesh.repair.inner", {"hollow", "solid"}, report) == 0 ? InnerPieces::hollow
+                                                                                              : InnerPieces::solid;
+    map.finish();
+}
+
+MeshSource read_mesh(const Node& node, Report& report) {
+    MapReader map(node, "mesh", report);
+    MeshSource mesh;
+    mesh.file = read_data_path(map.required("file"), "mesh.file", report);
+    if (const Node* unit = map.required("unit")) {
+        constexpr std::array<double, 4> metres{1e-3, 1e-2, 1.0, 1e-6};
+        mesh.unit = metres[read_word(*unit, "mesh.unit", {"mm", "cm", "m", "um"}, report)];
+    }
+    if (const Node* frame = map.optional("frame")) {
+        mesh.names_frame = true;
+        mesh.is_ras = read_word(*frame, "mesh.frame", {"LPS", "RAS"}, report) == 1;
+    }
+    if (const Node* repair = map.optional("repair")) read_repair(*repair, mesh, report);
+    if (const Node* canal = map.optional("canal")) {
+        MapReader room(*canal, "mesh.canal", report);
+        if (const Node* found = room.one_of({"file", "tube"})) {
+            if (found->key == "file") mesh.canal_file = read_data_path(found, "mesh.canal.file", report);
+            else mesh.canal = std::get<TubeSolid>(read_tube(*found, "mesh.canal.tube", report));
+        }
+        room.finish();
+    }
+    mesh.source = map.optional_text("source");
+    map.finish();
+    return mesh;
+}
+
 /// `has_density_line`: the density of the base comes from the CT.
 std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report& report) {
     std::vector<Tissue> tissues;
@@ -266,9 +316,12 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
             }
             const Node* solids = map.optional("phantom");
             const Node* ct = map.optional("ct");
-            if (!solids == !ct)
-                report.error(Code::one_of, ct ? ct->key_span : map.span(), "An anatomy has either `phantom` or `ct`.");
+            const Node* mesh = map.optional("mesh");
+            if ((solids != nullptr) + (ct != nullptr) + (mesh != nullptr) != 1)
+                report.error(Code::one_of, mesh ? mesh->key_span : ct ? ct->key_span : map.span(),
+                             "An anatomy has exactly one of `phantom`, `ct` and `mesh`.");
             if (ct) anatomy->ct = read_ct(*ct, report);
+            if (mesh) anatomy->mesh = read_mesh(*mesh, report);
             if (solids) {
                 MapReader phantom(*solids, "phantom", report);
                 if (const Node* parts = phantom.required("parts")) anatomy->phantom.parts = read_parts(*parts, report);
