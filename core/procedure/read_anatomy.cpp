@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -130,6 +132,39 @@ CtSource read_ct(const Node& node, Report& report) {
     ct.source = map.text("source");
     map.finish();
     return ct;
+}
+
+void read_repair(const Node& node, MeshSource& mesh, Report& report) {
+    MapReader map(node, shapes::repair, "mesh.repair", report);
+    map.quantity("holes_up_to", mesh.holes_up_to);
+    map.quantity("pieces_under", mesh.pieces_under);
+    if (const std::string inner = map.word("inner"); !inner.empty())
+        mesh.inner = inner == "hollow" ? InnerPieces::hollow : InnerPieces::solid;
+    map.finish();
+}
+
+MeshSource read_mesh(const Node& node, Report& report) {
+    MapReader map(node, shapes::mesh, "mesh", report);
+    MeshSource mesh;
+    mesh.file = read_data_path(map.find("file"), "mesh.file", report);
+    const std::string unit = map.word("unit");
+    mesh.unit = unit == "cm" ? 1e-2 : unit == "m" ? 1.0 : unit == "um" ? 1e-6 : 1e-3;
+    if (const std::string frame = map.word("frame"); !frame.empty()) {
+        mesh.names_frame = true;
+        mesh.is_ras = frame == "RAS";
+    }
+    if (const Node* repair = map.find("repair")) read_repair(*repair, mesh, report);
+    if (const Node* canal = map.find("canal")) {
+        MapReader room(*canal, shapes::canal, "mesh.canal", report);
+        if (const Node* found = room.one_of()) {
+            if (found->key == "file") mesh.canal_file = read_data_path(found, "mesh.canal.file", report);
+            else mesh.canal = std::get<TubeSolid>(read_tube(*found, "mesh.canal.tube", report));
+        }
+        room.finish();
+    }
+    mesh.source = map.text("source");
+    map.finish();
+    return mesh;
 }
 
 /// `has_density_line`: the density of the base comes from the CT.
@@ -281,6 +316,7 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
             }
             map.one_of();
             if (const Node* ct = map.find("ct")) anatomy->ct = read_ct(*ct, report);
+            if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, report);
             if (const Node* node = map.find("phantom")) {
                 MapReader phantom(*node, shapes::phantom, "phantom", report);
                 if (const Node* parts = phantom.find("parts")) anatomy->phantom.parts = read_parts(*parts, report);

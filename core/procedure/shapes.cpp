@@ -232,6 +232,26 @@ const Shape ct{"ct", "Bone out of a CT.", {
     {optional, "source", text(), "Where the scan comes from.", "A public collection."},
 }};
 
+const Shape repair{"repair", "What may be mended of a surface beyond what is safe.", {
+    {optional, "holes_up_to", length(0.0_mm, 20.0_mm), "Holes no wider than this are closed.", "3 mm"},
+    {optional, "pieces_under", quantity(dimension::volume, "mm3", 0.0, 1e-6), "Smaller pieces are left out.", "10 mm3"},
+    {optional, "inner", word({"hollow", "solid"}), "What surfaces inside the outer one are: rooms, or drawings on solid bone.", "hollow"},
+}};
+
+const Shape canal{"canal", "The marrow's room: there is no bone in it.", {
+    {one_of, "file", path(), "A second surface, in the same unit and frame.", "meshes/canal.stl"},
+    {one_of, "tube", map(tube), "A round rod.", "{from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}"},
+}};
+
+const Shape mesh{"mesh", "Bone out of a closed surface.", {
+    {required, "file", path(), "STL, OBJ or PLY, in this document's folder or in KERF_DATA.", "meshes/femur.stl"},
+    {required, "unit", word({"mm", "cm", "m", "um"}), "What a 1 in the file is: no such file says it.", "mm"},
+    {optional, "frame", word({"LPS", "RAS"}), "Which way its axes point; LPS is supposed, and said, if not given.", "LPS"},
+    {optional, "repair", map(repair), "What may be mended.", "{holes_up_to: 3 mm}"},
+    {optional, "canal", map(canal), "The marrow's room.", "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
+    {optional, "source", text(), "Where the surface comes from.", "A public collection."},
+}};
+
 const Shape tissue{"tissue", "What bone is made of: shells from the surface inwards, and last what fills the rest.", {
     {required, "id", id(), "Its name.", "cortical"},
     {optional, "thickness", length(0.1_mm, 20.0_mm), "Of the shell; the last tissue has none, all others need it.", "1.5 mm"},
@@ -281,6 +301,7 @@ const Shape anatomy{"anatomy", "What there is: bone, tissues, and places with na
     {required, "metadata", map(anatomy_metadata), "What it is called.", "{id: bone, title: A bone}"},
     {one_of, "phantom", map(phantom), "Bone out of solids.", "{parts: [{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]}"},
     {one_of, "ct", map(ct), "Bone out of a CT.", "{image: scans/bone.nii.gz, threshold: 150}"},
+    {one_of, "mesh", map(mesh), "Bone out of a closed surface.", "{file: meshes/femur.stl, unit: mm}"},
     {required, "tissues", list(map(tissue)), "From the surface inwards.", "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
     {required, "landmarks", map(landmarks), "Places that procedures name.", "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
     {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.", "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},
