@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/import/ct_body.h"
+#include "core/import/landmark_checks.h"
 #include "core/import/mesh_body.h"
 #include "core/import/planned_region.h"
 #include "core/import/surface/diagnose.h"
@@ -50,7 +51,7 @@ bool may_hold_base(const Body& body, std::size_t brick) {
 }
 
 ImportReport phantom_report(const Anatomy& anatomy) {
-    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}};
+    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}};
 }
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.
@@ -95,9 +96,10 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
 
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report) {
+std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report,
+                              const ImportOptions& options) {
     std::optional<CtBone> ct;
-    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics))) return std::nullopt;
+    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics, options))) return std::nullopt;
     std::optional<MeshBone> mesh;
     if (anatomy.mesh && !(mesh = make_mesh_bone(anatomy, diagnostics))) return std::nullopt;
 
@@ -158,6 +160,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         body.materials.push_back(std::move(material));
     }
     if (mesh) warn_of_thin_walls(*mesh, spacing, anatomy.file, diagnostics);
+    check_landmarks(anatomy, body, diagnostics);
     if (report) {
         *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
         note_tissues_and_axes(anatomy, body, *report);
