@@ -17,6 +17,9 @@ struct ImportReport {
 /// Hash of a file's bytes; false if it cannot be read.   [main]
 [[nodiscard]] bool hash_of_file(const std::string& file, std::uint64_t& hash);
 
+/// One hash for several, in their order.
+[[nodiscard]] std::uint64_t hash_of_hashes(const std::vector<std::uint64_t>& hashes);
+
 /// A number with `digits` behind the point, whatever the locale.
 [[nodiscard]] std::string rounded(double value, int digits);
 
