@@ -8,7 +8,6 @@
 #include "core/import/ct_body.h"
 #include "core/import/landmark_checks.h"
 #include "core/import/mesh_body.h"
-#include "core/import/planned_region.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/signed_distance.h"
 #include "core/procedure/solids.h"
@@ -41,6 +40,20 @@ Box phantom_bounds(const PhantomSource& phantom) {
                        std::max(bounds.high.z, box.high.z)};
     }
     return bounds;
+}
+
+/// The largest box whose faces lie on samples of the grid.
+Region region_on(const Grid& grid, const Box& box) {
+    const auto up = [&](double at, double origin) {
+        return static_cast<int>(std::ceil((at - origin) / grid.spacing - 1e-6));
+    };
+    const auto down = [&](double at, double origin) {
+        return static_cast<int>(std::floor((at - origin) / grid.spacing + 1e-6));
+    };
+    return {
+        grid.sample_position(up(box.low.x, grid.origin.x), up(box.low.y, grid.origin.y), up(box.low.z, grid.origin.z)),
+        grid.sample_position(down(box.high.x, grid.origin.x), down(box.high.y, grid.origin.y),
+                             down(box.high.z, grid.origin.z))};
 }
 
 /// Whether the base tissue has a share of a brick: bone is there, and none of the shells made so far fills it.
@@ -103,8 +116,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     std::optional<MeshBone> mesh;
     if (anatomy.mesh && !(mesh = make_mesh_bone(anatomy, diagnostics))) return std::nullopt;
 
-    const std::optional<Box> region = ct ? ct->region : mesh ? mesh->region : std::nullopt;
-    const Box bounds = region ? *region : mesh ? mesh->bounds : phantom_bounds(anatomy.phantom);
+    const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
         diagnostics.push_back(error("E0601", anatomy.file, "the phantom has no part that adds bone.",
                                     "Give `phantom.parts` at least one part without `subtract`."));
@@ -126,7 +138,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     Body body;
     body.id = anatomy.id;
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    if (region) body.region = region_on(grid, *region);
+    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
     // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
     const auto in_region = [&](auto distance) -> Distance {
         return [&body, distance](Vec3 p) mutable { return distance(body.region.nearest(p)); };

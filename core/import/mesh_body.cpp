@@ -39,8 +39,7 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 /// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
-bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const Box& around_axes, std::vector<std::string>& notes,
-                Diagnostics& diagnostics) {
+bool make_sound(SurfaceFile& file, const Anatomy& anatomy, std::vector<std::string>& notes, Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
     const auto warn = [&](const char* code, std::string message, const std::string& advice) {
         diagnostics.push_back(finding(Diagnostic::Level::warning, code, anatomy.file, std::move(message), advice));
@@ -61,8 +60,9 @@ bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const Box& around_axe
              "the surface lies so far from the origin that its file's numbers are steps of " +
                  millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
              "Move it to the origin where it was made, and export it again.");
+    const Box region = planned_region(anatomy.axes, found.bounds);
     const auto near = std::count_if(found.crossing_places.begin(), found.crossing_places.end(),
-                                    [&](Vec3 at) { return anatomy.axes.empty() || is_within(around_axes, at); });
+                                    [&](Vec3 at) { return anatomy.axes.empty() || is_within(region, at); });
     if (near > 0)
         warn("W0656",
              std::to_string(near) + (near == 1 ? " pair" : " pairs") +
@@ -118,14 +118,13 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
     std::vector<std::string>& notes = bone.report.notes;
     notes.push_back(std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
                     (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
-    const Box around_axes = box_around(anatomy.axes);
-    if (!make_sound(surface, anatomy, around_axes, notes, diagnostics)) return std::nullopt;
+    if (!make_sound(surface, anatomy, notes, diagnostics)) return std::nullopt;
     bone.surface = std::move(surface.mesh);
-    bone.bounds = bounds_of(bone.surface);
+    const Box bounds = bone.region = bounds_of(bone.surface);
     if (canal) {
         notes.push_back("The canal, a surface of its own:");
         SurfaceFile room = *canal;
-        if (!make_sound(room, anatomy, around_axes, notes, diagnostics)) return std::nullopt;
+        if (!make_sound(room, anatomy, notes, diagnostics)) return std::nullopt;
         bone.canal = std::move(room.mesh);
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
@@ -135,22 +134,20 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
 
     if (!anatomy.axes.empty()) {
         // A little air around the bone, so that a region that holds all of it ends outside.
-        const Vec3 air{1e-3, 1e-3, 1e-3};
-        const Box region = common_part(around_axes, {bone.bounds.low - air, bone.bounds.high + air});
-        if (is_empty(region)) {
-            const Vec3 low = bone.bounds.low, high = bone.bounds.high;
+        bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));
+        bone.is_part = true;
+        if (is_empty(bone.region)) {
             diagnostics.push_back(finding(Diagnostic::Level::error, "E0652", anatomy.file,
-                                          "the landmarks' axes lie outside the surface, which goes from " + place_text(low) +
-                                              " to " + place_text(high) + ".",
+                                          "the landmarks' axes lie outside the surface, which goes from " +
+                                              place_text(bounds.low) + " to " + place_text(bounds.high) + ".",
                                           "Check that the axes are LPS, and `mesh.unit` and `mesh.frame`."));
             return std::nullopt;
         }
-        bone.region = region;
-        const Vec3 extent = region.high - region.low;
+        const Vec3 extent = bone.region.high - bone.region.low;
         notes.push_back("Of it " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
                         rounded(extent.z * 1e3, 0) + " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
     }
-    bone.walls = measure_walls(bone.surface, TriangleTree(bone.surface), bone.region.value_or(bone.bounds), fineness);
+    bone.walls = measure_walls(bone.surface, TriangleTree(bone.surface), bone.region, fineness);
     note_walls(bone, notes);
     if (anatomy.tissues.size() == 1)
         notes.push_back("A surface shows no tissues, and none is given a thickness: all of the bone is " + anatomy.tissues[0].id + ".");
@@ -160,7 +157,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
 std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics) {
     ImportReport files;
     const auto read = [&](const std::string& written) -> std::optional<SurfaceFile> {
-        const std::string file = found_file(written, anatomy.file);
+        const std::string file = found_data_file(written, anatomy.file);
         auto surface = read_surface(file, diagnostics);
         if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
             diagnostics.push_back(finding(Diagnostic::Level::error, "E0640", file, "the file could be read once, but not again.",

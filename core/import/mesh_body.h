@@ -24,8 +24,8 @@ namespace kerf {
 struct MeshBone {
     SurfaceMesh surface;
     std::optional<SurfaceMesh> canal;  ///< closed too; there is no bone in it
-    Box bounds{};                      ///< of the surface
-    std::optional<Box> region;         ///< around the axes; empty when all of the bone is taken
+    Box region{};                      ///< around the axes; without axes around the surface
+    bool is_part = false;              ///< what lies outside the region was not looked at
     std::vector<WallSample> walls;     ///< of the surface, in the region
     ImportReport report;
 };
