@@ -270,7 +270,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
         throw Refusal{"E0632", "the image's axes are not at right angles, as after a tilted gantry. "
                                "Resample the image onto a straight grid."};
     CtBone bone;
-    bone.region = common_part(box_around(anatomy.axes), sources.scan.box());
+    bone.region = planned_region(anatomy.axes, sources.scan.box());
     const VoxelGrid& scan = sources.scan;
     // So that closing and distance see both sides of the region's faces.
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
@@ -348,12 +348,12 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
-    const auto scan = open_scan(found_file(ct.image, anatomy.file), {ct.series, ct.may_resample}, options.progress,
+    const auto scan = open_scan(found_data_file(ct.image, anatomy.file), {ct.series, ct.may_resample}, options.progress,
                                 diagnostics);
     if (!scan) return std::nullopt;
     std::optional<Scan> labels;
     if (!ct.labels.empty() &&
-        !(labels = open_scan(found_file(ct.labels, anatomy.file), {}, options.progress, diagnostics)))
+        !(labels = open_scan(found_data_file(ct.labels, anatomy.file), {}, options.progress, diagnostics)))
         return std::nullopt;
     if (labels && labels->is_resampled()) {
         diagnostics.push_back(refusal_of("E0630", anatomy.file,

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-std::string found_file(const std::string& written, const std::string& document) {
+std::string found_data_file(const std::string& written, const std::string& document) {
     const std::filesystem::path beside = std::filesystem::path(document).parent_path() / written;
     std::error_code ignored;
     const char* data = std::getenv("KERF_DATA");

@@ -271,7 +271,7 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
     std::vector<std::uint64_t> hashes;
     const std::vector<MarkupsFile> files = anatomy.markups;
     for (const MarkupsFile& file : files) {
-        const std::string path = found_file(file.file, anatomy.file);
+        const std::string path = found_data_file(file.file, anatomy.file);
         const std::optional<std::string> text = read_text_file(path, diagnostics);
         if (!text) continue;
         Fnv1a hash;
