@@ -130,6 +130,13 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(anatomy, "--format", line.format, "FORMAT", "text (if not given), json or github", one_of({"text", "json", "github"}));
     anatomy->footer("Exit code: 0 clean, 2 errors.\n" + std::string(notice_line) + ".");
 
+    CLI::App* preview = add("preview", "Draw one page of a procedure before anything is cut: bone, zones, landmarks, the tool at each goal");
+    add_files(preview, "YAML file of the procedure", 1);
+    add_option(preview, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+               not_empty(yaml_help));
+    add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
+               not_empty("a file, as in `--out preview.html`"));
+
     CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
     add_files(plan, "YAML file of the procedure", 1);
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",

@@ -11,6 +11,7 @@
 #include "app/import_source.h"
 #include "app/interruption.h"
 #include "app/plan_procedure.h"
+#include "app/preview/preview_page.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
 #include "conformance/chart/chart_files.h"
@@ -21,6 +22,7 @@
 #include "core/session/content_hash.h"
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
+#include "core/session/write_file.h"
 
 namespace kerf {
 
@@ -239,6 +241,21 @@ ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
     return has_error(diagnostics) ? exit_bad_input : exit_pass;
 }
 
+ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
+    std::fputs(to_text(diagnostics).c_str(), stderr);
+    if (!scene) return exit_bad_input;
+    const std::string file = line.out.empty() ? "out/" + scene->procedure.id + "-preview.html" : line.out;
+    std::error_code ignored;
+    if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
+        std::filesystem::create_directories(folder, ignored);
+    const StillWorking sign_of_life("drawing");
+    if (const std::string error = write_file(file, preview_page(*scene)); !error.empty()) return complain(error, exit_bad_input);
+    std::printf("%s\n", file.c_str());
+    return exit_pass;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -249,6 +266,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "import") return import(line);
+    if (line.command == "preview") return preview(line, plugins);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
