@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/documents.h"
 #include "core/field/body.h"
 #include "core/haptics/simulation.h"
 #include "core/plugin/loader.h"
@@ -31,6 +32,9 @@ struct Scene {
     std::vector<std::string> notes;     ///< what import did, for people
     std::uint64_t anatomy_hash = 0;     ///< of the anatomy's text and its data files
 };
+
+/// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.
+[[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics);
 
 /// Reads and checks everything. `anatomy_file` empty: the procedure's own.
 /// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
