@@ -8,6 +8,7 @@
 #include "app/bone_memory.h"
 #include "app/run_checks.h"
 #include "core/import/data_file.h"
+#include "core/import/markups.h"
 #include "core/procedure/document.h"
 #include "core/procedure/read_anatomy.h"
 
@@ -31,6 +32,9 @@ void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
     const Node* ct = document.root.find("ct");
     check(ct, "image");
     check(ct != nullptr ? ct->find("labels") : nullptr, "file");
+    const Node* mesh = document.root.find("mesh");
+    check(mesh, "file");
+    check(mesh != nullptr ? mesh->find("canal") : nullptr, "file");
     const Node* landmarks = document.root.find("landmarks");
     if (const Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
         for (const Node& item : markups->children) check(&item, "file");
@@ -62,8 +66,9 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
     auto anatomy = read_anatomy(request.anatomy.empty() ? documents.procedure.anatomy_file : request.anatomy, diagnostics);
     if (anatomy) {
         documents.anatomy = std::move(*anatomy);
-        check_needs(documents.procedure, documents.anatomy, diagnostics);
         check_data_files(documents.anatomy, diagnostics);
+        if (!has_error(diagnostics)) documents.markup_hashes = add_markups(documents.anatomy, diagnostics);
+        if (!has_error(diagnostics)) check_needs(documents.procedure, documents.anatomy, diagnostics);
     }
     documents.device = find_device(documents.procedure.device.c_str());
     check_run(documents.procedure, diagnostics);

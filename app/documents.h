@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct DocumentRequest {
 struct Documents {
     Procedure procedure;
     Anatomy anatomy;
+    std::vector<std::uint64_t> markup_hashes;  ///< of the files that the anatomy's landmarks came from
     const DeviceRecord* device = nullptr;
     ToolSetup setup;      ///< of the first step
     ToolOutline outline;  ///< likewise

@@ -35,6 +35,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics) {
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
     scene.notes = std::move(import.notes);
+    import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),

@@ -138,11 +138,13 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     }
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                        [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
-    const Vec3 place = landmark != anatomy.points.end() ? landmark->at : Vec3{};
+    if (landmark == anatomy.points.end())
+        throw Refusal{"E0634", "there is no landmark point `" + ct.component_at + "`, which `ct.keep` names. "
+                               "Add it under `landmarks.points`."};
     const VoxelImage& image = mask.image;
-    const double near = std::max(landmark != anatomy.points.end() ? landmark->tolerance : 0.0,
-                                 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
-    const std::optional<double> way = keep_nearest(mask, place);
+    const double near =
+        std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
+    const std::optional<double> way = keep_nearest(mask, landmark->at);
     if (way && *way > near)
         throw Refusal{"E0634", "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
                                    "`, must be within " + millimetres(near) +
@@ -262,7 +264,7 @@ void doubt_values(const CtSource& ct, const VoxelImage& part, const std::string&
 // ---- all of it ------------------------------------------------------------------------------------------------------
 
 std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
-                           const CtOptions& options) {
+                           const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
         throw Refusal{"E0632", "the image's axes are not at right angles, as after a tilted gantry. "
@@ -307,7 +309,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
     if (ct.density) bone.density = densities_in_voxels(*part, bone.distance, cortex, *ct.density, notes);
-    if (options.with_shifts) bone.shifts = border_shifts(anatomy, blank, bone.distance);
+    if (options.with_shifts) bone.report.shifts = border_shifts(anatomy, blank, bone.distance);
     return bone;
 }
 
@@ -320,7 +322,7 @@ Diagnostic refusal_of(const char* code, const std::string& file, std::string mes
 }
 
 std::optional<CtBone> made_or_refused(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
-                                      const CtOptions& options) {
+                                      const ImportOptions& options) {
     try {
         return made(anatomy, sources, diagnostics, options);
     } catch (const Refusal& refusal) {
@@ -332,7 +334,7 @@ std::optional<CtBone> made_or_refused(const Anatomy& anatomy, const Sources& sou
 }  // namespace
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image, const VoxelImage* labels,
-                                   Diagnostics& diagnostics, const CtOptions& options) {
+                                   Diagnostics& diagnostics, const ImportOptions& options) {
     Sources sources;
     sources.scan = image;
     sources.read_scan = [&](const VoxelRange& range) { return image.cropped(range); };
@@ -344,7 +346,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
     return made_or_refused(anatomy, sources, diagnostics, options);
 }
 
-std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const CtOptions& options) {
+std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
     const auto scan = open_scan(found_data_file(ct.image, anatomy.file), {ct.series, ct.may_resample}, options.progress,
                                 diagnostics);

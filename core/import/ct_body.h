@@ -21,13 +21,6 @@
 ///     W0675  values that are no HU, or metal
 namespace kerf {
 
-/// How the border moves when the threshold does, where an axis enters bone.
-struct BorderShift {
-    std::string axis;
-    double step = 0.0;               ///< [HU or grey] by which the threshold was moved both ways
-    std::optional<double> lower, upper;  ///< [m] the entry moves along the axis, positive into the bone; none: no entry
-};
-
 /// A bone on the grid of its CT, cut out around the planned axes.
 struct CtBone {
     VoxelImage distance;  ///< [m] to the border, negative in bone; grows as fast as the way to it
@@ -37,13 +30,7 @@ struct CtBone {
     /// cortex, from there extended to all others, so that nothing brighter or darker beside the tissue is mixed in.
     std::optional<VoxelImage> density;
     std::size_t voxels = 0;  ///< that are bone, in the region
-    std::vector<BorderShift> shifts;  ///< one per axis, if asked for
     ImportReport report;     ///< what was done, and with which files
-};
-
-struct CtOptions {
-    bool with_shifts = false;  ///< also tell how sure the border is: twice the work
-    Progress progress = {};
 };
 
 /// Reads the files that `anatomy.ct` names, and of them only the region, and makes the bone.
@@ -53,11 +40,11 @@ struct CtOptions {
 /// never into another label); then as `distance_in_voxels` says. A label map on another grid gives each voxel its nearest label.
 /// Error: E062x, E063x, E066x, E067x.   Pre: `anatomy.ct`.   [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics,
-                                                 const CtOptions& options = {});
+                                                 const ImportOptions& options = {});
 
 /// The same for images that are in memory. `labels` may be null.   [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image,
                                                  const VoxelImage* labels, Diagnostics& diagnostics,
-                                                 const CtOptions& options = {});
+                                                 const ImportOptions& options = {});
 
 }  // namespace kerf

@@ -92,12 +92,32 @@ struct CtSource {
     std::string source;
 };
 
+/// What a closed piece of a surface inside another is, when its faces say that there is bone on both sides of it.
+enum class InnerPieces { unsaid, hollow, solid };
+
+/// Bone out of a closed surface. Files: paths as above.
+struct MeshSource {
+    std::string file;
+    double unit = 1e-3;        ///< [m] one of its coordinates' 1
+    bool is_ras = false;       ///< x to the right and y to the front; else LPS
+    bool names_frame = false;  ///< said, not supposed
+    double holes_up_to = 0.0;   ///< [m] across: such holes are closed
+    double pieces_under = 0.0;  ///< [m³] smaller pieces are left out
+    InnerPieces inner = InnerPieces::unsaid;
+    /// The marrow's room: there is no bone in it, and marrow resists nothing. A second surface in the same unit and
+    /// frame, or a tube.
+    std::string canal_file;
+    std::optional<TubeSolid> canal;
+    std::string source;
+};
+
 struct Anatomy {
     std::string file;   ///< stderr only
     std::string id, title;
     std::string text;   ///< the document itself
-    PhantomSource phantom;       ///< this,
-    std::optional<CtSource> ct;  ///< or that
+    PhantomSource phantom;           ///< this,
+    std::optional<CtSource> ct;      ///< or that,
+    std::optional<MeshSource> mesh;  ///< or that
     std::vector<Tissue> tissues;  ///< front to back; the last one is the base
     std::vector<LandmarkPoint> points;
     std::vector<LandmarkAxis> axes;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -105,19 +107,6 @@ DensityLine read_density_line(const Node& node, Report& report) {
     return line;
 }
 
-/// A label's number, or what a segmentation calls it.
-void read_kept_label(const Node& item, const QuantityNeed& need, CtSource& ct, Report& report) {
-    const bool is_number = !item.text.empty() && item.text.find_first_not_of("+-.0123456789") == std::string::npos;
-    if (item.kind == Node::Kind::scalar && !item.text.empty() && !is_number) {
-        ct.keep_named.push_back(item.text);
-        return;
-    }
-    const std::optional<double> value = read_quantity(item, "A label", need, report);
-    if (!value) return;
-    if (*value != std::floor(*value)) report.error(Code::not_a_number, item.span, "A label must be a whole number. Remove its fraction.");
-    ct.keep.push_back(static_cast<int>(*value));
-}
-
 CtSource read_ct(const Node& node, Report& report) {
     MapReader map(node, shapes::ct, "ct", report);
     CtSource ct;
@@ -128,9 +117,7 @@ CtSource read_ct(const Node& node, Report& report) {
     if (const Node* found = map.find("labels")) {
         MapReader labels(*found, shapes::labels, "ct.labels", report);
         ct.labels = read_data_path(labels.find("file"), "ct.labels.file", report);
-        if (const Node* keep = labels.find("keep"))
-            for (const Node& item : read_list(*keep, "ct.labels.keep", report))
-                read_kept_label(item, labels.item_need_of("keep"), ct, report);
+        labels.labels("keep", ct.keep, ct.keep_named);
         labels.finish();
     }
     if (const Node* found = map.find("keep")) {
@@ -145,6 +132,39 @@ CtSource read_ct(const Node& node, Report& report) {
     ct.source = map.text("source");
     map.finish();
     return ct;
+}
+
+void read_repair(const Node& node, MeshSource& mesh, Report& report) {
+    MapReader map(node, shapes::repair, "mesh.repair", report);
+    map.quantity("holes_up_to", mesh.holes_up_to);
+    map.quantity("pieces_under", mesh.pieces_under);
+    if (const std::string inner = map.word("inner"); !inner.empty())
+        mesh.inner = inner == "hollow" ? InnerPieces::hollow : InnerPieces::solid;
+    map.finish();
+}
+
+MeshSource read_mesh(const Node& node, Report& report) {
+    MapReader map(node, shapes::mesh, "mesh", report);
+    MeshSource mesh;
+    mesh.file = read_data_path(map.find("file"), "mesh.file", report);
+    const std::string unit = map.word("unit");
+    mesh.unit = unit == "cm" ? 1e-2 : unit == "m" ? 1.0 : unit == "um" ? 1e-6 : 1e-3;
+    if (const std::string frame = map.word("frame"); !frame.empty()) {
+        mesh.names_frame = true;
+        mesh.is_ras = frame == "RAS";
+    }
+    if (const Node* repair = map.find("repair")) read_repair(*repair, mesh, report);
+    if (const Node* canal = map.find("canal")) {
+        MapReader room(*canal, shapes::canal, "mesh.canal", report);
+        if (const Node* found = room.one_of()) {
+            if (found->key == "file") mesh.canal_file = read_data_path(found, "mesh.canal.file", report);
+            else mesh.canal = std::get<TubeSolid>(read_tube(*found, "mesh.canal.tube", report));
+        }
+        room.finish();
+    }
+    mesh.source = map.text("source");
+    map.finish();
+    return mesh;
 }
 
 /// `has_density_line`: the density of the base comes from the CT.
@@ -199,9 +219,13 @@ std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
         MarkupsFile markups;
         markups.file = read_data_path(map.find("file"), "markups.file", report);
         markups.tolerance = map.quantity("tolerance");
-        if (const Node* names = map.find("names"); names && is_kind(*names, Node::Kind::map, "markups.names", report))
-            for (const Node& name : names->children)
-                if (const auto id = read_id(name, "markups.names." + name.key, report)) markups.names[name.key] = *id;
+        if (const Node* names = map.find("names"))
+            for (const Node& one : read_list(*names, "markups.names", report)) {
+                MapReader name(one, shapes::markup_name, "markups.names", report);
+                const std::string label = name.text("label");
+                markups.names[label] = name.id("id");
+                name.finish();
+            }
         map.finish();
         files.push_back(std::move(markups));
     }
@@ -217,10 +241,10 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         landmark.id = item.key;
         landmark.at = point.vector("at").value_or(Vec3{});
         landmark.tolerance = point.quantity("tolerance");
-        const std::string lies = point.word("lies");
-        if (lies == "on_bone") landmark.lies = LandmarkPoint::Lies::on_bone;
-        if (lies == "in_bone") landmark.lies = LandmarkPoint::Lies::in_bone;
-        if (lies == "off_bone") landmark.lies = LandmarkPoint::Lies::off_bone;
+        if (const std::string lies = point.word("lies"); !lies.empty())
+            landmark.lies = lies == "on_bone"   ? LandmarkPoint::Lies::on_bone
+                            : lies == "in_bone" ? LandmarkPoint::Lies::in_bone
+                                                : LandmarkPoint::Lies::off_bone;
         point.finish();
         anatomy.points.push_back(std::move(landmark));
     }
@@ -292,6 +316,7 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
             }
             map.one_of();
             if (const Node* ct = map.find("ct")) anatomy->ct = read_ct(*ct, report);
+            if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, report);
             if (const Node* node = map.find("phantom")) {
                 MapReader phantom(*node, shapes::phantom, "phantom", report);
                 if (const Node* parts = phantom.find("parts")) anatomy->phantom.parts = read_parts(*parts, report);

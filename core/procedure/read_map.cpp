@@ -309,6 +309,24 @@ void MapReader::quantity(const std::string& key, double& value) {
     if (const Node* found = find(key)) value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
 }
 
+void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names) {
+    const Node* found = find(key);
+    if (!found) return;
+    const QuantityNeed& need = shape_of(key).value.item.front().need;
+    for (const Node& item : read_list(*found, name_of(key), report_)) {
+        const std::string name = "A label in " + name_of(key);
+        const bool is_number = item.text.find_first_not_of("+-.0123456789") == std::string::npos;
+        if (item.kind == Node::Kind::scalar && !is_number) {
+            names.push_back(item.text);
+            continue;
+        }
+        const std::optional<double> value = read_quantity(item, name, need, report_);
+        if (!value) continue;
+        if (*value == std::floor(*value)) numbers.push_back(static_cast<int>(*value));
+        else report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
+    }
+}
+
 std::optional<Vec3> MapReader::vector(const std::string& key) {
     const Node* found = find(key);
     return found ? read_vector(*found, name_of(key), need_of(key), report_) : std::nullopt;

@@ -82,6 +82,8 @@ public:
     bool yes_no(const std::string& key);
     double quantity(const std::string& key);   ///< the least that is allowed when absent or wrong
     void quantity(const std::string& key, double& value);
+    /// A list of labels: numbers, and what is none as names.
+    void labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names);
     std::optional<Vec3> vector(const std::string& key);
 
     /// The one of the shape's keys of which there must be one; reports none or several.

@@ -115,8 +115,7 @@ private:
                 return value.shape ? Json{{"anyOf", {words, reference(*value.shape)}}} : words;
             }
             case Kind::quantity: return quantity_schema(value.need);
-            case Kind::label:
-                return {{"type", {"number", "string"}}, {"minimum", value.need.min}, {"maximum", value.need.max}, {"multipleOf", 1}};
+            case Kind::label: return {{"type", {"number", "string"}}, {"multipleOf", 1}, {"minimum", value.need.min}, {"maximum", value.need.max}};
             case Kind::vector: return vector_schema(value.need);
             case Kind::map: return reference(*value.shape);
             case Kind::list: return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};

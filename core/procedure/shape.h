@@ -23,7 +23,7 @@ struct ValueShape {
         yes_no,      ///< `true` or `false`
         word,        ///< one of `words`; or the map `shape`, if there is one
         quantity,    ///< a number and its unit, as `need` says
-        label,       ///< a number without a fraction, as `need` says, or a name
+        label,       ///< a whole number, as `need` says, or a name
         vector,      ///< three numbers and their unit, as `need` says
         map,         ///< of `shape`
         list,        ///< of `item`, not empty

@@ -29,7 +29,7 @@ ValueShape quantity(kerf_dimension dimension, const char* unit, double min, doub
     return {.kind = Kind::quantity, .need = {dimension, unit, min, max}};
 }
 ValueShape number(double min, double max) { return quantity(dimension::none, "", min, max); }
-ValueShape label(double min, double max) { return {.kind = Kind::label, .need = {dimension::none, "", min, max}}; }
+ValueShape label() { return {.kind = Kind::label, .need = {dimension::none, "", 1.0, 65535.0}}; }
 ValueShape length(double min, double max) { return quantity(dimension::length, "mm", min, max); }
 ValueShape density(double min, double max) { return quantity(dimension::density, "g/cm3", min, max); }
 ValueShape speed() { return quantity(dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s); }
@@ -208,13 +208,13 @@ const Shape phantom{"phantom", "Bone out of solids.", {
     {required, "parts", list(map(part)), "Added and taken away in this order.", "[{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]"},
 }};
 
-const Shape labels{"labels", "Which voxels are this bone, by a label map on the image's grid.", {
+const Shape labels{"labels", "Which voxels are this bone, by a label map or a segmentation.", {
     {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/labels.nrrd"},
-    {required, "keep", list(label(1.0, 65535.0)), "The labels that are this bone, or what the segmentation calls them.", "[22]"},
+    {required, "keep", list(label()), "What is this bone: numbers, or the names that a segmentation of 3D Slicer gives.", "[22]"},
 }};
 
-const Shape kept_piece{"kept_piece", "Which piece of bone, where there are several.", {
-    {required, "component_at", id(), "A landmark point: the piece nearest to it.", "midline"},
+const Shape kept_piece{"kept_piece", "Which piece of what is bright, or has the labels, is this bone.", {
+    {required, "component_at", id(), "A landmark point in it or beside it.", "body_centre"},
 }};
 
 const Shape density_line{"density_line", "Density of the last tissue out of a voxel's value: at_zero + per_unit × value.", {
@@ -225,17 +225,37 @@ const Shape density_line{"density_line", "Density of the last tissue out of a vo
 }};
 
 const Shape ct{"ct", "Bone out of a CT.", {
-    {required, "image", path(), "A file, or a folder with a DICOM series, in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
-    {optional, "series", text(), "Which series of the folder, as import offers it; the only one if not given.", "2"},
-    {optional, "resample", yes_no(), "Across missing slices.", "true"},
-    {optional, "intensity", word({"HU", "grey"}), "What the values are: cone-beam CT gives grey levels.", "HU"},
+    {required, "image", path(), "A file, or a folder with a DICOM series; in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
+    {optional, "series", text(), "Which series of the folder, as `kerf import` offers them; needed if there are several.", "4"},
+    {optional, "resample", yes_no(), "Gaps between slices may be filled from their neighbours.", "true"},
+    {optional, "intensity", word({"HU", "grey"}), "What the values are: HU if not given; grey levels of a cone-beam CT are none.", "grey"},
     {optional, "labels", map(labels), "Which voxels are this bone; those above the threshold if not given.", "{file: scans/labels.nrrd, keep: [22]}"},
-    {optional, "keep", map(kept_piece), "Which piece of bone, where there are several; the largest if not given.", "{component_at: midline}"},
+    {optional, "keep", map(kept_piece), "Which piece is this bone; without labels the largest if not given.", "{component_at: body_centre}"},
     {required, "threshold", number(-4000.0, 65535.0), "The value at the border of bone, in HU or grey levels.", "150"},
     {optional, "closing", length(0.0_mm, 10.0_mm), "Narrower gaps in the mask are closed: a radius.", "2 mm"},
     {optional, "fill", yes_no(), "Cavities without a way out count as bone.", "true"},
     {optional, "density", map(density_line), "Density of the last tissue, voxel by voxel.", "{at_zero: -0.1 g/cm3, per_unit: 0.001 g/cm3, floor: 0.1 g/cm3, source: A book.}"},
     {optional, "source", text(), "Where the scan comes from.", "A public collection."},
+}};
+
+const Shape repair{"repair", "What may be mended of a surface beyond what is safe.", {
+    {optional, "holes_up_to", length(0.0_mm, 20.0_mm), "Holes no wider than this are closed.", "3 mm"},
+    {optional, "pieces_under", quantity(dimension::volume, "mm3", 0.0, 1e-6), "Smaller pieces are left out.", "10 mm3"},
+    {optional, "inner", word({"hollow", "solid"}), "What surfaces inside the outer one are: rooms, or drawings on solid bone.", "hollow"},
+}};
+
+const Shape canal{"canal", "The marrow's room: there is no bone in it.", {
+    {one_of, "file", path(), "A second surface, in the same unit and frame.", "meshes/canal.stl"},
+    {one_of, "tube", map(tube), "A round rod.", "{from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}"},
+}};
+
+const Shape mesh{"mesh", "Bone out of a closed surface.", {
+    {required, "file", path(), "STL, OBJ or PLY, in this document's folder or in KERF_DATA.", "meshes/femur.stl"},
+    {required, "unit", word({"mm", "cm", "m", "um"}), "What a 1 in the file is: no such file says it.", "mm"},
+    {optional, "frame", word({"LPS", "RAS"}), "Which way its axes point; LPS is supposed, and said, if not given.", "LPS"},
+    {optional, "repair", map(repair), "What may be mended.", "{holes_up_to: 3 mm}"},
+    {optional, "canal", map(canal), "The marrow's room.", "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
+    {optional, "source", text(), "Where the surface comes from.", "A public collection."},
 }};
 
 const Shape tissue{"tissue", "What bone is made of: shells from the surface inwards, and last what fills the rest.", {
@@ -248,7 +268,7 @@ const Shape tissue{"tissue", "What bone is made of: shells from the surface inwa
 const Shape point{"point", "A place.", {
     {required, "at", position(), "Where it is: LPS, x to the patient's left, y to the back, z to the head.", "0 26 5 mm"},
     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
-    {optional, "lies", word({"on_bone", "in_bone", "off_bone"}), "What import checks of it, within the tolerance.", "on_bone"},
+    {optional, "lies", word({"on_bone", "in_bone", "off_bone"}), "What is known of it, and checked within the tolerance.", "on_bone"},
 }};
 
 const Shape axis{"axis", "A way into the bone.", {
@@ -257,23 +277,28 @@ const Shape axis{"axis", "A way into the bone.", {
     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
 }};
 
-const Shape plane{"plane", "A plane.", {
-    {required, "at", position(), "A place in it.", "0 26 5 mm"},
-    {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Across it.", "0 0 1"},
+const Shape plane{"plane", "A flat cut, or a face.", {
+    {required, "at", position(), "A place in it.", "0 0 120 mm"},
+    {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Which way it looks.", "0 0 1"},
     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
 }};
 
-const Shape markups{"markups", "Landmarks out of a file of 3D Slicer: its points, lines and planes.", {
-    {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/entry.mrk.json"},
-    {required, "tolerance", tolerance(), "How well they are known.", "1.5 mm"},
-    {optional, "names", of_kind(Kind::renamed), "What the file calls one, and which id it gets; others keep their name.", "{F-1: entry}"},
+const Shape markup_name{"markup_name", "What a markup is called here.", {
+    {required, "label", text(), "What the file calls it.", "F-1"},
+    {required, "id", id(), "The landmark that it is.", "entry"},
+}};
+
+const Shape markups{"markups", "Landmarks that 3D Slicer wrote: points, lines as axes, planes.", {
+    {required, "file", path(), "`.mrk.json` or `.fcsv`, in this document's folder or in KERF_DATA.", "scans/entry.mrk.json"},
+    {required, "tolerance", tolerance(), "How well all of them are known.", "2 mm"},
+    {optional, "names", list(map(markup_name)), "Other names than the file's.", "[{label: F-1, id: entry}]"},
 }};
 
 const Shape landmarks{"landmarks", "Places that procedures name.", {
     {optional, "points", named(map(point)), "Places.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
     {optional, "axes", named(map(axis)), "Ways into the bone.", "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
-    {optional, "planes", named(map(plane)), "Planes.", "{endplate: {at: 0 0 14 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
-    {optional, "markups", list(map(markups)), "Files of 3D Slicer with more of them.", "[{file: scans/entry.mrk.json, tolerance: 1.5 mm}]"},
+    {optional, "planes", named(map(plane)), "Flat cuts.", "{resection: {at: 0 0 120 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
+    {optional, "markups", list(map(markups)), "Files of 3D Slicer's markups.", "[{file: scans/entry.mrk.json, tolerance: 2 mm}]"},
 }};
 
 const Shape anatomy{"anatomy", "What there is: bone, tissues, and places with names.", {
@@ -282,6 +307,7 @@ const Shape anatomy{"anatomy", "What there is: bone, tissues, and places with na
     {required, "metadata", map(anatomy_metadata), "What it is called.", "{id: bone, title: A bone}"},
     {one_of, "phantom", map(phantom), "Bone out of solids.", "{parts: [{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]}"},
     {one_of, "ct", map(ct), "Bone out of a CT.", "{image: scans/bone.nii.gz, threshold: 150}"},
+    {one_of, "mesh", map(mesh), "Bone out of a closed surface.", "{file: meshes/femur.stl, unit: mm}"},
     {required, "tissues", list(map(tissue)), "From the surface inwards.", "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
     {required, "landmarks", map(landmarks), "Places that procedures name.", "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
     {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.", "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},

@@ -15,6 +15,7 @@ extern const Shape rehearsal, expectation, hand, waypoint, variant;
 extern const Shape anatomy;
 extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;
 extern const Shape ct, labels, kept_piece, density_line;
-extern const Shape tissue, landmarks, point, axis, plane, markups, zone_solid;
+extern const Shape mesh, repair, canal;
+extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, zone_solid;
 
 }  // namespace kerf::shapes

@@ -86,7 +86,7 @@ TEST_P(Golden, TextIsWhatAPersonIsTold) {
 TEST_P(Golden, SaysWhatToDo) {
     const std::regex advice(
         "(^|[.;:] |, )(Write|Remove|Put|Check|Name|Give|Choose|Add|Fill|Keep|Move|Turn|Exchange|Mend|Save|Begin|Take|Repeat|Point|Export|Crop|Copy|Run|"
-        "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Resample|Choose|write|allow|let|export)( |$)");
+        "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
     for (const Diagnostic& d : cause(GetParam())) {
         if (d.level == Diagnostic::Level::warning) continue;
         EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << to_text({d});

@@ -109,6 +109,88 @@ void add_series_7(Slices& all) {
         all.files.push_back(file.uid(tag::series, "1.2.3.9").text(tag::series_number, "IS", "7"));
 }
 
+/// A closed surface in Wavefront's format: cubes of some size around places, and whatever is appended.
+struct Surface {
+    std::string text;
+    int vertices = 0;
+
+    Surface& cube(double size, double x, double y, double z, bool is_inwards = false, int faces = 6) {
+        for (int i = 0; i < 8; ++i)
+            vertex(x + (i & 1 ? 0.5 : -0.5) * size, y + (i & 2 ? 0.5 : -0.5) * size, z + (i & 4 ? 0.5 : -0.5) * size);
+        const int corners[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        for (int f = 0; f < faces; ++f) {
+            text += "f";
+            for (int c = 0; c < 4; ++c) text += " " + std::to_string(vertices - 7 + corners[f][is_inwards ? 3 - c : c]);
+            text += "\n";
+        }
+        return *this;
+    }
+    void vertex(double x, double y, double z) {
+        text += "v " + DicomWriter::decimal(x) + " " + DicomWriter::decimal(y) + " " + DicomWriter::decimal(z) + "\n";
+        ++vertices;
+    }
+};
+
+/// The block's document with a surface in place of its phantom.
+std::function<void(const std::string&)> surface(int code, const std::string& text, const std::string& file = "block.obj",
+                                                const std::string& more = "unit: mm, frame: LPS") {
+    return [=](const std::string& folder) {
+        write(folder + "/" + file, text);
+        write_anatomy(folder, code, "");
+        char name[16];
+        std::snprintf(name, sizeof name, "/E%04d.yaml", code);
+        std::string document = contents_of(folder + name);
+        document.replace(document.find("ct: "), 4, "mesh: {file: " + file + ", " + more + "}");
+        write(folder + name, document);
+    };
+}
+
+std::string moebius_strip() {
+    Surface strip;
+    for (int i = 0; i < 12; ++i) {
+        const double turn = 2.0 * 3.14159265358979 * i / 12.0, half = 0.5 * turn;
+        for (const double side : {-4.0, 4.0}) {
+            const double out = 15.0 + side * std::cos(half);
+            strip.vertex(std::round(100 * out * std::cos(turn)) / 100, std::round(100 * out * std::sin(turn)) / 100, std::round(100 * side * std::sin(half)) / 100);
+        }
+    }
+    for (int i = 0; i < 12; ++i) {
+        const int a = 2 * i + 1, b = a + 1, c = i == 11 ? 2 : a + 2, d = i == 11 ? 1 : a + 3;
+        strip.text += "f " + std::to_string(a) + " " + std::to_string(c) + " " + std::to_string(b) + "\n";
+        strip.text += "f " + std::to_string(c) + " " + std::to_string(d) + " " + std::to_string(b) + "\n";
+    }
+    return strip.text;
+}
+
+/// A surface that STL's four-byte numbers cannot place well: far from the origin.
+std::string far_stl() {
+    std::string bytes(80, '\0');
+    const auto put = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+    const float x = 1000.0f, s = 10.0f;
+    const float v[8][3] = {{x - s, -s, -s}, {x + s, -s, -s}, {x - s, s, -s}, {x + s, s, -s}, {x - s, -s, s}, {x + s, -s, s}, {x - s, s, s}, {x + s, s, s}};
+    const int faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    put(std::uint32_t{12});
+    for (const auto& face : faces) {
+        for (int i = 0; i < 3; ++i) put(0.0f);
+        for (const int corner : face)
+            for (const float coordinate : v[corner]) put(coordinate);
+        put(std::uint16_t{0});
+    }
+    return bytes;
+}
+
+/// The block's document with a file of markups beside its own landmarks.
+std::function<void(const std::string&)> markups(int code, const std::string& text, const std::string& file = "entry.mrk.json") {
+    return [=](const std::string& folder) {
+        write(folder + "/" + file, text);
+        std::string document = contents_of(folder + "/block.yaml");
+        document.replace(document.find("landmarks:\n"), 11, "landmarks:\n  markups: [{file: " + file + ", tolerance: 1 mm}]\n");
+        char name[16];
+        std::snprintf(name, sizeof name, "/E%04d.yaml", code);
+        write(folder + name, document);
+    };
+}
+
 Anatomy block_of(double size) {
     Anatomy anatomy;
     anatomy.file = "block.yaml";
@@ -181,6 +263,30 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              Scan().write_to(folder + "/labels.mha");
              write_anatomy(folder, 635, "{image: scan.mha, threshold: 0, labels: {file: labels.mha, keep: [L3]}}");
          }},
+        {640, [](const std::string& folder) {
+             surface(640, "")(folder);
+             std::filesystem::remove(folder + "/block.obj");
+             std::filesystem::create_directory(folder + "/block.obj");
+         }},
+        {641, surface(641, "OFF", "block.off")},
+        {642, [](const std::string& folder) {
+             surface(642, "", "block.stl")(folder);
+             std::filesystem::resize_file(folder + "/block.stl", 1'100'000'000);  // of nothing: it takes no room
+         }},
+        {643, surface(643, "v 0 0\n")},
+        {644, surface(644, std::string(80, ' ') + std::string("\x0c\0\0\0", 4), "block.stl")},
+        {645, surface(645, "v 0 0 1e39\nv 0 0 nan\n")},
+        {646, surface(646, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")},
+        {647, surface(647, "v 0 0 0\nv 1 0 0\nv 0 1 0\n")},
+        {648, surface(648, Surface().cube(200, 0, 0, 0).text, "block.obj", "unit: cm, frame: LPS")},
+        {649, surface(649, Surface().cube(20, 0, 0, 0, false, 5).text)},
+        {650, surface(650, Surface().cube(20, 0, 0, 0).text + "v 0 0 18\nf 5 6 9\n", "block.obj", "unit: mm, frame: LPS, repair: {holes_up_to: 20 mm}")},
+        {651, surface(651, moebius_strip())},
+        {652, surface(652, Surface().cube(20, 500, 0, 0).text)},
+        {653, surface(653, Surface().cube(20, 0, 0, 0).cube(5, 5, 5, 5).text)},
+        {655, surface(655, Surface().cube(20, 0, 0, 0).cube(18, 0, 0, 0, true).text)},
+        {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
+        {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
         {660, [](const std::string& folder) {
              std::filesystem::create_directory(folder + "/scan");
              write_anatomy(folder, 660, "{image: scan, threshold: 0}");
@@ -222,6 +328,10 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              all.write_to(folder + "/scan");
              write_anatomy(folder, 675, "{image: scan, threshold: 1024}");
          }},
+        {680, markups(680, "{}")},
+        {681, markups(681, R"({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "entry", "position": [0, 0, 10]}]}]})")},
+        {682, markups(682, R"({"markups": [{"type": "Angle", "coordinateSystem": "LPS", "controlPoints": []}]})")},
+        {683, markups(683, R"({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": [{"label": "midline", "position": [0, 0, 10]}]}]})")},
     };
     return makers;
 }

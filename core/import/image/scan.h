@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +9,10 @@
 #include "core/import/image/dicom_series.h"
 #include "core/import/image/image_file.h"
 #include "core/import/image/voxel_image.h"
+#include "core/import/import_report.h"
 #include "core/procedure/source.h"
 
 namespace kerf {
-
-/// How much of something long is done, 0 … 1, and what it is.
-using Progress = std::function<void(double share, const std::string& what)>;
 
 /// A scan that was opened and judged, but whose voxels were not read yet: a file, or a folder with a DICOM series.
 class Scan {

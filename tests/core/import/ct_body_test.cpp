@@ -217,10 +217,10 @@ TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
     Diagnostics diagnostics;
     const auto bone = make_ct_bone(one, ball(), nullptr, diagnostics, {.with_shifts = true});
     ASSERT_TRUE(bone) << to_text(diagnostics);
-    ASSERT_EQ(bone->shifts.size(), 1u);
-    ASSERT_TRUE(bone->shifts[0].lower && bone->shifts[0].upper);
-    EXPECT_NEAR(*bone->shifts[0].lower, -0.075_mm, 0.03_mm /* the ball's ramp is not the grid's */);
-    EXPECT_NEAR(*bone->shifts[0].upper, 0.075_mm, 0.03_mm);
+    ASSERT_EQ(bone->report.shifts.size(), 1u);
+    ASSERT_TRUE(bone->report.shifts[0].lower && bone->report.shifts[0].upper);
+    EXPECT_NEAR(*bone->report.shifts[0].lower, -0.075_mm, 0.03_mm /* the ball's ramp is not the grid's */);
+    EXPECT_NEAR(*bone->report.shifts[0].upper, 0.075_mm, 0.03_mm);
 }
 
 void expect_refused(const std::string& code, const Anatomy& one, const VoxelImage& image, const VoxelImage* labels) {

@@ -62,7 +62,7 @@ std::vector<std::string> mistakes(const ValueShape& value) {
             if (value.need.unit.empty()) return {"1e9", "-1e9", "many", "1 mm", "[1]", "\"1,5\""};
             return {"5", "5 furlong", "5 K", "\"1,5 " + value.need.unit + "\"", value.need.dimension == dimension::force ? "5 mm" : "5 N",
                     "hard", "[5]"};
-        case Kind::label: return {"1.5", "-3", "[1]"};
+        case Kind::label: return {"1.5", "-3", "70000", "[1]"};
         case Kind::vector: return {"1 2 mm", "\"1, 2, 3 mm\"", "[1 mm, 2 mm]", "5 mm", value.need.unit.empty() ? "0 0 1 mm" : "1 2 3", "{x: 1 mm}"};
         case Kind::map: return {"5", "[a]", "{surely_unknown: 1}"};
         case Kind::list: return {"5", "[]", "{a: b}"};
