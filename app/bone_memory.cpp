@@ -6,6 +6,7 @@
 
 #include "core/field/grid.h"
 #include "core/procedure/document.h"
+#include "core/procedure/read_procedure.h"
 #include "core/procedure/quantity.h"
 #include "core/procedure/solids.h"
 
@@ -59,7 +60,8 @@ void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagn
         spacing *= 1.05;
     const double rounded = std::ceil(spacing * 1e5) * 1e-5;  // to 0.01 mm
 
-    const Document document = read_again(procedure.file, procedure.text);
+    const auto read = document_of(procedure);
+    const Document& document = *read;
     const Node* accuracy = document.root.find("accuracy");
     const Node* node = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
     constexpr double gigabyte = 1024.0 * 1024 * 1024;

@@ -39,6 +39,19 @@ CLI::Validator is_code() {
             ""};
 }
 
+/// `path=value`: keys and ids with dots between them.
+CLI::Validator is_setting() {
+    return {[](std::string& word) {
+                const std::size_t equals = word.find('=');
+                const bool is_path = equals != std::string::npos && equals > 0 &&
+                                     word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") == equals;
+                return is_path && equals + 1 < word.size() && word.find('\n') == std::string::npos
+                           ? std::string()
+                           : "is `" + word + "`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`.";
+            },
+            ""};
+}
+
 CLI::Validator not_empty(const std::string& what) {
     return {[what](std::string& word) { return word.empty() ? "is empty. Write " + what + "." : std::string(); }, ""};
 }
@@ -69,11 +82,20 @@ void describe_to(CLI::App& app, CommandLine& line) {
         files->expected(1, most);
     };
     constexpr int many = 1000;
+    const auto add_changes = [&](CLI::App* command) {
+        add_option(command, "--variant", line.variant, "VARIANT", "One of the procedure's `variants:`", not_empty("the id of a variant"));
+        command->add_option("--set", line.settings, "Another value, as in `--set accuracy.spacing=0.5 mm`; as often as wanted")
+            ->type_name("PATH=VALUE")
+            ->check(is_setting())
+            ->expected(1)
+            ->take_all();
+    };
 
     CLI::App* run = add("run", "Carry out a procedure, judge it and write what happened");
     add_files(run, "YAML file of the procedure", 1);
     add_option(run, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
                not_empty(yaml_help));
+    add_changes(run);
     add_option(run, "--hand", line.hand, "REHEARSAL",
                "The rehearsal that the simulated hand follows; the first if not given",
                not_empty("the id of a rehearsal"));
@@ -95,16 +117,29 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(validate, "--format", line.format, "FORMAT",
                "text (if not given) for people, json for programs, github for its annotations",
                one_of({"text", "json", "github"}));
+    add_changes(validate);
+    validate->add_flag("--bone", line.is_with_bone, "Make the bone as well, and check what needs it: axes, scans");
 
     CLI::App* rehearse = add("rehearse", "Run every rehearsal and see whether it ends as it says");
     add_files(rehearse, "YAML files of procedures", many);
     add_option(rehearse, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedures' own",
                not_empty(yaml_help));
 
+    add_changes(rehearse);
+
+    CLI::App* expand = add("expand", "Print the procedure as a variant or `--set` makes it, with each value's origin");
+    add_files(expand, "YAML file of the procedure", 1);
+    add_changes(expand);
+
     CLI::App* describe = add("describe", "Tell every parameter, drive and signal of a component");
     describe->add_option("COMPONENT", line.component, "PLUGIN or PLUGIN/COMPONENT; all of them if not given")
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
+
+    CLI::App* explain = add("explain", "Tell what a code like E0412 means, why, and what to do");
+    explain->add_option("CODE", line.code, "as it stands before a message; all of them if not given")
+        ->type_name("")
+        ->check(not_empty("a code, as in `E0412`"));
 
     CLI::App* schema = add("schema", "Print the JSON Schema of a kind of document, for editors");
     schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")->type_name("")->check(one_of({"procedure", "anatomy"}));
@@ -141,6 +176,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_files(plan, "YAML file of the procedure", 1);
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
                not_empty(yaml_help));
+    add_changes(plan);
     add_option(plan, "--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
                not_empty(out_help));
     plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which are the values if "

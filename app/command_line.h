@@ -16,11 +16,15 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "list", "plan", "stability", "chart"; empty: `answer` is all
-    std::vector<std::string> files;  ///< procedures; at least one for run, validate, rehearse and plan, exactly one for run and plan
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "stability", "chart"; empty: `answer` is all
+    std::vector<std::string> files;  ///< procedures; at least one for run, validate, rehearse, plan and expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
+    std::string code;                ///< of explain; empty: all
     std::string kind = "procedure";  ///< of schema: procedure | anatomy
     std::string anatomy;             ///< file; empty: the procedure's own
+    std::string variant;                ///< id; empty: the procedure as it stands
+    std::vector<std::string> settings;  ///< "path=value" each
+    bool is_with_bone = false;          ///< of validate
     std::string hand, replay, learner;
     std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at

@@ -17,6 +17,8 @@
 #include "conformance/chart/chart_files.h"
 #include "conformance/stability/atlas.h"
 #include "conformance/stability/suite.h"
+#include "core/procedure/codes.h"
+#include "core/procedure/patch.h"
 #include "core/procedure/schema.h"
 #include "core/procedure/shapes.h"
 #include "core/session/content_hash.h"
@@ -42,11 +44,16 @@ void print(const RunSummary& s) {
                 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash));
 }
 
+DocumentRequest request_of(const std::string& file, const CommandLine& line) {
+    return {file, line.anatomy, {line.variant, line.settings}};
+}
+
 /// Reading the documents is quick; making the bone may take a minute.
 std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
                                 Diagnostics& diagnostics, const ImportOptions& options = {}) {
     const StillWorking sign_of_life("reading " + file + " and making the bone");
-    return make_scene(file, line.anatomy, plugins, diagnostics, options);
+    auto documents = check_documents(request_of(file, line), plugins, diagnostics);
+    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
 }
 
 /// What import did, on stderr.
@@ -70,7 +77,15 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
     std::vector<Findings> all;
     for (const auto& file : line.files) {
         Findings& one = all.emplace_back(Findings{file, {}});
-        print_notes(make_scene(file, line, plugins, one.diagnostics));
+        const auto documents = check_documents(request_of(file, line), plugins, one.diagnostics);
+        if (documents && line.variant.empty()) {
+            const Diagnostics of_variants = check_variants(request_of(file, line), *documents, plugins);
+            one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
+        }
+        if (documents && line.is_with_bone) {
+            const StillWorking sign_of_life("making the bone of " + file);
+            print_notes(make_scene(*documents, one.diagnostics));
+        }
     }
     std::fputs(findings_text(all, line.format).c_str(), stdout);
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
@@ -133,7 +148,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (!line.replay.empty()) {
         std::string error;
         auto recorded = read_session(line.replay, error);
-        if (recorded && (recorded->procedure_text != scene->procedure.text ||
+        if (recorded && recorded->variant != scene->procedure.variant)
+            error = line.replay + ": was recorded " +
+                    (recorded->variant.empty() ? "without a variant. Leave out `--variant`."
+                                               : "with the variant `" + recorded->variant + "`. Write `--variant " + recorded->variant + "`.");
+        else if (recorded && (recorded->procedure_text != scene->procedure.text ||
                          recorded->anatomy_hash != scene->anatomy_hash))
             error = line.replay +
                     ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
@@ -173,7 +192,7 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
 ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins) {
     using namespace stability;
     std::printf("%s.\n%s\n", notice_line, table_head().c_str());
-    const Report print_line = [](const Finding& finding) {
+    const stability::Report print_line = [](const Finding& finding) {
         std::printf("%s\n", table_line(finding).c_str());
         std::fflush(stdout);
     };
@@ -205,11 +224,32 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     return exit_pass;
 }
 
+ExitCode expand(const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    const auto procedure = read_procedure(line.files.front(), plugins.catalog(), diagnostics, {line.variant, line.settings});
+    std::fputs(to_text(diagnostics).c_str(), stderr);
+    if (!procedure) return exit_bad_input;
+    std::printf("# %s\n%s", notice_line, emitted(*procedure->document, true).c_str());
+    return exit_pass;
+}
+
 ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
     std::string error;
     const auto text = description_of(plugins, line.component, error);
     if (!text) return complain(error, exit_bad_input);
     std::fputs(text->c_str(), stdout);
+    return exit_pass;
+}
+
+ExitCode explain(const CommandLine& line) {
+    if (line.code.empty()) {
+        std::fputs(list_of_codes().c_str(), stdout);
+        return exit_pass;
+    }
+    const CodeEntry* entry = find_code(line.code);
+    if (entry == nullptr)
+        return complain("there is no code `" + line.code + "`. Write `kerf explain` to see all.", exit_bad_input);
+    std::fputs(explanation_of(*entry).c_str(), stdout);
     return exit_pass;
 }
 
@@ -264,6 +304,8 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "plan") return plan(line, plugins);
     if (line.command == "stability") return look_at_stability(line, plugins);
     if (line.command == "chart") return draw_chart(line, plugins, printed);
+    if (line.command == "expand") return expand(line, plugins);
+    if (line.command == "explain") return explain(line);
     if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);

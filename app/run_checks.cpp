@@ -3,6 +3,7 @@
 
 #include "core/haptics/device_record.h"
 #include "core/procedure/document.h"
+#include "core/procedure/read_procedure.h"
 #include "core/procedure/read_map.h"
 
 namespace kerf {
@@ -33,7 +34,8 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
 }  // namespace
 
 void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
-    const Document document = read_again(procedure.file, procedure.text);
+    const auto read = document_of(procedure);
+    const Document& document = *read;
     Report report(document, diagnostics);
     check_device(procedure, document, report);
     const Step& first = procedure.steps.front();
@@ -61,10 +63,16 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
 }
 
 void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics& diagnostics) {
-    const Document document = read_again(procedure.file, procedure.text);
+    const auto read = document_of(procedure);
+    const Document& document = *read;
     const Node* instruments = document.root.find("instruments");
     const Node* node = instruments != nullptr ? instruments->find(procedure.steps.front().instrument) : nullptr;
-    Report(document, diagnostics).error(Code::impossible_tool, node != nullptr ? node->span : TextSpan{}, why);
+    const Node* tool = node != nullptr ? node->find("tool") : nullptr;
+    const Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
+    const std::string component = tool != nullptr && plugin != nullptr ? plugin->text + "/" + tool->text : "";
+    Report(document, diagnostics)
+        .error(Code::impossible_tool, tool != nullptr ? tool->span : node != nullptr ? node->span : TextSpan{},
+               why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
 }  // namespace kerf

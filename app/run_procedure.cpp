@@ -93,6 +93,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     RunSummary& summary = outcome.summary;
     summary.procedure = scene.procedure.id;
     summary.procedure_version = scene.procedure.version;
+    summary.variant = scene.procedure.variant;
     summary.anatomy = scene.anatomy.id;
     summary.rehearsal = rehearsal->id;
     summary.hand = request.replay.empty() ? "simulated" : "replay";
@@ -122,7 +123,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         header.envelope.start = utc_now();
         header.envelope.learner = request.learner;
         header.envelope.mode = request.mode;
-        header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness};
+        header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness, scene.procedure.variant};
         header.signals = summary.signals;
         header.tissues = summary.tissues;
         auto created = Recorder::create(request.out + "/session.db", header);

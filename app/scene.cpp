@@ -2,15 +2,11 @@
 #include "app/scene.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "app/bone_memory.h"
-#include "app/run_checks.h"
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
-#include "core/import/markups.h"
-#include "core/procedure/read_anatomy.h"
-#include "core/procedure/read_procedure.h"
 
 namespace kerf {
 
@@ -26,34 +22,19 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 
 }  // namespace
 
-std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                const PluginRegistry& plugins, Diagnostics& diagnostics,
-                                const ImportOptions& options) {
+std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
     Scene scene;
-    auto procedure = read_procedure(procedure_file, plugins.catalog(), diagnostics);
-    if (!procedure || has_error(diagnostics)) return std::nullopt;
-    scene.procedure = std::move(*procedure);
-
-    auto anatomy = read_anatomy(anatomy_file.empty() ? scene.procedure.anatomy_file : anatomy_file, diagnostics);
-    if (!anatomy || has_error(diagnostics)) return std::nullopt;
-    scene.anatomy = std::move(*anatomy);
-    const std::vector<std::uint64_t> markups = add_markups(scene.anatomy, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
-    check_needs(scene.procedure, scene.anatomy, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
-
-    // What needs no bone is checked before the bone is made.
-    scene.device = find_device(scene.procedure.device.c_str());
-    check_run(scene.procedure, diagnostics);
-    const Step& first = scene.procedure.steps.front();
-    if (!has_error(diagnostics)) check_bone_memory(scene.procedure, scene.anatomy, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
+    scene.procedure = std::move(documents.procedure);
+    scene.anatomy = std::move(documents.anatomy);
+    scene.device = documents.device;
+    scene.setup = std::move(documents.setup);
+    scene.outline = std::move(documents.outline);
 
     ImportReport& import = scene.import;
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
-    import.file_hashes.insert(import.file_hashes.end(), markups.begin(), markups.end());
+    import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
@@ -65,23 +46,18 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     }
     if (has_error(diagnostics)) return std::nullopt;
 
-    const auto instrument = std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
-                                         [&](const Instrument& i) { return i.id == first.instrument; });
-    scene.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
-    scene.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
-    scene.setup.tool_parameters = instrument->tool_parameters;
-    scene.setup.force_parameters = instrument->force_parameters;
-    scene.setup.drives = instrument->drives;
-    if (std::string why; !outline_of(scene.setup, scene.outline, why))
-        refuse_tool(scene.procedure, why, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
-
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
     double feed = 0.0;
     for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
     scene.work_force = work_force(scene.setup, scene.body, feed > 0.0 ? feed : 1e-3);
     scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
     return scene;
+}
+
+std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
+                                const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    auto documents = check_documents({procedure_file, anatomy_file}, plugins, diagnostics);
+    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
 }
 
 HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {

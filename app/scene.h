@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/documents.h"
 #include "core/field/body.h"
 #include "core/haptics/simulation.h"
 #include "core/import/import_report.h"
@@ -33,11 +34,14 @@ struct Scene {
     std::uint64_t anatomy_hash = 0;     ///< of the anatomy's text and its data files
 };
 
+/// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.
+[[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics,
+                                              const ImportOptions& options = {});
+
 /// Reads and checks everything. `anatomy_file` empty: the procedure's own.
 /// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                              const PluginRegistry& plugins, Diagnostics& diagnostics,
-                                              const ImportOptions& options = {});
+                                              const PluginRegistry& plugins, Diagnostics& diagnostics);
 
 /// A rehearsal's intent as legs of the simulated hand, and where it starts.
 struct HandPlan {

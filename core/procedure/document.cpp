@@ -72,7 +72,11 @@ public:
     }
     void OnDocumentEnd() override {}
 
-    void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { add_scalar(mark, "", ""); }
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
+        is_tilde_ = at(mark) < document_.text().size() && document_.text()[at(mark)] == '~';
+        add_scalar(mark, "", "");
+        is_tilde_ = false;
+    }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t, const std::string& value) override {
         add_scalar(mark, tag, value);
     }
@@ -136,6 +140,8 @@ private:
         node.text = value;
         node.span = {at(mark), 1};
         node.span.size = shown_size(node.span.begin, value);
+        node.is_removal = is_tilde_;
+        node.is_quoted = tag == "!";
         refuse_tag(node.span.begin, tag);
         if (const auto unclosed = find_unclosed_quote(document_.text(), node.span.begin)) {  // else the rest of the file is its text
             report_.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
@@ -231,6 +237,7 @@ private:
     std::vector<Open> open_;
     int documents_ = 0;
     bool has_content_ = false;
+    bool is_tilde_ = false;  ///< the scalar being added is `~`
 };
 
 void report_file(Code code, const std::string& file, std::string message, Diagnostics& diagnostics) {
@@ -271,7 +278,27 @@ std::string_view Document::line(std::size_t index) const noexcept {
     return std::string_view(text_).substr(begin, end - begin);
 }
 
+namespace {
+void lead_to(std::size_t source, Node& node) {
+    node.span.source = node.key_span.source = source;
+    for (Node& child : node.children) lead_to(source, child);
+}
+}  // namespace
+
+Node Document::add_source(Document added) {
+    Node tree = std::move(added.root);
+    added_.push_back(std::move(added));
+    lead_to(added_.size(), tree);
+    return tree;
+}
+
+std::optional<TextSpan> Document::replaced_by(TextSpan now) const {
+    const auto found = replaced_.find({now.source, now.begin});
+    return found != replaced_.end() ? std::optional(found->second) : std::nullopt;
+}
+
 SourcePlace Document::place(TextSpan span) const {
+    if (span.source > 0) return added_[span.source - 1].place({span.begin, span.size});
     const std::size_t at = std::min(span.begin, text_.size());
     const std::size_t index = line_of(at);
     SourcePlace place;
@@ -283,6 +310,7 @@ SourcePlace Document::place(TextSpan span) const {
 }
 
 std::string Document::source_line(TextSpan span) const {
+    if (span.source > 0) return added_[span.source - 1].source_line({span.begin, span.size});
     const std::string_view shown = line(line_of(std::min(span.begin, text_.size())));
     return shown.size() <= longest_line_shown ? std::string(shown) : std::string();
 }
@@ -323,6 +351,8 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     diagnostic.write = std::move(write);
     diagnostic.source_line = document_.source_line(span);
     diagnostic.reason = std::move(reason);
+    if (const auto before = diagnostic.reason ? std::nullopt : document_.replaced_by(span))
+        diagnostic.reason = because(*before, "it takes the place of this.");
     diagnostics_.push_back(std::move(diagnostic));
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/procedure/read_codes.h"
@@ -17,6 +19,7 @@ namespace kerf {
 struct TextSpan {
     std::size_t begin = 0;
     std::size_t size = 1;
+    std::size_t source = 0;  ///< 0: the document itself; or a text that was added to it
 };
 
 struct Node {
@@ -27,6 +30,8 @@ struct Node {
     std::string key;             ///< in a map
     TextSpan key_span;           ///< in a map
     bool is_refused = false;     ///< an alias or the like, reported already: say no more about it
+    bool is_quoted = false;      ///< a scalar in quotation marks
+    bool is_removal = false;     ///< `~`
     std::vector<Node> children;  ///< in the order of the file
 
     const Node* find(std::string_view wanted) const noexcept;
@@ -42,6 +47,12 @@ public:
     std::string source_line(TextSpan span) const;  ///< empty when too long to show
     std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
 
+    /// Takes in another text, as one that changes this document. Returns its tree, whose places lead there from now on.
+    Node add_source(Document added);
+    /// What stands at `now` took the place of what stands at `before`.
+    void note_replaced(TextSpan now, TextSpan before) { replaced_[{now.source, now.begin}] = before; }
+    std::optional<TextSpan> replaced_by(TextSpan now) const;
+
     Node root;
 
 private:
@@ -50,6 +61,8 @@ private:
 
     std::string file_, text_;
     std::vector<std::size_t> line_begins_;
+    std::vector<Document> added_;
+    std::map<std::pair<std::size_t, std::size_t>, TextSpan> replaced_;  ///< by source and begin
 };
 
 /// Collects what is wrong with one document. Shows at most 100 entries, then says that there are more.

@@ -85,7 +85,7 @@ std::string explain_syntax(const std::string& complaint, std::string_view line) 
     const std::size_t indent = std::min(line.find_first_not_of(blanks), line.size());
     if (line.substr(0, indent).find('\t') != std::string_view::npos)
         return "a tab stands at the beginning of the line. Indent with spaces";
-    const std::array<std::pair<const char*, const char*>, 8> meanings{{
+    const std::array<std::pair<const char*, const char*>, 10> meanings{{
         {M::MAP_VALUE,
          "a `:` stands where no key can be. Is the line indented wrongly? Text that holds `: ` needs quotation marks"},
         {M::MAP_KEY, "a key stands where none can be. Is the line indented wrongly?"},
@@ -94,6 +94,8 @@ std::string explain_syntax(const std::string& complaint, std::string_view line) 
         {M::END_OF_MAP, "this line is indented like none above it. Indent it like the keys it belongs to"},
         {M::END_OF_SEQ, "this line is indented like none above it. Indent it like the items it belongs to"},
         {M::UNKNOWN_TOKEN, "this cannot stand here. Text that begins so needs quotation marks"},
+        {M::END_OF_MAP_FLOW, "this cannot stand between `{` and `}`. Put text that holds `: ` or `,` into quotation marks"},
+        {M::END_OF_SEQ_FLOW, "this cannot stand between `[` and `]`. Put text that holds `: ` or `,` into quotation marks"},
         {M::FLOW_END, "this closes a `[` or `{` that was not opened. Remove it, or open it before"},
         {M::EOF_IN_SCALAR, "the file ends in the middle of a text in quotation marks"},
     }};

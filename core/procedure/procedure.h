@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,11 +83,19 @@ struct Budget {
     double tick = 300e-6;  ///< [s] of the processor, 999 ticks of 1000
 };
 
+/// The same procedure with a few values changed.
+struct Variant { std::string id, title; };
+
+class Document;
+
 struct Procedure {
     std::string file;          ///< as the user typed it; stderr only, never written to a result
     std::string id, title, version, status;
     std::vector<std::string> authors;
-    std::string text;          ///< the document itself, for the session
+    std::string text;          ///< the document itself, for the session; with changes applied: what came of it
+    std::shared_ptr<const Document> document;  ///< where everything stands in it; null for one that was never read
+    std::string variant;       ///< id of the one that was chosen; empty: none
+    std::vector<Variant> variants;
     std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
     std::string anatomy_file;  ///< resolved against the document's folder
     double spacing = 0.25e-3;  ///< [m] of the cut field

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-/// What can be wrong with a document. The number is the code a person sees: 412 is `E0412`, as a warning `W0412`.
+/// What can be wrong with a document; what each code means for people stands in codes.cpp. The number is the code a person sees: 412 is `E0412`, as a warning `W0412`.
 /// Numbers are never reused, so that a search for one finds its meaning.
 namespace kerf {
 
@@ -36,6 +36,9 @@ enum class Code {
     path_outside = 210,    ///< absolute, or leaving the document's folder
     one_of = 211,          ///< not exactly one of several keys
 
+    patch_nowhere = 212,      ///< a path that leads nowhere
+    nothing_to_remove = 213,  ///< `~` for something that is not there
+
     // What it refers to
     unknown_plugin = 301,
     unknown_tool = 302,
@@ -47,6 +50,7 @@ enum class Code {
     undeclared_landmark = 308,  ///< not under needs.landmarks
     unknown_limit = 309,        ///< a rehearsal expects a limit to break that no step has
     unused_instrument = 310,    ///< warning
+    unknown_variant = 311,
 
     // Its numbers
     not_a_number = 401,
@@ -65,6 +69,9 @@ enum class Code {
     missing_tissue = 503,
     axis_is_a_point = 504,
     missing_midline = 505,
+
+    // Its data files; those of import have their codes beside what finds them
+    no_data_file = 620,
 
     // What it asks of a run
     unknown_device = 701,

@@ -264,8 +264,8 @@ const Node* MapReader::find(const std::string& key) {
 const Node* MapReader::required(const std::string& key) {
     const Node* found = ask(key);
     if (!found && is_map_)
-        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`.",
-                      key + ": " + shape_of(key).example);
+        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`. Add it, as in `" + key + ": " +
+                                                   shape_of(key).example + "`.");
     return found;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/procedure/patch.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
 
@@ -383,6 +384,47 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
             report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument. Remove it, or name it in a step.");
 }
 
+/// The patches themselves are looked at where one is applied.
+std::vector<Variant> read_variants(const Node& node, Report& report) {
+    std::vector<Variant> variants;
+    if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
+    for (const Node& child : node.children) {
+        Node key;
+        key.text = child.key;
+        key.span = child.key_span;
+        read_id(key, "A variant's name", report);
+        MapReader map(child, shapes::variant, child.key, report);
+        const std::string title = map.text("title");
+        if (const Node* patch = map.find("patch")) is_kind(*patch, Node::Kind::map, child.key + ".patch", report);
+        map.finish();
+        variants.push_back({child.key, title});
+    }
+    return variants;
+}
+
+/// Applies the variant and the settings to the tree, the variant first.
+void apply(const ProcedureChanges& changes, Document& document, Diagnostics& found) {
+    if (!changes.variant.empty()) {
+        Report report(document, found);
+        const Node* variants = document.root.find("variants");
+        const Node* chosen = variants ? variants->find(changes.variant) : nullptr;
+        const Node* patch = chosen ? chosen->find("patch") : nullptr;
+        if (!chosen) {
+            std::vector<std::string> known;
+            if (variants)
+                for (const Node& variant : variants->children) known.push_back(variant.key);
+            const std::string meant = closest(changes.variant, known);
+            report.error(Code::unknown_variant, variants ? variants->key_span : TextSpan{},
+                         "There is no variant `" + changes.variant + "`" +
+                             (known.empty() ? "; this procedure has none. Run it without." : "; there is " + listed(known) + "." + or_choose(meant)), meant);
+        } else if (patch && patch->kind == Node::Kind::map) {
+            const Node changed = *patch;  // the tree it stands in changes
+            apply_patch(document, document.root, changed, report);
+        }
+    }
+    for (const std::string& setting : changes.settings) apply_setting(document, setting, found);
+}
+
 Procedure read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report) {
     Procedure procedure;
     procedure.file = document.file();
@@ -433,6 +475,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
         for (const Node& item : read_list(*node, "rehearsals", report))
             add_unique(read_rehearsal(item, limits, report), item, rehearsal_ids, procedure.rehearsals, report);
     }
+    if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
     return procedure;
 }
@@ -477,27 +520,39 @@ void check_names(const std::vector<std::string>& needed, const std::vector<std::
 }  // namespace
 
 std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
-                                        Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics, const ProcedureChanges& changes) {
     std::optional<std::string> text = read_text_file(file, diagnostics);
-    return text ? read_procedure_text(file, std::move(*text), catalog, diagnostics) : std::nullopt;
+    return text ? read_procedure_text(file, std::move(*text), catalog, diagnostics, changes) : std::nullopt;
 }
 
 std::optional<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
-                                             Diagnostics& diagnostics) {
+                                             Diagnostics& diagnostics, const ProcedureChanges& changes) {
     Diagnostics found;
     std::optional<Procedure> procedure;
-    if (const std::optional<Document> document = parse_document(file, std::move(text), found)) {
+    if (std::optional<Document> parsed = parse_document(file, std::move(text), found)) {
+        const auto document = std::make_shared<Document>(std::move(*parsed));
+        if (document->root.kind == Node::Kind::map) apply(changes, *document, found);
         Report report(*document, found);
         MapReader map(document->root, shapes::procedure, "", report);
-        if (read_header(map, "Procedure", report)) procedure = read_body(map, *document, catalog, report);
+        if (read_header(map, "Procedure", report)) {
+            procedure = read_body(map, *document, catalog, report);
+            procedure->document = document;
+            procedure->variant = changes.variant;
+            if (changes.any()) procedure->text = emitted(*document, false);
+        }
     }
     if (has_error(found)) procedure.reset();
     diagnostics.insert(diagnostics.end(), found.begin(), found.end());
     return procedure;
 }
 
+std::shared_ptr<const Document> document_of(const Procedure& procedure) {
+    return procedure.document ? procedure.document : std::make_shared<const Document>(read_again(procedure.file, procedure.text));
+}
+
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
-    const Document document = read_again(procedure.file, procedure.text);
+    const auto read = document_of(procedure);
+    const Document& document = *read;
     Report report(document, diagnostics);
     const Node* needs = document.root.find("needs");
     const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };

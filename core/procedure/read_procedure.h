@@ -11,14 +11,24 @@
 /// `kind: Procedure` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
 namespace kerf {
 
+/// What is different from the document as it stands.
+struct ProcedureChanges {
+    std::string variant;                ///< id; empty: none
+    std::vector<std::string> settings;  ///< "path=value", applied after the variant
+    bool any() const noexcept { return !variant.empty() || !settings.empty(); }
+};
+
 /// Reads and checks one procedure. Empty if anything is wrong; warnings alone do not stop it. Never throws.
 /// @param catalog   what the plugins offer; no plugin code runs   [main]
 std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
-                                        Diagnostics& diagnostics);
+                                        Diagnostics& diagnostics, const ProcedureChanges& changes = {});
 
 /// The same for text that is in memory already, as in a recorded session. `file` is only its name.   [main]
 std::optional<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
-                                             Diagnostics& diagnostics);
+                                             Diagnostics& diagnostics, const ProcedureChanges& changes = {});
+
+/// Where everything stands in what this procedure was read from.   [main]
+std::shared_ptr<const Document> document_of(const Procedure& procedure);
 
 /// Reports what the procedure needs and this anatomy does not have: landmarks, zones and tissues by name, an axis for
 /// every step, and the point `midline` when a rehearsal moves towards it. Places are those in the procedure.   [main]

@@ -142,6 +142,11 @@ const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that sho
     {required, "path", list(map(waypoint)), "Where it goes: at least from where and to where.", "[{depth: -5 mm}, {depth: 32 mm}]"},
 }};
 
+const Shape variant{"variant", "The procedure with a few values changed.", {
+    {optional, "title", text(), "What is different.", "Osteoporotic bone"},
+    {required, "patch", of_kind(Kind::patch), "Paths of values, and what they are instead; ids address the items of lists, `~` removes.", "{accuracy.spacing: 0.5 mm}"},
+}};
+
 const Shape procedure{"procedure", "An operation: what to do, by the names of an anatomy.", {
     {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
     {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
@@ -155,6 +160,7 @@ const Shape procedure{"procedure", "An operation: what to do, by the names of an
     {required, "instruments", named(map(instrument)), "The tools, under names that steps use.", "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
     {required, "steps", list(map(step)), "What to do, in this order.", "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
     {optional, "rehearsals", list(map(rehearsal)), "What simulated hands do, and how that should end.", "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
+    {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.", "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"},
 }};
 
 // ---- anatomies -------------------------------------------------------------------------------------------------------

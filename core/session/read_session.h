@@ -12,6 +12,7 @@ namespace kerf {
 /// What a replay needs of a session: every input of every tick, and the hash the run ended in.
 struct RecordedInputs {
     std::string procedure_text;
+    std::string variant;  ///< of the procedure; empty for none
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
     std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short

@@ -144,6 +144,7 @@ void Recorder::Impl::create(const SessionHeader& header) {
     set("session", "condition.device", header.conditions.device);
     set("session", "condition.force_scale", text_of(header.conditions.force_scale));
     set("session", "condition.assist", header.conditions.assist);
+    set("session", "condition.variant", header.conditions.variant);
     set("session", "condition.coupling_stiffness", text_of(header.conditions.coupling_stiffness));
 
     set("envelope", "uuid", header.envelope.uuid);

@@ -33,6 +33,7 @@ struct SessionConditions {
     double force_scale = 1.0;         ///< [–] device newton per bone newton
     std::string assist;               ///< ids of what helped, comma-separated; empty for none
     double coupling_stiffness = 0.0;  ///< [N/m] device side
+    std::string variant{};            ///< of the procedure; empty for none
 };
 
 /// Everything known before the first tick.

@@ -78,6 +78,7 @@ const char* to_text(Verdict verdict) noexcept;
 
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
+    std::string variant{};       ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;
     double score = 0.0;          ///< [–] 0 … 100

@@ -41,6 +41,7 @@ std::string header_html(const RunSummary& summary) {
     };
     add(summary.anatomy);
     add(summary.rehearsal.empty() ? "" : "rehearsal " + summary.rehearsal);
+    add(summary.variant.empty() ? "" : "variant " + summary.variant);
     add(summary.procedure_version.empty() ? "" : "version " + summary.procedure_version);
 
     std::string html = "<header class=\"top\"><div><h1>" + html_escaped(summary.procedure) + "</h1><p class=\"soft\">" +

@@ -66,6 +66,7 @@ std::string summary_json(const RunSummary& summary) {
     const Json document{{"schema", 1},
                         {"notice", notice_line},
                         {"procedure", summary.procedure},
+                        {"variant", summary.variant},
                         {"verdict", to_text(summary.verdict)},
                         {"reasons", summary.reasons},
                         {"score", plain_number(summary.score)},

@@ -40,6 +40,23 @@ TEST(CommandLine, DescribesAllOrOne) {
     EXPECT_EQ(read({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
 }
 
+TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
+    for (const char* command : {"run", "validate", "rehearse", "plan", "expand"}) {
+        const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set", "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
+        EXPECT_EQ(line.answer, "") << command;
+        EXPECT_EQ(line.files, std::vector<std::string>{"a.yaml"});
+        EXPECT_EQ(line.variant, "osteoporotic");
+        EXPECT_EQ(line.settings, (std::vector<std::string>{"accuracy.spacing=0.5 mm", "steps.drill.limits=~"}));
+    }
+    EXPECT_FALSE(read({"validate", "a.yaml"}).is_with_bone);
+    EXPECT_TRUE(read({"validate", "a.yaml", "--bone"}).is_with_bone);
+}
+
+TEST(CommandLine, ExplainsOneCodeOrAll) {
+    EXPECT_EQ(read({"explain"}).code, "");
+    EXPECT_EQ(read({"explain", "E0412"}).code, "E0412");
+}
+
 TEST(CommandLine, PrintsTheSchemaOfOneKindOfDocument) {
     EXPECT_EQ(read({"schema"}).kind, "procedure");
     EXPECT_EQ(read({"schema", "anatomy"}).kind, "anatomy");
@@ -107,6 +124,9 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
              {{"validate", "p.yaml", "--format", "xml"}, "`--format` is `xml`. Write `text`, `json` or `github`."},
              {{"run", "p.yaml", "--learner", "Jane Doe"}, "`--learner` must be a code of letters, digits"},
              {{"run", "p.yaml", "--learner", ""}, "`--learner` must be a code of letters, digits"},
+             {{"run", "p.yaml", "--set", "spacing"}, "`--set` is `spacing`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`."},
+             {{"run", "p.yaml", "--set", "a b=1"}, "Write a path and a value"},
+             {{"run", "p.yaml", "--variant", ""}, "`--variant` is empty. Write the id of a variant."},
              {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure` or `anatomy`."},
              {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
              {{"list", "all"}, "`all` is one argument too many."},

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <thread>
 
@@ -207,6 +208,73 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
               "::error file=/nowhere.yaml,title=E0101::There is no such file. Check its name and its folder.\n");
 }
 
+TEST(Program, AVariantIsRecordedAndItsReplayRefusesAnother) {
+    // Given a procedure with a variant that is over soon
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
+    const std::string record = folder / "record", again = " --out " + (folder / "again");
+    ASSERT_EQ(kerf("run " + file + " --variant short --out " + record).exit_code, 1);
+
+    // Then the session says so, and is a procedure by itself
+    EXPECT_EQ(stored(record + "/session.db", "session", "condition.variant"), "short");
+    EXPECT_TRUE(has(contents_of(record + "/summary.json"), "\"variant\": \"short\""));
+    const std::string text = stored(record + "/session.db", "session", "procedure_text");
+    EXPECT_TRUE(has(text, "time_limit: 1 s")) << text;
+    EXPECT_FALSE(has(text, "variants")) << text;
+
+    // And only the same variant replays it
+    const std::string replay = " --replay " + record + "/session.db" + again;
+    const Ended without = kerf("run " + file + replay);
+    EXPECT_EQ(without.exit_code, 2);
+    EXPECT_TRUE(has(without.err, "with the variant `short`. Write `--variant short`.")) << without.err;
+    const Ended other = kerf("run " + file + " --variant short --set 'time_limit=2 s'" + replay);
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_TRUE(has(other.err, "another text of this procedure")) << other.err;
+    const Ended same = kerf("run " + file + " --variant short" + replay);
+    EXPECT_TRUE(has(same.out, "replay: the same bits")) << same.out << same.err;
+}
+
+TEST(Program, ExpandShowsWhereEveryValueComesFrom) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
+    const Ended shown = kerf("expand " + file + " --variant short --set haptics.device=touch");
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+    EXPECT_TRUE(shown.out.starts_with("# For training and research")) << shown.out;
+    EXPECT_TRUE(std::regex_search(shown.out, std::regex("time_limit: 1 s +# [^\n]*variant.yaml:41\n"))) << shown.out;
+    EXPECT_TRUE(std::regex_search(shown.out, std::regex("device: touch +# --set\n"))) << shown.out;
+    EXPECT_EQ(kerf("expand " + file + " --variant none").exit_code, 2);
+}
+
+TEST(Program, ValidateLooksIntoEveryVariantAndMakesTheBoneWhenAsked) {
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1}}\nrehearsals:\n");
+    const Ended checked = kerf("validate " + file);
+    EXPECT_EQ(checked.exit_code, 2);
+    EXPECT_TRUE(has(checked.out, "In the variant `short`: time_limit is `1`, which has no unit. Write `1 s`.")) << checked.out;
+    EXPECT_EQ(kerf("validate " + file + " --set 'variants.short.patch.time_limit=1 s'").exit_code, 0);
+
+    // The axis leaves the bone: nothing that the documents alone can tell
+    std::string anatomy = contents_of(folder / "anatomy/vertebra-phantom.yaml");
+    anatomy.replace(anatomy.find("-9.91 -6 5 mm"), 13, "9.91 -96 5 mm");
+    std::ofstream(folder / "anatomy/vertebra-phantom.yaml") << anatomy;
+    const std::string good = variant(folder, "1 mm/s", "1 mm/s");
+    std::ofstream(folder / "anatomy/vertebra-phantom.yaml") << anatomy;
+    EXPECT_EQ(kerf("validate " + good).exit_code, 0);
+    const Ended with_bone = kerf("validate --bone " + good);
+    EXPECT_EQ(with_bone.exit_code, 2);
+    EXPECT_TRUE(has(with_bone.out, "E0611")) << with_bone.out;
+}
+
+TEST(Program, ExplainsEveryCodeItShows) {
+    const Ended one = kerf("explain E0412");
+    EXPECT_EQ(one.exit_code, 0);
+    EXPECT_TRUE(one.out.starts_with("E0412  out of range\n")) << one.out;
+    EXPECT_TRUE(has(kerf("explain").out, "\nE0413  too fine\n"));
+    const Ended unknown = kerf("explain E9999");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_TRUE(has(unknown.err, "there is no code `E9999`")) << unknown.err;
+}
+
 TEST(Program, TheSchemaTakesTheShippedProcedureWithThePluginsThatAreThere) {
     const Ended printed = kerf("schema");
     EXPECT_EQ(printed.exit_code, 0) << printed.err;
@@ -232,7 +300,7 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
     const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
     if (child < 0) GTEST_SKIP() << "there are no pseudo-terminals here";
     if (child == 0) {
-        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "validate", pedicle_screw.c_str(), nullptr);
+        execl(KERF_BUILD_DIR "/bin/kerf", "kerf", "validate", "--bone", pedicle_screw.c_str(), nullptr);
         _exit(127);
     }
     std::string seen;
@@ -244,7 +312,7 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
     close(terminal);
 
     EXPECT_EQ(WEXITSTATUS(status), 0);
-    EXPECT_TRUE(has(seen, "and making the bone")) << seen;
+    EXPECT_TRUE(has(seen, "making the bone of")) << seen;
     EXPECT_TRUE(has(seen, ": no errors")) << seen;
 }
 

@@ -75,7 +75,7 @@ const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
     }
     for (const Group& group : groups)
         if (group.name == name) return group;
-    throw Refusal{"E0662", "the folder has no series `" + name + "`. It holds " + offers + "."};
+    throw Refusal{"E0662", "the folder has no series `" + name + "`. Choose one that it holds: " + offers + "."};
 }
 
 /// A frame of reference of its own in every slice, as some anonymisers leave it: it tells nothing.

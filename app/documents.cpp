@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/documents.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/bone_memory.h"
+#include "app/run_checks.h"
+#include "core/import/data_file.h"
+#include "core/import/markups.h"
+#include "core/procedure/document.h"
+#include "core/procedure/read_anatomy.h"
+
+namespace kerf {
+
+namespace {
+
+/// Every file that the anatomy names must be there; what is in it is looked at when the bone is made.
+void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
+    const Document document = read_again(anatomy.file, anatomy.text);
+    Report report(document, diagnostics);
+    const auto check = [&](const Node* map, const char* key) {
+        const Node* node = map != nullptr ? map->find(key) : nullptr;
+        if (node == nullptr || node->kind != Node::Kind::scalar) return;
+        std::error_code ignored;
+        if (std::filesystem::exists(found_data_file(node->text, anatomy.file), ignored)) return;
+        report.error(Code::no_data_file, node->span,
+                     "There is no such file or folder, neither beside the document nor in KERF_DATA. Check its name, and that KERF_DATA "
+                     "names the folder with the data.");
+    };
+    const Node* ct = document.root.find("ct");
+    check(ct, "image");
+    check(ct != nullptr ? ct->find("labels") : nullptr, "file");
+    const Node* mesh = document.root.find("mesh");
+    check(mesh, "file");
+    check(mesh != nullptr ? mesh->find("canal") : nullptr, "file");
+    const Node* landmarks = document.root.find("landmarks");
+    if (const Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
+        for (const Node& item : markups->children) check(&item, "file");
+}
+
+/// The first step's tool, as its plugin makes it.
+void make_tool(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    const auto& instruments = documents.procedure.instruments;
+    const auto instrument = std::find_if(instruments.begin(), instruments.end(), [&](const Instrument& i) {
+        return i.id == documents.procedure.steps.front().instrument;
+    });
+    documents.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
+    documents.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
+    documents.setup.tool_parameters = instrument->tool_parameters;
+    documents.setup.force_parameters = instrument->force_parameters;
+    documents.setup.drives = instrument->drives;
+    if (std::string why; !outline_of(documents.setup, documents.outline, why))
+        refuse_tool(documents.procedure, why, diagnostics);
+}
+
+}  // namespace
+
+std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
+                                         Diagnostics& diagnostics) {
+    Documents documents;
+    auto procedure = read_procedure(request.procedure, plugins.catalog(), diagnostics, request.changes);
+    if (!procedure || has_error(diagnostics)) return std::nullopt;
+    documents.procedure = std::move(*procedure);
+    auto anatomy = read_anatomy(request.anatomy.empty() ? documents.procedure.anatomy_file : request.anatomy, diagnostics);
+    if (anatomy) {
+        documents.anatomy = std::move(*anatomy);
+        check_data_files(documents.anatomy, diagnostics);
+        if (!has_error(diagnostics)) documents.markup_hashes = add_markups(documents.anatomy, diagnostics);
+        if (!has_error(diagnostics)) check_needs(documents.procedure, documents.anatomy, diagnostics);
+    }
+    documents.device = find_device(documents.procedure.device.c_str());
+    check_run(documents.procedure, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
+    check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
+    make_tool(documents, plugins, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
+    return documents;
+}
+
+Diagnostics check_variants(const DocumentRequest& request, const Documents& base, const PluginRegistry& plugins) {
+    Diagnostics found;
+    for (const Variant& variant : base.procedure.variants) {
+        DocumentRequest changed = request;
+        changed.changes.variant = variant.id;
+        Diagnostics of_variant;
+        (void)check_documents(changed, plugins, of_variant);
+        for (Diagnostic& d : of_variant) {
+            if (d.level == Diagnostic::Level::warning) continue;  // said of the base, or of no weight
+            d.message = "In the variant `" + variant.id + "`: " + d.message;
+            found.push_back(std::move(d));
+        }
+    }
+    return found;
+}
+
+}  // namespace kerf

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/patch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/procedure/read_map.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t most_parts = 16;  // of a path
+
+bool is_id_of(const Node& item, std::string_view id) {
+    const Node* found = item.find("id");
+    return found && found->kind == Node::Kind::scalar && found->text == id;
+}
+
+/// A list whose items are addressed by their ids.
+bool has_ids(const Node& node) {
+    return node.kind == Node::Kind::list && !node.children.empty() &&
+           std::all_of(node.children.begin(), node.children.end(), [](const Node& item) {
+               const Node* id = item.find("id");
+               return id && id->kind == Node::Kind::scalar && !id->text.empty();
+           });
+}
+
+auto find_within(Node& node, std::string_view name) {
+    return std::find_if(node.children.begin(), node.children.end(), [&](const Node& child) {
+        return node.kind == Node::Kind::map ? child.key == name : node.kind == Node::Kind::list && is_id_of(child, name);
+    });
+}
+
+std::vector<std::string> names_within(const Node& node) {
+    std::vector<std::string> names;
+    for (const Node& child : node.children) {
+        const Node* id = node.kind == Node::Kind::map ? nullptr : child.find("id");
+        if (node.kind == Node::Kind::map) names.push_back(child.key);
+        else if (id) names.push_back(id->text);
+    }
+    return names;
+}
+
+class Patcher {
+public:
+    Patcher(Document& document, Report& report) : document_(document), report_(report) {}
+
+    void apply(Node& target, const Node& patch) {
+        for (const Node& change : patch.children) apply(target, change, change.key);
+    }
+
+private:
+    /// `path` leads from `target` to what `change` is for.
+    void apply(Node& target, const Node& change, std::string_view path) {
+        if (change.is_refused) return;
+        if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= most_parts) {
+            report_.error(Code::nested_too_deep, change.key_span, "This path has more than " + std::to_string(most_parts) + " parts. Name something nearer.");
+            return;
+        }
+        if (target.kind == Node::Kind::scalar || (target.kind == Node::Kind::list && !has_ids(target))) {
+            refuse_way_in(target, change);
+            return;
+        }
+        // Names may hold dots themselves: the longest that is there is meant.
+        std::size_t end = path.size();
+        auto found = find_within(target, path);
+        while (found == target.children.end() && end != std::string_view::npos) {
+            end = end == 0 ? std::string_view::npos : path.rfind('.', end - 1);
+            if (end != std::string_view::npos) found = find_within(target, path.substr(0, end));
+        }
+        if (found == target.children.end()) add(target, change, path);
+        else if (end == path.size()) change_to(target, found, change);
+        else apply(*found, change, path.substr(end + 1));
+    }
+
+    void refuse_way_in(const Node& target, const Node& change) {
+        const std::string what = target.kind == Node::Kind::list ? "is a list whose items have no ids. Replace it as a whole."
+                                                                 : "is a single value, with nothing inside. End the path there.";
+        report_.error(Code::patch_nowhere, change.key_span, "What the path `" + change.key + "` leads into " + what, {},
+                      report_.because(target.span, "it leads into this."));
+    }
+
+    void add(Node& target, const Node& change, std::string_view path) {
+        const std::size_t dot = path.find('.');
+        const std::string name(path.substr(0, dot));
+        const std::vector<std::string> known = names_within(target);
+        const std::string meant = closest(name, known, report_);
+        if (target.kind == Node::Kind::list) {
+            const std::size_t before = static_cast<std::size_t>(path.data() - change.key.data());
+            const std::string rest = dot == std::string_view::npos ? "" : std::string(path.substr(dot));
+            report_.error(Code::patch_nowhere, change.key_span,
+                          "No item has the id `" + name + "`; there is " + listed(known) + "." + or_choose(meant, "Name one of these."),
+                          meant.empty() ? "" : change.key.substr(0, before) + meant + rest + ":",
+                          report_.because(target.span, "the list begins here."));
+            return;
+        }
+        if (change.is_removal) {
+            report_.error(Code::nothing_to_remove, change.key_span, "There is no `" + std::string(path) + "` to remove." + or_choose("", "Remove this line."));
+            return;
+        }
+        Node added;
+        if (dot == std::string_view::npos) {
+            added = change;
+        } else {
+            added.kind = Node::Kind::map;
+            added.span = change.span;
+        }
+        added.key = name;
+        added.key_span = change.key_span;
+        if (change.key_span.size == change.key.size()) {  // this part of the path
+            added.key_span.begin += static_cast<std::size_t>(path.data() - change.key.data());
+            added.key_span.size = name.size();
+        }
+        target.children.push_back(std::move(added));
+        if (dot != std::string_view::npos) apply(target.children.back(), change, path.substr(dot + 1));
+    }
+
+    void change_to(Node& parent, std::vector<Node>::iterator found, const Node& change) {
+        if (change.is_removal) {
+            parent.children.erase(found);
+        } else if (change.kind == Node::Kind::map && (found->kind == Node::Kind::map || has_ids(*found))) {
+            apply(*found, change);
+        } else if (change.kind == Node::Kind::list && has_ids(change) && has_ids(*found)) {
+            merge_items(*found, change);
+        } else {
+            document_.note_replaced(change.span, found->span);
+            Node now = change;
+            now.key = found->key;
+            if (parent.kind == Node::Kind::list) now.key.clear();
+            *found = std::move(now);
+        }
+    }
+
+    void merge_items(Node& list, const Node& change) {
+        for (const Node& item : change.children) {
+            const auto same = find_within(list, item.find("id")->text);
+            if (same != list.children.end()) apply(*same, item);
+            else list.children.push_back(item);
+        }
+    }
+
+    Document& document_;
+    Report& report_;
+};
+
+// ---- as YAML
+
+bool is_plain(std::string_view text) {
+    if (text.empty() || text == "~" || text == "null" || text.front() == ' ' || text.back() == ' ' || text.back() == ':') return false;
+    if (std::string_view("!&*?{}[],#|>@`\"'%:").find(text.front()) != std::string_view::npos) return false;
+    if (text.front() == '-' && (text.size() < 2 || text[1] == ' ' || text[1] == '-')) return false;
+    if (text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
+    return std::none_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; });
+}
+
+std::string scalar(const std::string& text) {
+    if (is_plain(text)) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '\n') quoted += "\\n";
+        else if (c == '\t') quoted += "\\t";
+        else if (c == '\r') quoted += "\\r";
+        else if (c == '"' || c == '\\') quoted.append(1, '\\').append(1, c);
+        else quoted += c;
+    }
+    return quoted + "\"";
+}
+
+class Emitter {
+public:
+    Emitter(const Document& document, bool is_annotated) : document_(document), is_annotated_(is_annotated) {}
+
+    std::string text() && {
+        children(document_.root, 0);
+        return std::move(text_);
+    }
+
+private:
+    /// `begun` is what the line holds already.
+    void value(const Node& node, std::string begun, std::size_t indent) {
+        const bool is_empty = node.children.empty();
+        if (node.kind == Node::Kind::scalar) {
+            line(begun + (node.text.empty() && !node.is_quoted ? "" : " " + scalar(node.text)), node);
+        } else if (is_empty) {
+            line(begun + (node.kind == Node::Kind::map ? " {}" : " []"), node);
+        } else {
+            text_ += begun + "\n";
+            children(node, indent + 2);
+        }
+    }
+
+    void children(const Node& node, std::size_t indent) {
+        const std::string margin(indent, ' ');
+        for (const Node& child : node.children) {
+            if (indent == 0 && child.key == "variants") continue;  // they are chosen already
+            if (node.kind == Node::Kind::map) {
+                value(child, margin + scalar(child.key) + ":", indent);
+            } else if (child.kind == Node::Kind::map && !child.children.empty()) {
+                const std::size_t begin = text_.size();
+                children(child, indent + 2);
+                text_.replace(begin + indent, 1, "-");
+            } else {
+                value(child, margin + "-", indent);
+            }
+        }
+    }
+
+    void line(std::string shown, const Node& node) {
+        if (is_annotated_) {
+            const auto width = static_cast<std::size_t>(std::count_if(shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+            shown.append(width < 58 ? 58 - width : 1, ' ');
+            const SourcePlace place = document_.place(node.span);
+            shown += "  # " + place.file + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
+        }
+        text_ += shown + "\n";
+    }
+
+    const Document& document_;
+    bool is_annotated_;
+    std::string text_;
+};
+
+}  // namespace
+
+void apply_patch(Document& document, Node& target, const Node& patch, Report& report) { Patcher(document, report).apply(target, patch); }
+
+void apply_setting(Document& document, const std::string& setting, Diagnostics& diagnostics) {
+    const std::size_t equals = setting.find('=');
+    const std::string path = setting.substr(0, equals);
+    std::optional<Document> text = parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1), diagnostics);
+    if (!text) return;
+    const Node change = document.add_source(std::move(*text));
+    Report report(document, diagnostics);
+    if (!is_kind(change, Node::Kind::map, "--set", report)) return;
+    for (const Node& value : change.children)
+        if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
+            report.error(Code::empty_value, value.key_span, "`--set " + value.key + "` has no value. Write one behind `=`, or `~` to remove it.");
+        else if (value.key != path) report.error(Code::patch_nowhere, value.key_span, "`--set` changes one value. Write `--set` once for each.");
+        else Patcher(document, report).apply(document.root, change);
+}
+
+std::string emitted(const Document& document, bool is_annotated) { return Emitter(document, is_annotated).text(); }
+
+}  // namespace kerf

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every code has a golden file: a document with this mistake, and word for word what a person is told about it.
+//
+// E0412.yaml is the document, E0412.txt the text. An anatomy is checked with the procedure hole.yaml; a first line
+// `# with: --variant V` is taken as from the command line. After a change that is meant, KERF_UPDATE_GOLDEN=1 writes the texts
+// anew: read them before they are committed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "app/documents.h"
+#include "app/findings.h"
+#include "app/scene.h"
+#include "core/procedure/codes.h"
+#include "tests/golden/odd_files.h"
+#include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path golden = KERF_SOURCE_DIR "/tests/golden";
+
+std::string name_of(int number) { return explanation_of(*find_code(std::to_string(number))).substr(0, 5); }
+
+/// A copy of the golden folder in which data files may be made; the program is in it meanwhile.
+class GoldenFolder {
+public:
+    GoldenFolder() : before_(fs::current_path()) {
+        for (const auto& entry : fs::directory_iterator(golden))
+            if (entry.path().extension() == ".yaml") fs::copy(entry.path(), folder_.path());
+        fs::current_path(folder_.path());
+    }
+    ~GoldenFolder() { fs::current_path(before_); }
+
+private:
+    test::TemporaryFolder folder_;
+    fs::path before_;
+};
+
+Diagnostics check(const std::string& file) {
+    const std::string text = test::contents_of(file);
+    const bool is_anatomy = text.find("\nkind: Anatomy\n") != std::string::npos;
+    DocumentRequest request{.procedure = is_anatomy ? "hole.yaml" : file, .anatomy = is_anatomy ? file : ""};
+    constexpr std::string_view with = "# with: --variant ";
+    if (text.starts_with(with)) request.changes.variant = text.substr(with.size(), text.find('\n') - with.size());
+    Diagnostics found;
+    auto documents = check_documents(request, test::plugins(), found);
+    if (!documents) return found;
+    for (Diagnostic& d : check_variants(request, *documents, test::plugins())) found.push_back(std::move(d));
+    (void)make_scene(std::move(*documents), found);
+    return found;
+}
+
+Diagnostics cause(int number) {
+    if (const auto direct = test::direct_causes().find(number); direct != test::direct_causes().end()) return direct->second();
+    const GoldenFolder folder;
+    if (const auto maker = test::makers_of_input().find(number); maker != test::makers_of_input().end())
+        maker->second(fs::current_path().string());
+    const std::string warning = "W" + name_of(number).substr(1) + ".yaml", error = "E" + name_of(number).substr(1) + ".yaml";
+    return check(fs::exists(warning) ? warning : error);
+}
+
+class Golden : public testing::TestWithParam<int> {};
+
+TEST_P(Golden, TextIsWhatAPersonIsTold) {
+    const int number = GetParam();
+    const Diagnostics found = cause(number);
+    const std::string text = to_text(found);
+    const fs::path file = golden / (name_of(number) + ".txt");
+    if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) std::ofstream(file, std::ios::binary) << text;
+
+    EXPECT_EQ(text, test::contents_of(file.string()));
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) { return d.code == name_of(number); })) << text;
+    EXPECT_EQ(text.find("/tmp/"), std::string::npos) << text;
+}
+
+TEST_P(Golden, SaysWhatToDo) {
+    const std::regex advice(
+        "(^|[.;:] |, )(Write|Remove|Put|Check|Name|Give|Choose|Add|Fill|Keep|Move|Turn|Exchange|Mend|Save|Begin|Take|Repeat|Point|Export|Crop|Copy|Run|"
+        "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
+    for (const Diagnostic& d : cause(GetParam())) {
+        if (d.level == Diagnostic::Level::warning) continue;
+        EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << to_text({d});
+    }
+}
+
+std::vector<int> all_numbers() {
+    std::vector<int> numbers;
+    for (const CodeEntry& entry : all_codes()) numbers.push_back(entry.number);
+    return numbers;
+}
+INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()), [](const auto& of) { return name_of(of.param); });
+
+TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
+    // Given every code that stands in the source, as text or in the list of codes
+    std::set<int> written;
+    for (const char* folder : {"/core", "/app"})
+        for (const auto& entry : fs::recursive_directory_iterator(std::string(KERF_SOURCE_DIR) + folder)) {
+            const std::string name = entry.path().filename().string();
+            if (!entry.is_regular_file() || name == "codes.cpp") continue;
+            const std::string text = test::contents_of(entry.path().string());
+            const std::regex code(name == "read_codes.h" ? R"(= ([1-9]\d{2}),)" : R"re("[EW]0(\d{3})")re");
+            for (std::sregex_iterator at(text.begin(), text.end(), code), end; at != end; ++at) written.insert(std::stoi((*at)[1]));
+        }
+
+    // Then the catalogue has them, and has no other
+    std::set<int> explained;
+    for (const CodeEntry& entry : all_codes()) explained.insert(entry.number);
+    EXPECT_EQ(written, explained) << "add an entry to core/procedure/codes.cpp, and tests/golden/E….yaml";
+    EXPECT_EQ(explained.size(), all_codes().size()) << "a number stands there twice";
+    EXPECT_TRUE(std::is_sorted(all_codes().begin(), all_codes().end(), [](const auto& a, const auto& b) { return a.number < b.number; }));
+}
+
+TEST(Codes, AreExplainedInSentences) {
+    for (const CodeEntry& entry : all_codes())
+        for (const std::string part : {entry.meaning, entry.why, entry.write}) {
+            EXPECT_TRUE(part.ends_with('.')) << entry.number << ": " << part;
+            EXPECT_TRUE(part[0] != ' ' && !(part[0] >= 'a' && part[0] <= 'z')) << entry.number << ": " << part;
+        }
+}
+
+TEST(Codes, AreFoundAsTheyStandBeforeAMessage) {
+    ASSERT_NE(find_code("E0412"), nullptr);
+    EXPECT_EQ(find_code("E0412")->number, 412);
+    EXPECT_EQ(find_code("412"), find_code("e0412"));
+    EXPECT_TRUE(explanation_of(*find_code("W0310")).starts_with("W0310  "));
+    for (const char* nothing : {"", "E", "E9999", "E0412x", "-412", "E 412", "99999999999999999999"}) EXPECT_EQ(find_code(nothing), nullptr) << nothing;
+}
+
+}  // namespace
+}  // namespace kerf
