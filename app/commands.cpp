@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/anatomy_text.h"
 #include "app/describe.h"
 #include "app/findings.h"
+#include "app/import_source.h"
 #include "app/interruption.h"
 #include "app/plan_procedure.h"
 #include "app/progress.h"
@@ -40,15 +42,15 @@ void print(const RunSummary& s) {
 
 /// Reading the documents is quick; making the bone may take a minute.
 std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
-                                Diagnostics& diagnostics) {
+                                Diagnostics& diagnostics, const ImportOptions& options = {}) {
     const StillWorking sign_of_life("reading " + file + " and making the bone");
-    return make_scene(file, line.anatomy, plugins, diagnostics);
+    return make_scene(file, line.anatomy, plugins, diagnostics, options);
 }
 
 /// What import did, on stderr.
 void print_notes(const std::optional<Scene>& scene) {
     if (!scene) return;
-    for (const auto& note : scene->notes) std::fprintf(stderr, "%s\n", note.c_str());
+    for (const auto& note : scene->import.notes) std::fprintf(stderr, "%s\n", note.c_str());
 }
 
 /// The scene, or nothing and all that is wrong on stderr.
@@ -215,6 +217,28 @@ ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
     return exit_pass;
 }
 
+// ---- what is given ------------------------------------------------------------------------------------------------
+
+ExitCode import(const CommandLine& line) {
+    const ImportOutcome outcome =
+        import_source({line.source, line.out, line.series, line.may_resample, line.unit, line.frame});
+    std::fputs(outcome.text.c_str(), stdout);
+    std::fputs(to_text(outcome.diagnostics).c_str(), stderr);
+    if (has_error(outcome.diagnostics)) return exit_bad_input;
+    if (!outcome.error.empty()) return complain(outcome.error, exit_bad_input);
+    std::printf("%s.\n", notice_line);
+    return exit_pass;
+}
+
+ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true});
+    if (scene) std::fputs(anatomy_text(*scene).c_str(), stdout);
+    std::vector<Findings> findings{{line.anatomy, diagnostics}};
+    std::fputs(findings_text(findings, line.format).c_str(), stdout);
+    return has_error(diagnostics) ? exit_bad_input : exit_pass;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -224,6 +248,8 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "stability") return look_at_stability(line, plugins);
     if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "schema") return print_schema(line, plugins);
+    if (line.command == "import") return import(line);
+    if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;

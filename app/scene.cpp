@@ -27,7 +27,8 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 }  // namespace
 
 std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                const PluginRegistry& plugins, Diagnostics& diagnostics) {
+                                const PluginRegistry& plugins, Diagnostics& diagnostics,
+                                const ImportOptions& options) {
     Scene scene;
     auto procedure = read_procedure(procedure_file, plugins.catalog(), diagnostics);
     if (!procedure || has_error(diagnostics)) return std::nullopt;
@@ -48,11 +49,10 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     if (!has_error(diagnostics)) check_bone_memory(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
-    ImportReport import;
-    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import);
+    ImportReport& import = scene.import;
+    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
-    scene.notes = std::move(import.notes);
     import.file_hashes.insert(import.file_hashes.end(), markups.begin(), markups.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {

@@ -222,7 +222,7 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     const auto lower = with(ct.threshold - step), upper = with(ct.threshold + step);
     std::vector<BorderShift> shifts;
     for (const LandmarkAxis& axis : anatomy.axes) {
-        BorderShift shift{axis.id, step, {}, {}};
+        BorderShift shift{axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
         const auto entry = entry_of(axis, distance);
         const auto moved = [&](const std::optional<VoxelImage>& other) -> std::optional<double> {
             const auto there = other ? entry_of(axis, *other) : std::nullopt;

@@ -21,6 +21,7 @@ struct ImportOptions {
 struct BorderShift {
     std::string axis;
     double step = 0.0;                   ///< [HU or grey] by which the threshold was moved both ways
+    const char* unit = "HU";             ///< or "grey levels"
     std::optional<double> lower, upper;  ///< [m] the entry moves along the axis, positive into the bone; none: no entry
 };
 
