@@ -18,6 +18,7 @@ namespace {
 
 constexpr double least_share = 0.80;             // of a planned axis in bone
 constexpr double least_wall_voxels = 3.0;        // what one distance field carries
+constexpr double finest_spacing = 0.05e-3;       // [m] that a procedure may ask for
 constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
@@ -118,7 +119,9 @@ void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string&
     const double needed = least_wall_voxels * spacing;
     const auto least = thinnest(bone.walls);
     if (!least || least->thickness >= needed) return;
-    const double fine_enough = std::floor(least->thickness / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
+    // A spur or two faces that touch must not ask for the finest of all spacings: all but a thousandth is to be carried.
+    const double carried = thickness_at(bone.walls, 1e-3);
+    const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const double share = share_under(bone.walls, needed);
     Diagnostic thin = error("W0655", file,
                             "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at) +
@@ -127,7 +130,7 @@ void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string&
                                 rounded(spacing * 1e3, 3) + " mm can carry.",
                             "There it is felt too weakly.");
     thin.level = Diagnostic::Level::warning;
-    if (fine_enough > 0.0) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
+    if (carried < needed && fine_enough >= finest_spacing) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(thin));
 }
 

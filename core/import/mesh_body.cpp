@@ -111,6 +111,16 @@ void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
 
 }  // namespace
 
+SurfaceMesh whole_surface_of(const MeshBone& bone) {
+    SurfaceMesh whole = bone.surface;
+    for (const SurfaceMesh& room : bone.rooms) {
+        const auto first = static_cast<std::uint32_t>(whole.vertices.size());
+        whole.vertices.insert(whole.vertices.end(), room.vertices.begin(), room.vertices.end());
+        for (const Triangle& t : room.triangles) whole.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+    }
+    return whole;
+}
+
 std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
                                        Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;

@@ -30,6 +30,9 @@ struct MeshBone {
     ImportReport report;
 };
 
+/// All that bounds the bone in one: the outside, and its rooms with their faces looking into them, out of the bone.
+[[nodiscard]] SurfaceMesh whole_surface_of(const MeshBone& bone);
+
 /// Reads the files that `anatomy.mesh` names and makes the bone.
 /// Error: E064x … E065x.   Pre: `anatomy.mesh`.   [main]
 [[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics);

@@ -218,6 +218,21 @@ TEST(MeshBody, CarriesASheetAroundACavityThinnerThanAVoxel) {
     EXPECT_FALSE(thick.says("field of its own"));
 }
 
+TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
+    SurfaceFile file;
+    file.mesh = together(cube(20.0), turned(cube(10.0)));
+    file.has_topology = true;
+    Anatomy anatomy;
+    anatomy.mesh.emplace();
+    Diagnostics diagnostics;
+    const auto bone = make_mesh_bone(anatomy, file, nullptr, diagnostics);
+    ASSERT_TRUE(bone) << to_text(diagnostics);
+    EXPECT_NEAR(signed_volume_of(bone->surface), 8e-6, 1e-15);
+    ASSERT_EQ(bone->rooms.size(), 1u);
+    EXPECT_NEAR(signed_volume_of(bone->rooms[0]), 1e-6, 1e-15) << "a room looks out of itself";
+    EXPECT_NEAR(signed_volume_of(whole_surface_of(*bone)), 7e-6, 1e-15);
+}
+
 TEST(MeshBody, WarnsOfFacesThatCutThroughOneAnother) {
     MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
     EXPECT_TRUE(bone.body(1.0_mm));
