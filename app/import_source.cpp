@@ -143,8 +143,9 @@ void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
     }
     if (request.out.empty()) return;
     Mesh written;
-    written.vertices = bone->surface.vertices;
-    for (const Triangle& t : bone->surface.triangles) written.triangles.push_back(t);
+    SurfaceMesh whole = whole_surface_of(*bone);
+    written.vertices = std::move(whole.vertices);
+    written.triangles = std::move(whole.triangles);
     outcome.error = write_file(request.out, stl_bytes(written));
     if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out + ", millimetres, LPS");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Material {
 struct Body {
     std::string id;
     LevelSet surface;                 ///< negative inside bone, before any cut
+    /// Rooms in it, negative inside them; empty: none. Two one-sided fields carry a sheet between surface and room however
+    /// thin, as they are combined after interpolation (B1). Every cut field begins with it, as with bone that is gone.
+    LevelSet hollow = {};
     std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
     Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid holds all of the bone
 
@@ -43,6 +47,12 @@ inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBloc
     PointBlock within;
     clamp(points_in_body, body.region.low, body.region.high, within);
     locate(body.grid(), within, places);
+}
+
+/// Distance to the bone before any cut [m].   [any] pure, nonblocking.
+[[nodiscard]] inline double uncut_distance(const Body& body, const BrickPlace& place) noexcept {
+    const double distance = body.surface.at(place);
+    return body.hollow.is_empty() ? distance : std::max(distance, -body.hollow.at(place));
 }
 
 /// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.

@@ -52,6 +52,7 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
     chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
+    if (!body.hollow.is_empty()) begin_with(body.hollow);
     reserve(reserve_bricks);
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
     if (!body.region.is_bounded()) return;
@@ -64,6 +65,41 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
         };
         while (first_[axis] <= last_[axis] && !(at(first_[axis]) > low[axis])) ++first_[axis];
         while (last_[axis] >= first_[axis] && !(at(last_[axis]) < high[axis])) --last_[axis];
+    }
+}
+
+std::int16_t *CutField::open_brick(std::size_t index) {
+    if (free_bricks() == 0) reserve(1);
+    table_[index] = static_cast<std::int32_t>(used_++);
+    std::int16_t *samples = brick(table_[index]);
+    std::fill_n(samples, stored_samples, std::int16_t{-32767});
+    ranges_of(index).fill(-32767);
+    return samples;
+}
+
+void CutField::begin_with(const LevelSet &hollow) {
+    for (std::size_t index = 0; index < table_.size(); ++index) {
+        if (hollow.is_all_air(index) || body_->surface.is_all_air(index)) continue;
+        std::int16_t *samples = open_brick(index);
+        const std::int16_t *room = hollow.stored(index);
+        for (std::size_t s = 0; s < stored_samples; ++s)
+            samples[s] = static_cast<std::int16_t>(room ? -room[s] : 32767);
+        CellRanges &ranges = ranges_of(index);
+        for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+            const CellPlace at = CellPlace::of(cell);
+            std::int16_t lowest = 32767, highest = -32767;
+            for (int z = at.first_z; z < at.first_z + 3; ++z)
+                for (int y = at.first_y; y < at.first_y + 3; ++y)
+                    for (int x = at.first_x; x <= at.last_x; ++x) {
+                        const std::int16_t value = samples[(z * stored_edge + y) * stored_edge + x];
+                        lowest = std::min(lowest, value);
+                        highest = std::max(highest, value);
+                    }
+            ranges.lowest[cell] = lowest;
+            ranges.highest[cell] = highest;
+        }
+        is_full_[index] =
+            std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
     }
 }
 
@@ -216,12 +252,7 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
         if (touched >= most) return n;
         const auto [i, j, k] = places[n];
         const std::size_t index = grid().brick_index(i, j, k);
-        if (table_[index] < 0) {
-            if (free_bricks() == 0) reserve(1);
-            table_[index] = static_cast<std::int32_t>(used_++);
-            std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
-            ranges_of(index).fill(-32767);
-        }
+        if (table_[index] < 0) open_brick(index);
         ++touched;  // so that what a tick may stamp does not depend on what was cut
                     // before
         if (is_full_[index] != 0) continue;

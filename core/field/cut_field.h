@@ -10,7 +10,7 @@
 #include "core/field/pose_stamp.h"
 #include "core/field/sweep.h"
 
-/// What has been removed from a body, as a sparse level set: positive where bone is gone.
+/// What has been removed from a body, as a sparse level set: positive where bone is gone. It begins with what is hollow.
 namespace kerf {
 
 /// One closed stretch of tool motion. Append-only: everybody stamps records, nobody re-segments poses (R2).
@@ -112,6 +112,11 @@ private:
     /// of them count as one.
     std::size_t clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record, std::size_t next,
                              int most, int& touched) noexcept;
+
+    /// A brick in which nothing is cut yet.
+    std::int16_t* open_brick(std::size_t brick_index);
+    /// What is hollow was never bone.
+    void begin_with(const LevelSet& hollow);
 
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;

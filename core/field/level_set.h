@@ -42,6 +42,7 @@ public:
         return table_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+    [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
         return table_.size() * sizeof(std::int32_t) + pool_.size() * sizeof(std::int16_t);
     }

@@ -19,11 +19,15 @@ void RemovedVolume::update(CutField& cut) {
         const std::int16_t* removed = cut.stored(b);
         const std::int16_t* bone = body_->surface.stored(b);
         const std::int16_t uniform = body_->surface.uniform_value(b);
+        const std::int16_t* room = body_->hollow.is_empty() ? nullptr : body_->hollow.stored(b);
+        const int no_room = body_->hollow.is_empty() ? 0 : body_->hollow.uniform_value(b);
         for (int z = 0; z < brick_edge; ++z)
             for (int y = 0; y < brick_edge; ++y)
                 for (int x = 0; x < brick_edge; ++x) {
                     const int o = (z * stored_edge + y) * stored_edge + x;
-                    const double phi = voxels_per_quantum * (bone != nullptr ? bone[o] : uniform);
+                    int before = bone != nullptr ? bone[o] : uniform;
+                    if (!body_->hollow.is_empty()) before = std::max(before, -(room != nullptr ? room[o] : no_room));
+                    const double phi = voxels_per_quantum * before;
                     const double after = std::max(phi, voxels_per_quantum * removed[o]);
                     const double share = inside_share(phi) - inside_share(after);
                     if (share <= 0.0) continue;

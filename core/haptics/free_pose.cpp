@@ -21,8 +21,8 @@ bool is_free(const Body& body, const RevolutionSolid& whole, const Pose& at) {
         for (int step = 0; step <= steps; ++step) {
             const double t = static_cast<double>(step) / steps, r = outline[i].radius + t * dr;
             for (const auto& direction : azimuths)
-                if (body.surface.at(locate(body.grid(),
-                                           at * Vec3{r * direction[0], r * direction[1], outline[i].z + t * dz})) < 0.0)
+                if (uncut_distance(body, locate(body.grid(), at * Vec3{r * direction[0], r * direction[1],
+                                                                       outline[i].z + t * dz})) < 0.0)
                     return false;
         }
     }

@@ -84,7 +84,7 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
 }  // namespace
 
 PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
-    return {body.surface.at(locate(body, at)), clamp_voxels * body.grid().spacing, outside_region(body, at) == 0.0};
+    return {uncut_distance(body, locate(body, at)), clamp_voxels * body.grid().spacing, outside_region(body, at) == 0.0};
 }
 
 double share_in_bone(const Body& body, const Zone& zone) {
@@ -107,7 +107,7 @@ double share_in_bone(const Body& body, const Zone& zone) {
             for (double z = low.z + 0.5 * step; z < high.z; z += step) {
                 if (distance_to_any(zone.solids, {x, y, z}) >= 0.0) continue;
                 ++inside;
-                in_bone += body.surface.at(locate(body, {x, y, z})) < 0.0;
+                in_bone += uncut_distance(body, locate(body, {x, y, z})) < 0.0;
             }
     return inside > 0 ? static_cast<double>(in_bone) / static_cast<double>(inside) : 0.0;
 }

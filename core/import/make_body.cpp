@@ -17,6 +17,8 @@ namespace kerf {
 namespace {
 
 constexpr double least_share = 0.80;             // of a planned axis in bone
+constexpr double least_wall_voxels = 3.0;        // what one distance field carries
+constexpr double finest_spacing = 0.05e-3;       // [m] that a procedure may ask for
 constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
@@ -40,6 +42,51 @@ Box phantom_bounds(const PhantomSource& phantom) {
                        std::max(bounds.high.z, box.high.z)};
     }
     return bounds;
+}
+
+/// To the parts that are added, or to those that are taken away.
+double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
+    double distance = HUGE_VAL;
+    for (const auto& part : phantom.parts)
+        if (part.subtract == subtract) distance = std::min(distance, distance_to(part.solid, p));
+    return distance;
+}
+
+/// Whether some parts are taken away, and nothing is added after them: bone is what was added without what was taken.
+bool is_taken_away_last(const PhantomSource& phantom) {
+    return !phantom.parts.empty() && phantom.parts.back().subtract &&
+           std::is_partitioned(phantom.parts.begin(), phantom.parts.end(), [](const PhantomPart& p) { return !p.subtract; });
+}
+
+/// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room opens
+/// to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
+bool has_thin_wall(const Grid& grid, const Distance& outer, const Distance& room) {
+    constexpr double same_way = 0.8;  // [–] cosine
+    const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
+    const auto gradient = [&](const Distance& distance, Vec3 p) {
+        const double d = 0.25 * grid.spacing;
+        return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
+                               distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
+                               distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
+    };
+    const auto is_thin_at = [&](Vec3 p) {
+        const double to_outer = outer(p);
+        if (std::abs(to_outer) > thin) return false;
+        const double thickness = room(p) - to_outer;
+        return thickness > 0.0 && thickness < thin && dot(gradient(outer, p), gradient(room, p)) > same_way;
+    };
+    for (int k = 0; k < grid.bricks[2]; ++k)
+        for (int j = 0; j < grid.bricks[1]; ++j)
+            for (int i = 0; i < grid.bricks[0]; ++i) {
+                const double half = 0.5 * brick_edge * grid.spacing;
+                const Vec3 centre = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
+                if (std::abs(outer(centre)) > in_brick + thin || std::abs(room(centre)) > in_brick + 2.0 * thin) continue;
+                for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
+                    if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge, j * brick_edge + n / brick_edge % brick_edge,
+                                                        k * brick_edge + n / (brick_edge * brick_edge))))
+                        return true;
+            }
+    return false;
 }
 
 /// The largest box whose faces lie on samples of the grid.
@@ -69,11 +116,12 @@ ImportReport phantom_report(const Anatomy& anatomy) {
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.
 void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string& file, Diagnostics& diagnostics) {
-    constexpr double least_voxels = 3.0;
-    const double needed = least_voxels * spacing;
+    const double needed = least_wall_voxels * spacing;
     const auto least = thinnest(bone.walls);
     if (!least || least->thickness >= needed) return;
-    const double fine_enough = std::floor(least->thickness / least_voxels * 1e5) * 1e-5;  // to 0.01 mm
+    // A spur or two faces that touch must not ask for the finest of all spacings: all but a thousandth is to be carried.
+    const double carried = thickness_at(bone.walls, 1e-3);
+    const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const double share = share_under(bone.walls, needed);
     Diagnostic thin = error("W0655", file,
                             "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at) +
@@ -82,7 +130,7 @@ void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string&
                                 rounded(spacing * 1e3, 3) + " mm can carry.",
                             "There it is felt too weakly.");
     thin.level = Diagnostic::Level::warning;
-    if (fine_enough > 0.0) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
+    if (carried < needed && fine_enough >= finest_spacing) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(thin));
 }
 
@@ -143,16 +191,30 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     const auto in_region = [&](auto distance) -> Distance {
         return [&body, distance](Vec3 p) mutable { return distance(body.region.nearest(p)); };
     };
-    std::optional<TriangleTree> surface_tree, canal_tree;
+    std::optional<TriangleTree> surface_tree;
+    std::vector<TriangleTree> room_trees;
     if (mesh) surface_tree.emplace(mesh->surface);
-    if (mesh && mesh->canal) canal_tree.emplace(*mesh->canal);
-    const Distance depth =
-        ct ? in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); })
-        : mesh ? in_region(SignedDistance(*surface_tree))
-               : Distance([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
-    body.surface = LevelSet::build(grid, !canal_tree ? depth : [&, room = in_region(SignedDistance(*canal_tree))](Vec3 p) {
-        return std::max(depth(p), -room(p));
-    });
+    if (mesh)
+        for (const SurfaceMesh& one : mesh->rooms) room_trees.emplace_back(one);
+    const bool has_rooms = !room_trees.empty() || is_taken_away_last(anatomy.phantom);
+    Distance outer, room;
+    if (ct) outer = in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
+    else if (mesh) outer = in_region(SignedDistance(*surface_tree));
+    else if (has_rooms) outer = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); };
+    else outer = [&](Vec3 p) { return distance_to(anatomy.phantom, p); };
+    if (!room_trees.empty())
+        room = in_region([each = std::vector<SignedDistance>(room_trees.begin(), room_trees.end())](Vec3 p) mutable {
+            double nearest = HUGE_VAL;
+            for (SignedDistance& distance : each) nearest = std::min(nearest, distance(p));
+            return nearest;
+        });
+    else if (has_rooms) room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
+
+    const Distance bone = !has_rooms ? outer : [&](Vec3 p) { return std::max(outer(p), -room(p)); };
+    const bool has_sheet = has_rooms && has_thin_wall(grid, outer, room);
+    body.surface = LevelSet::build(grid, has_sheet ? outer : bone);
+    if (has_sheet) body.hollow = LevelSet::build(grid, room);
+    const Distance& depth = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -175,6 +237,9 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     check_landmarks(anatomy, body, diagnostics);
     if (report) {
         *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
+        if (has_sheet)
+            report->notes.push_back("Between the outside and a room in it the bone is thinner than three voxels: each side has a "
+                                    "field of its own. Under one voxel, volumes and the exported surface lose it.");
         note_tissues_and_axes(anatomy, body, *report);
     }
     return body;
@@ -187,7 +252,7 @@ AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
     AxisInBone found{-1.0, 0.0};
     int inside = 0, behind = 0;
     for (int i = 0; i <= steps; ++i) {
-        const bool is_bone = body.surface.at(locate(body.grid(), axis.from + i * step * along)) < 0.0;
+        const bool is_bone = uncut_distance(body, locate(body.grid(), axis.from + i * step * along)) < 0.0;
         if (found.entry < 0.0 && is_bone) found.entry = i * step;
         if (found.entry < 0.0) continue;
         ++behind;

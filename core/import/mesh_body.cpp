@@ -111,6 +111,16 @@ void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
 
 }  // namespace
 
+SurfaceMesh whole_surface_of(const MeshBone& bone) {
+    SurfaceMesh whole = bone.surface;
+    for (const SurfaceMesh& room : bone.rooms) {
+        const auto first = static_cast<std::uint32_t>(whole.vertices.size());
+        whole.vertices.insert(whole.vertices.end(), room.vertices.begin(), room.vertices.end());
+        for (const Triangle& t : room.triangles) whole.triangles.push_back({t[0] + first, t[2] + first, t[1] + first});
+    }
+    return whole;
+}
+
 std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
                                        Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
@@ -120,16 +130,18 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
                     (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
     if (!make_sound(surface, anatomy, notes, diagnostics)) return std::nullopt;
     bone.surface = std::move(surface.mesh);
+    if (SurfaceMesh cavities = taken_cavities(bone.surface); !cavities.triangles.empty())
+        bone.rooms.push_back(std::move(cavities));
     const Box bounds = bone.region = bounds_of(bone.surface);
     if (canal) {
         notes.push_back("The canal, a surface of its own:");
         SurfaceFile room = *canal;
         if (!make_sound(room, anatomy, notes, diagnostics)) return std::nullopt;
-        bone.canal = std::move(room.mesh);
+        bone.rooms.push_back(std::move(room.mesh));
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
                         millimetres(length(source.canal->to - source.canal->from)) + " long.");
-        bone.canal = mesh_of(*source.canal);
+        bone.rooms.push_back(mesh_of(*source.canal));
     }
 
     if (!anatomy.axes.empty()) {

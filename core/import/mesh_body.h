@@ -20,15 +20,18 @@
 ///     W0657  so far from the origin that the file's numbers are coarse
 namespace kerf {
 
-/// A closed surface, its faces looking outwards. Metres, LPS.
+/// Closed surfaces, their faces looking outwards. Metres, LPS.
 struct MeshBone {
-    SurfaceMesh surface;
-    std::optional<SurfaceMesh> canal;  ///< closed too; there is no bone in it
-    Box region{};                      ///< around the axes; without axes around the surface
-    bool is_part = false;              ///< what lies outside the region was not looked at
-    std::vector<WallSample> walls;     ///< of the surface, in the region
+    SurfaceMesh surface;            ///< the outside alone
+    std::vector<SurfaceMesh> rooms;  ///< in it without bone: cavities, canal; closed, facing out of the room
+    Box region{};                   ///< around the axes; without axes around the surface
+    bool is_part = false;           ///< what lies outside the region was not looked at
+    std::vector<WallSample> walls;  ///< of the outside, from face to face, in the region
     ImportReport report;
 };
+
+/// All that bounds the bone in one: the outside, and its rooms with their faces looking into them, out of the bone.
+[[nodiscard]] SurfaceMesh whole_surface_of(const MeshBone& bone);
 
 /// Reads the files that `anatomy.mesh` names and makes the bone.
 /// Error: E064x … E065x.   Pre: `anatomy.mesh`.   [main]

@@ -422,4 +422,23 @@ std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules, 
     return std::nullopt;
 }
 
+SurfaceMesh taken_cavities(SurfaceMesh& mesh) {
+    std::vector<Part> parts = parts_of(mesh);
+    SurfaceMesh rooms;
+    if (parts.size() < 2) return rooms;
+    find_nesting(parts);
+    std::vector<std::uint8_t> is_inner(parts.size(), 0);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        if (parts[p].around.empty()) continue;
+        is_inner[p] = 1;
+        turn(mesh, parts[p]);
+        for (const std::uint32_t f : parts[p].faces) rooms.triangles.push_back(mesh.triangles[f]);
+    }
+    if (rooms.triangles.empty()) return rooms;
+    rooms.vertices = mesh.vertices;
+    drop_unused_vertices(rooms);
+    drop(mesh, parts, is_inner);
+    return rooms;
+}
+
 }  // namespace kerf

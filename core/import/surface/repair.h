@@ -31,4 +31,7 @@ std::size_t weld(SurfaceMesh& mesh);
 /// Error: as above, and E0647 when no face is left; `mesh` is of no use then.   Pre: metres, LPS.   [any] pure.
 [[nodiscard]] std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules, std::vector<std::string>& notes);
 
+/// Takes out of a mended surface all pieces that lie inside others, turned inside out: the rooms in it that hold no bone.
+[[nodiscard]] SurfaceMesh taken_cavities(SurfaceMesh& mesh);
+
 }  // namespace kerf

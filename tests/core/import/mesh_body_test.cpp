@@ -70,6 +70,7 @@ std::uint64_t bits_of(const Body& body) {
         }
     };
     add(body.surface);
+    if (!body.hollow.is_empty()) add(body.hollow);
     for (const auto& material : body.materials)
         if (&material != &body.materials.back()) add(material.border);
     return sum.value();
@@ -187,9 +188,10 @@ TEST(MeshBody, RefusesAnOpenSurfaceUntilItIsToldToCloseIt) {
 }
 
 TEST(MeshBody, NamesTheSpacingThatAThinWallNeeds) {
-    // A shell of 1 mm around a cavity
-    const SurfaceMesh shell = together(cube(20.0), turned(cube(18.0)));
-    MeshAnatomy coarse(shell), fine(shell);
+    // A plate with air on both sides
+    SurfaceMesh plate = cube(20.0);
+    for (Vec3& v : plate.vertices) v.z *= 0.05;
+    MeshAnatomy coarse(plate), fine(plate);
     EXPECT_TRUE(coarse.body(0.5_mm));
     ASSERT_EQ(coarse.diagnostics.size(), 1u);
     EXPECT_EQ(coarse.diagnostics[0].code, "W0655");
@@ -198,6 +200,37 @@ TEST(MeshBody, NamesTheSpacingThatAThinWallNeeds) {
     EXPECT_EQ(coarse.diagnostics[0].write, "accuracy: {spacing: 0.33 mm}");
     EXPECT_TRUE(fine.body(0.33_mm));
     EXPECT_TRUE(fine.diagnostics.empty()) << to_text(fine.diagnostics);
+}
+
+TEST(MeshBody, CarriesASheetAroundACavityThinnerThanAVoxel) {
+    // A shell of 0.4 mm, and one of 5 mm, at a spacing of 0.5 mm
+    MeshAnatomy thin(together(cube(20.0), turned(cube(19.2)))), thick(together(cube(20.0), turned(cube(10.0))));
+    const auto sheet = thin.body(0.5_mm), wall = thick.body(0.5_mm);
+    ASSERT_TRUE(sheet && wall);
+    EXPECT_TRUE(thin.diagnostics.empty()) << to_text(thin.diagnostics);
+    EXPECT_TRUE(thin.says("each side has a field of its own"));
+    EXPECT_FALSE(sheet->hollow.is_empty());
+    double bone = 0.0;
+    for (double x = 8.0_mm; x < 11.0_mm; x += 0.001_mm)
+        bone += uncut_distance(*sheet, locate(*sheet, {x, 0.3_mm, 0.2_mm})) < 0.0 ? 0.001_mm : 0.0;
+    EXPECT_NEAR(bone, 0.4_mm, 0.005_mm);
+    EXPECT_TRUE(wall->hollow.is_empty()) << "one field is enough for it";
+    EXPECT_FALSE(thick.says("field of its own"));
+}
+
+TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
+    SurfaceFile file;
+    file.mesh = together(cube(20.0), turned(cube(10.0)));
+    file.has_topology = true;
+    Anatomy anatomy;
+    anatomy.mesh.emplace();
+    Diagnostics diagnostics;
+    const auto bone = make_mesh_bone(anatomy, file, nullptr, diagnostics);
+    ASSERT_TRUE(bone) << to_text(diagnostics);
+    EXPECT_NEAR(signed_volume_of(bone->surface), 8e-6, 1e-15);
+    ASSERT_EQ(bone->rooms.size(), 1u);
+    EXPECT_NEAR(signed_volume_of(bone->rooms[0]), 1e-6, 1e-15) << "a room looks out of itself";
+    EXPECT_NEAR(signed_volume_of(whole_surface_of(*bone)), 7e-6, 1e-15);
 }
 
 TEST(MeshBody, WarnsOfFacesThatCutThroughOneAnother) {
@@ -220,6 +253,22 @@ TEST(MeshBody, HasNoBoneInItsCanal) {
         material_weights(*body, locate(*body, {6.0_mm, 0, 0}), weight);
         EXPECT_EQ(weight[1], 1.0) << "the shell is under the outer surface only";
     }
+}
+
+TEST(MeshBody, APhantomsThinWallHasTwoFieldsToo) {
+    const auto bone = [](double room) {
+        Anatomy anatomy;
+        anatomy.tissues = {{"cortical", 1850.0, 0.0, ""}};
+        anatomy.phantom.parts = {{"body", BoxSolid{{}, {20.0_mm, 20.0_mm, 20.0_mm}}, false, ""},
+                                 {"room", BoxSolid{{}, {room, room, room}}, true, ""}};
+        Diagnostics diagnostics;
+        return make_body(anatomy, 0.5_mm, diagnostics);
+    };
+    const auto sheet = bone(19.4_mm), wall = bone(10.0_mm);
+    ASSERT_TRUE(sheet && wall);
+    EXPECT_FALSE(sheet->hollow.is_empty());
+    EXPECT_TRUE(wall->hollow.is_empty());
+    EXPECT_NEAR(uncut_distance(*sheet, locate(*sheet, {9.85_mm, 0, 0})), -0.15_mm, 0.01_mm);
 }
 
 TEST(MeshBody, WritesNothingOfTheFilesName) {

@@ -6,6 +6,7 @@
 #include <clocale>
 #include <fstream>
 #include <limits>
+#include <random>
 
 #include "tests/core/import/surface/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -232,6 +233,52 @@ TEST(ReadPly, RefusesWhatItCannotUnderstand) {
         SurfaceError error;
         EXPECT_FALSE(read_ply(wrong, error)) << to;
     }
+}
+
+// ---- damage ----------------------------------------------------------------------------------------------------------
+
+/// Whatever comes out can be used: its faces name vertices that are there and finite.
+template <class Read>
+void expect_sound_or_refused(const Read& read, const std::string& bytes) {
+    SurfaceError error;
+    const std::optional<SurfaceFile> file = read(bytes, error);
+    if (!file) {
+        ASSERT_NE(error.code, nullptr);
+        return;
+    }
+    ASSERT_FALSE(file->mesh.triangles.empty());
+    for (const Vec3 v : file->mesh.vertices) ASSERT_TRUE(is_finite(v));
+    for (const Triangle& t : file->mesh.triangles)
+        for (const std::uint32_t v : t) ASSERT_LT(v, file->mesh.vertices.size());
+}
+
+TEST(DamagedFiles, AreRefusedOrReadWithSoundIndices) {
+    const auto little = [](auto value) { return little_endian(value); };
+    const std::string face = little(std::uint8_t{3}) + little(std::int32_t{0}) + little(std::int32_t{1}) + little(std::int32_t{2}) +
+                             little(std::uint8_t{9});
+    const std::string obj = "v 0 0 0.5\nv 1.25 0 0\nv 0 -2e0 0\nv 1 1 1\nf 1//2 2 3/1 -1\nf -4 -3 -2\n";
+    const std::vector<std::pair<decltype(&read_stl), std::string>> sound{
+        {read_stl, text_stl},
+        {read_stl, test::binary_stl(test::cube(1.0))},
+        {read_obj, obj},
+        {read_ply, ply_header("ascii") + text_rows},
+        {read_ply, ply_header("binary_little_endian") + binary_rows(little) + face}};
+    std::mt19937 random(7);
+    for (const auto& [read, whole] : sound)
+        for (int trial = 0; trial < 4000; ++trial) {
+            std::string bytes = whole;
+            for (auto changes = 1 + random() % 4; changes > 0; --changes) {
+                const std::size_t at = random() % bytes.size();
+                switch (random() % 4) {
+                    case 0: bytes[at] = static_cast<char>(random()); break;
+                    case 1: bytes[at] = "0123456789-.e/ \n"[random() % 16]; break;
+                    case 2: bytes.erase(at, 1 + random() % 9); break;
+                    default: bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 30));
+                }
+                if (bytes.empty()) bytes = " ";
+            }
+            expect_sound_or_refused(read, bytes);
+        }
 }
 
 // ---- files -----------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "core/import/surface/diagnose.h"
 #include "kerf/units.hpp"
@@ -252,6 +253,30 @@ TEST(Diagnose, CountsPiecesThatRunIntoOneAnother) {
     const SurfaceDiagnosis found = seen(together(cube(10.0_mm), cube(10.0_mm, {4.0_mm, 3.0_mm, 2.0_mm})));
     EXPECT_GT(found.crossings.count, 10u);
     EXPECT_EQ(found.crossings.count, found.crossing_places.size());
+}
+
+TEST(Repair, MakesAnySoupClosedOrRefusesIt) {
+    // Few vertices, so that faces meet in all ways there are
+    std::mt19937 random(3);
+    int mended = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        SurfaceMesh soup = trial % 2 == 0 ? cube(10.0_mm) : SurfaceMesh{cube(10.0_mm).vertices, {}};
+        for (auto n = random() % 6; n > 0; --n)
+            soup.triangles.push_back({static_cast<std::uint32_t>(random() % 8), static_cast<std::uint32_t>(random() % 8),
+                                      static_cast<std::uint32_t>(random() % 8)});
+        for (auto n = random() % 4; n > 0 && !soup.triangles.empty(); --n)
+            std::swap(soup.triangles[random() % soup.triangles.size()][0], soup.triangles[random() % soup.triangles.size()][1]);
+        (void)seen(soup);
+        std::vector<std::string> notes;
+        const RepairRules rules{trial % 3 == 0 ? 20.0_mm : 0.0, 0.0, InnerPieces::hollow};
+        if (const auto error = repair(soup, rules, notes)) {
+            ASSERT_FALSE(error->message.empty());
+            continue;
+        }
+        ++mended;
+        for_each_edge(half_edges_of(soup), [](const HalfEdge* first, const HalfEdge* last) { ASSERT_EQ(balance_of(first, last), 0); });
+    }
+    EXPECT_GT(mended, 50);
 }
 
 // ---- size and place ---------------------------------------------------------------------------------------------------
