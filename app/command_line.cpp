@@ -144,6 +144,35 @@ void describe_to(CLI::App& app, CommandLine& line) {
     CLI::App* schema = add("schema", "Print the JSON Schema of a kind of document, for editors");
     schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")->type_name("")->check(one_of({"procedure", "anatomy"}));
 
+    CLI::App* import = add("import", "Look at a scan or a surface: what was found, what would be done, what is doubted");
+    import->add_option("SOURCE", line.source, "NIfTI, NRRD, MetaImage, a folder with DICOM; or STL, OBJ, PLY")
+        ->type_name("")->required()->check(not_empty("the name of a file or folder"));
+    add_option(import, "-o,--out", line.out, "FILE", "Writes it put straight: .nrrd for a scan, .stl for a surface",
+               not_empty("a file, as in `--out bone.nrrd`"));
+    add_option(import, "--series", line.series, "SERIES", "Which series of a folder with several", not_empty("a name that import offers"));
+    import->add_flag("--allow-resample", line.may_resample, "Fill gaps between slices from their neighbours");
+    add_option(import, "--unit", line.unit, "UNIT", "What a 1 in a surface's file is: mm (if not given), cm, m or um",
+               one_of({"mm", "cm", "m", "um"}));
+    add_option(import, "--frame", line.frame, "FRAME", "Which way a surface's axes point: LPS (if not given) or RAS",
+               one_of({"LPS", "RAS"}));
+    import->footer("Exit code: 0 if it can be used, 2 if it was refused.\n" + std::string(notice_line) + ".");
+
+    CLI::App* anatomy = add("anatomy", "`kerf anatomy check A.yaml --for P.yaml`: hold an anatomy against its bone and a procedure");
+    anatomy->add_option("ACTION", line.action, "check")->type_name("")->required()->check(one_of({"check"}));
+    anatomy->add_option("ANATOMY", line.anatomy, "YAML file of the anatomy")->type_name("")->required()->check(not_empty(yaml_help));
+    anatomy->add_option("--for", line.files, "The procedure that it should serve")->type_name("PROCEDURE")->required()
+        ->expected(1)->check(not_empty(yaml_help));
+    add_option(anatomy, "--format", line.format, "FORMAT", "text (if not given), json or github", one_of({"text", "json", "github"}));
+    anatomy->footer("Exit code: 0 clean, 2 errors.\n" + std::string(notice_line) + ".");
+
+    CLI::App* preview = add("preview", "Draw one page of a procedure before anything is cut: bone, zones, landmarks, the tool at each goal");
+    add_files(preview, "YAML file of the procedure", 1);
+    add_option(preview, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+               not_empty(yaml_help));
+    add_changes(preview);
+    add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
+               not_empty("a file, as in `--out preview.html`"));
+
     CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
     add_files(plan, "YAML file of the procedure", 1);
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
@@ -230,6 +259,9 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
     if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return about_value(error, command);
     return command == nullptr
                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
+               : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
+           : command->get_name() == "anatomy"
+               ? "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`."
                : "which procedure? Write " + quoted("kerf " + command->get_name() + " PROCEDURE.yaml") + ".";
 }
 

@@ -30,6 +30,11 @@ struct CommandLine {
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all
+    std::string source;                    ///< of import: a scan, a folder or a surface
+    std::string series;                    ///< of import
+    bool may_resample = false;             ///< of import
+    std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: LPS is supposed
+    std::string action;                    ///< of anatomy: "check"
     std::string mode = "practice";  ///< practice | exam | demo
     bool is_headless = false;       ///< so is every run for now
     std::string format = "text";    ///< of validate: text | json | github

@@ -5,10 +5,13 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/anatomy_text.h"
 #include "app/describe.h"
 #include "app/findings.h"
+#include "app/import_source.h"
 #include "app/interruption.h"
 #include "app/plan_procedure.h"
+#include "app/preview/preview_page.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
 #include "conformance/chart/chart_files.h"
@@ -21,6 +24,7 @@
 #include "core/session/content_hash.h"
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
+#include "core/session/write_file.h"
 
 namespace kerf {
 
@@ -46,16 +50,16 @@ DocumentRequest request_of(const std::string& file, const CommandLine& line) {
 
 /// Reading the documents is quick; making the bone may take a minute.
 std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
-                                Diagnostics& diagnostics) {
+                                Diagnostics& diagnostics, const ImportOptions& options = {}) {
     const StillWorking sign_of_life("reading " + file + " and making the bone");
     auto documents = check_documents(request_of(file, line), plugins, diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
 }
 
 /// What import did, on stderr.
 void print_notes(const std::optional<Scene>& scene) {
     if (!scene) return;
-    for (const auto& note : scene->notes) std::fprintf(stderr, "%s\n", note.c_str());
+    for (const auto& note : scene->import.notes) std::fprintf(stderr, "%s\n", note.c_str());
 }
 
 /// The scene, or nothing and all that is wrong on stderr.
@@ -255,6 +259,43 @@ ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
     return exit_pass;
 }
 
+// ---- what is given ------------------------------------------------------------------------------------------------
+
+ExitCode import(const CommandLine& line) {
+    const ImportOutcome outcome =
+        import_source({line.source, line.out, line.series, line.may_resample, line.unit, line.frame});
+    std::fputs(outcome.text.c_str(), stdout);
+    std::fputs(to_text(outcome.diagnostics).c_str(), stderr);
+    if (has_error(outcome.diagnostics)) return exit_bad_input;
+    if (!outcome.error.empty()) return complain(outcome.error, exit_bad_input);
+    std::printf("%s.\n", notice_line);
+    return exit_pass;
+}
+
+ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true});
+    if (scene) std::fputs(anatomy_text(*scene).c_str(), stdout);
+    std::vector<Findings> findings{{line.anatomy, diagnostics}};
+    std::fputs(findings_text(findings, line.format).c_str(), stdout);
+    return has_error(diagnostics) ? exit_bad_input : exit_pass;
+}
+
+ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
+    std::fputs(to_text(diagnostics).c_str(), stderr);
+    if (!scene) return exit_bad_input;
+    const std::string file = line.out.empty() ? "out/" + scene->procedure.id + "-preview.html" : line.out;
+    std::error_code ignored;
+    if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
+        std::filesystem::create_directories(folder, ignored);
+    const StillWorking sign_of_life("drawing");
+    if (const std::string error = write_file(file, preview_page(*scene)); !error.empty()) return complain(error, exit_bad_input);
+    std::printf("%s\n", file.c_str());
+    return exit_pass;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -266,6 +307,9 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "expand") return expand(line, plugins);
     if (line.command == "explain") return explain(line);
     if (line.command == "schema") return print_schema(line, plugins);
+    if (line.command == "import") return import(line);
+    if (line.command == "preview") return preview(line, plugins);
+    if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;

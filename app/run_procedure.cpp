@@ -104,7 +104,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     for (const auto& plugin : plugins.plugins()) summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
     for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
     summary.signals = signal_columns(*scene.setup.force);
-    summary.anatomy_notes = scene.notes;
+    summary.anatomy_notes = scene.import.notes;
 
     // The record is open before the first tick, so that whatever happens leaves something to read.
     OutputLock lock;
@@ -117,7 +117,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         SessionHeader header;
         header.procedure_text = scene.procedure.text;
         header.anatomy_hash = scene.anatomy_hash;
-        header.anatomy_notes = scene.notes;
+        header.anatomy_notes = scene.import.notes;
         header.versions = summary.versions;
         header.envelope.uuid = random_uuid();
         header.envelope.start = utc_now();

@@ -22,7 +22,7 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 
 }  // namespace
 
-std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics) {
+std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
     Scene scene;
     scene.procedure = std::move(documents.procedure);
     scene.anatomy = std::move(documents.anatomy);
@@ -30,11 +30,10 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics) {
     scene.setup = std::move(documents.setup);
     scene.outline = std::move(documents.outline);
 
-    ImportReport import;
-    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import);
+    ImportReport& import = scene.import;
+    auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
-    scene.notes = std::move(import.notes);
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
@@ -56,9 +55,9 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics) {
 }
 
 std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                const PluginRegistry& plugins, Diagnostics& diagnostics) {
+                                const PluginRegistry& plugins, Diagnostics& diagnostics, const ImportOptions& options) {
     auto documents = check_documents({procedure_file, anatomy_file}, plugins, diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
 }
 
 HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {

@@ -8,6 +8,7 @@
 #include "app/documents.h"
 #include "core/field/body.h"
 #include "core/haptics/simulation.h"
+#include "core/import/import_report.h"
 #include "core/plugin/loader.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
@@ -29,17 +30,19 @@ struct Scene {
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;            ///< [N] the scale was made for
-    std::vector<std::string> notes;     ///< what import did, for people
+    ImportReport import;                ///< what import did
     std::uint64_t anatomy_hash = 0;     ///< of the anatomy's text and its data files
 };
 
 /// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.
-[[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics,
+                                              const ImportOptions& options = {});
 
 /// Reads and checks everything. `anatomy_file` empty: the procedure's own.
 /// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                              const PluginRegistry& plugins, Diagnostics& diagnostics);
+                                              const PluginRegistry& plugins, Diagnostics& diagnostics,
+                                              const ImportOptions& options = {});
 
 /// A rehearsal's intent as legs of the simulated hand, and where it starts.
 struct HandPlan {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <set>
 
 #include "core/import/bone_mask.h"
@@ -222,7 +224,7 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     const auto lower = with(ct.threshold - step), upper = with(ct.threshold + step);
     std::vector<BorderShift> shifts;
     for (const LandmarkAxis& axis : anatomy.axes) {
-        BorderShift shift{axis.id, step, {}, {}};
+        BorderShift shift{axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
         const auto entry = entry_of(axis, distance);
         const auto moved = [&](const std::optional<VoxelImage>& other) -> std::optional<double> {
             const auto there = other ? entry_of(axis, *other) : std::nullopt;
@@ -309,6 +311,10 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
         }
     bone.mean_value = deep > 0 ? sum / static_cast<double>(deep) : ct.threshold;
     if (ct.density) bone.density = densities_in_voxels(*part, bone.distance, cortex, *ct.density, notes);
+    if (options.with_scan)
+        bone.report.scan_value = [kept = std::make_shared<const VoxelImage>(*part)](Vec3 lps) {
+            return kept->sample_trilinear(lps, std::numeric_limits<double>::quiet_NaN());
+        };
     if (options.with_shifts) bone.report.shifts = border_shifts(anatomy, blank, bone.distance);
     return bone;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "kerf/math.hpp"
+
 namespace kerf {
 
 /// How much of something long is done, 0 … 1, and what it is.
@@ -14,6 +16,7 @@ using Progress = std::function<void(double share, const std::string& what)>;
 
 struct ImportOptions {
     bool with_shifts = false;  ///< also tell how sure a CT's border is: three times the work
+    bool with_scan = false;    ///< also keep the values that bone was made of, for pictures
     Progress progress = {};
 };
 
@@ -21,6 +24,7 @@ struct ImportOptions {
 struct BorderShift {
     std::string axis;
     double step = 0.0;                   ///< [HU or grey] by which the threshold was moved both ways
+    const char* unit = "HU";             ///< or "grey levels"
     std::optional<double> lower, upper;  ///< [m] the entry moves along the axis, positive into the bone; none: no entry
 };
 
@@ -30,6 +34,7 @@ struct ImportReport {
     std::vector<std::string> notes;          ///< one sentence or two each
     std::vector<std::uint64_t> file_hashes;  ///< 64-bit FNV-1a of every data file's bytes, in the order they were read
     std::vector<BorderShift> shifts;         ///< one per axis, if asked for
+    std::function<double(Vec3 lps)> scan_value;  ///< [HU or grey] of a CT, if asked for; NaN where it was not looked at
 };
 
 /// Hash of a file's bytes; false if it cannot be read.   [main]

@@ -64,7 +64,7 @@ bool may_hold_base(const Body& body, std::size_t brick) {
 }
 
 ImportReport phantom_report(const Anatomy& anatomy) {
-    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}};
+    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}, {}};
 }
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.

@@ -57,7 +57,7 @@ TEST(ScanReplay, APhantomsHashIsThatOfItsText) {
     const auto scene = scene_of("");
     ASSERT_TRUE(scene);
     EXPECT_EQ(scene->anatomy_hash, hash_of_text(test::contents_of(phantom_file)));
-    EXPECT_FALSE(scene->notes.empty());
+    EXPECT_FALSE(scene->import.notes.empty());
 }
 
 TEST(ScanReplay, IsRefusedWithAnotherScanUnderTheSameName) {

@@ -29,6 +29,9 @@ public:
     /// Whether voxels are computed from those of the scan, which was tilted or uneven.
     [[nodiscard]] bool is_resampled() const noexcept;
 
+    /// Whether `read` costs as much as its range has slices; else a whole file is unpacked each time.
+    [[nodiscard]] bool reads_by_slices() const noexcept { return series_.has_value(); }
+
     /// The voxels of a range of one layer; only what they need is read and kept.
     /// Error (E062x, E067x): nothing is left half-read. Never throws.   [main]
     [[nodiscard]] std::optional<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress,

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/anatomy_text.h"
+
+#include <cmath>
+
+#include "core/import/import_report.h"
+#include "core/import/landmark_checks.h"
+#include "core/import/make_body.h"
+
+namespace kerf {
+namespace {
+
+std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
+
+std::string place_text(const Body& body, Vec3 at) {
+    const PlaceOnBone place = place_on_bone(body, at);
+    if (!place.is_in_region) return "outside the region, not looked at";
+    const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
+    return std::string(is_far ? "more than " : "") + millimetres(std::abs(place.distance)) +
+           (place.distance < 0.0 ? " inside the bone's surface" : " outside the bone");
+}
+
+std::string shift_text(const BorderShift& shift) {
+    const std::string head = "Border at " + shift.axis + ": ";
+    if (!shift.lower || !shift.upper)
+        return head + "a threshold moved by " + rounded(shift.step, 0) + " loses the entry on one side.";
+    const double most = std::max(std::abs(*shift.lower), std::abs(*shift.upper));
+    return head + "± " + rounded(shift.step, 0) + " " + shift.unit + " moves the cortex at the entry by " + millimetres(most, 2) + " (" +
+           millimetres(*shift.lower, 2) + " lower, " + millimetres(*shift.upper, 2) + " higher).";
+}
+
+}  // namespace
+
+std::string anatomy_text(const Scene& scene) {
+    std::string text;
+    const auto add = [&](const std::string& line) { text += line + "\n"; };
+    for (const std::string& note : scene.import.notes) add(note);
+    for (const LandmarkPoint& point : scene.anatomy.points)
+        add("Point " + point.id + ": " + place_text(scene.body, point.at) + ", known to " + millimetres(point.tolerance) + ".");
+    for (const LandmarkPlane& plane : scene.anatomy.planes)
+        add("Plane " + plane.id + ": its point " + place_text(scene.body, plane.at) + ", known to " +
+            millimetres(plane.tolerance) + ".");
+    for (const Zone& zone : scene.anatomy.zones)
+        add("Zone " + zone.id + ": " + rounded(100.0 * share_in_bone(scene.body, zone), 0) + " % of it lies in bone.");
+    for (const BorderShift& shift : scene.import.shifts) add(shift_text(shift));
+    return text;
+}
+
+}  // namespace kerf

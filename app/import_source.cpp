@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/import_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/progress.h"
+#include "core/import/image/scan.h"
+#include "core/import/image/write_nrrd.h"
+#include "core/import/import_report.h"
+#include "core/import/mesh_body.h"
+#include "core/session/recorder.h"
+#include "core/session/stl.h"
+#include "core/session/write_file.h"
+
+namespace kerf {
+namespace {
+
+constexpr int slab = 16;  // slices that are in memory at once
+constexpr int least_bin = -2048, most_bin = 4096;
+
+void add_line(std::string& text, const char* head, const std::string& line) {
+    text += head;
+    text.resize(text.size() + 8 - std::min<std::size_t>(8, std::string(head).size()), ' ');
+    text += line + "\n";
+}
+
+bool ends_in(const std::string& name, const char* ending) {
+    std::string lower = name;
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower.ends_with(ending);
+}
+
+// ---- scans ----------------------------------------------------------------------------------------------------------
+
+/// How often each value is there, and what a file needs to know of them.
+struct Values {
+    std::vector<std::size_t> counts = std::vector<std::size_t>(most_bin - least_bin + 1, 0);
+    std::size_t all = 0;
+    float least = HUGE_VALF, most = -HUGE_VALF;
+    bool fits_short = true;
+
+    void add(const std::vector<float>& values) {
+        for (const float v : values) {
+            least = std::min(least, v);
+            most = std::max(most, v);
+            fits_short = fits_short && v == std::round(v) && v >= -32768.0f && v <= 32767.0f;
+            ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), least_bin, most_bin) - least_bin)];
+        }
+        all += values.size();
+    }
+    [[nodiscard]] int at_share(double share) const {
+        std::size_t seen = 0;
+        for (std::size_t bin = 0; bin < counts.size(); ++bin)
+            if ((seen += counts[bin]) >= static_cast<std::size_t>(share * static_cast<double>(all)))
+                return static_cast<int>(bin) + least_bin;
+        return most_bin;
+    }
+};
+
+/// All voxels, some slices at a time. False if they cannot be read.
+template <class Take>
+bool for_each_slab(const Scan& scan, Diagnostics& diagnostics, const Progress& progress, const Take& take) {
+    const VoxelGrid& grid = scan.grid();
+    const int depth = scan.reads_by_slices() ? slab : grid.size[2];
+    for (int k = 0; k < grid.size[2]; k += depth) {
+        if (progress) progress(static_cast<double>(k) / grid.size[2], "reading voxels");
+        const VoxelRange range{{0, 0, k}, {grid.size[0], grid.size[1], std::min(depth, grid.size[2] - k)}};
+        const auto image = scan.read(range, 0, {}, diagnostics);
+        if (!image) return false;
+        take(image->values);
+    }
+    return true;
+}
+
+std::string extent_text(const VoxelGrid& grid) {
+    const Box box = grid.box();
+    const auto from_to = [](const char* axis, double low, double high) {
+        return std::string(axis) + " " + rounded(low * 1e3, 1) + " … " + rounded(high * 1e3, 1);
+    };
+    return from_to("x", box.low.x, box.high.x) + ", " + from_to("y", box.low.y, box.high.y) + ", " +
+           from_to("z", box.low.z, box.high.z) + " mm (LPS)";
+}
+
+/// How the third axis of a grid runs in the patient.
+std::string direction_text(const VoxelGrid& grid) {
+    const Vec3 d = normalized(grid.step(2));
+    const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
+    const double most = std::max({x, y, z});
+    const std::string plane = most == z ? "axial" : most == y ? "coronal" : "sagittal";
+    const double off = std::acos(std::min(1.0, most)) * 180.0 / 3.14159265358979323846;
+    return plane + (off > 0.5 ? ", turned by " + rounded(off, 1) + " deg" : "");
+}
+
+void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
+    const Progress progress = [](double share, const std::string& what) { show_progress(share, what); };
+    const auto scan = open_scan(request.source, {request.series, request.may_resample}, progress, outcome.diagnostics);
+    if (!scan) return;
+    for (const std::string& note : scan->notes()) add_line(outcome.text, "found", note);
+    const VoxelGrid& grid = scan->grid();
+    add_line(outcome.text, "", std::to_string(grid.size[0]) + " × " + std::to_string(grid.size[1]) + " × " +
+                                   std::to_string(grid.size[2]) + " voxels at right angles, " + extent_text(grid) + ".");
+    add_line(outcome.text, "", "Slices as they lie: " + direction_text(grid) + ".");
+    for (const Segment& segment : scan->segments())
+        add_line(outcome.text, "", "Structure `" + segment.name + "`: label " + std::to_string(segment.label) +
+                                       (segment.layer > 0 ? " in layer " + std::to_string(segment.layer) : "") + ".");
+    Values values;
+    const bool is_read =
+        for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { values.add(some); });
+    if (!is_read) return;
+    if (scan->segments().empty())
+        add_line(outcome.text, "", "Values " + rounded(values.least, 0) + " … " + rounded(values.most, 0) + "; 1 % under " +
+                                       std::to_string(values.at_share(0.01)) + ", half under " +
+                                       std::to_string(values.at_share(0.5)) + ", 1 % over " +
+                                       std::to_string(values.at_share(0.99)) + ".");
+    if (request.out.empty()) return;
+    NrrdWriter writer(request.out, grid, notice_line, values.fits_short);
+    if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); })) return;
+    outcome.error = writer.finish();
+    if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out);
+}
+
+// ---- surfaces -------------------------------------------------------------------------------------------------------
+
+void import_surface(const ImportRequest& request, ImportOutcome& outcome) {
+    const auto surface = read_surface(request.source, outcome.diagnostics);
+    if (!surface) return;
+    Anatomy anatomy;
+    anatomy.file = request.source;
+    MeshSource& mesh = anatomy.mesh.emplace();
+    mesh.unit = request.unit == "cm" ? 1e-2 : request.unit == "m" ? 1.0 : request.unit == "um" ? 1e-6 : 1e-3;
+    mesh.is_ras = request.frame == "RAS";
+    mesh.names_frame = !request.frame.empty();
+    const StillWorking sign_of_life("looking at the surface");
+    const auto bone = make_mesh_bone(anatomy, *surface, nullptr, outcome.diagnostics);
+    if (!bone) return;
+    bool is_first = true;
+    for (const std::string& note : bone->report.notes) {
+        add_line(outcome.text, is_first ? "found" : "", note);
+        is_first = false;
+    }
+    if (request.out.empty()) return;
+    Mesh written;
+    written.vertices = bone->surface.vertices;
+    for (const Triangle& t : bone->surface.triangles) written.triangles.push_back(t);
+    outcome.error = write_file(request.out, stl_bytes(written));
+    if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out + ", millimetres, LPS");
+}
+
+}  // namespace
+
+ImportOutcome import_source(const ImportRequest& request) {
+    ImportOutcome outcome;
+    const bool is_surface =
+        ends_in(request.source, ".stl") || ends_in(request.source, ".obj") || ends_in(request.source, ".ply");
+    const char* ending = is_surface ? ".stl" : ".nrrd";
+    if (!request.out.empty() && !ends_in(request.out, ending)) {
+        outcome.error = std::string("`--out` must end in `") + ending + "` here.";
+        return outcome;
+    }
+    if (is_surface) import_surface(request, outcome);
+    else import_scan(request, outcome);
+    return outcome;
+}
+
+}  // namespace kerf

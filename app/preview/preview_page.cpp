@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/preview/preview_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/anatomy_text.h"
+#include "app/preview/png.h"
+#include "app/preview/view.h"
+#include "core/import/import_report.h"
+#include "core/procedure/solids.h"
+#include "core/session/recorder.h"
+#include "core/session/report_data.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::string_view style = R"css(
+body { margin: 0; background: #f6f7f8; color: #1b2126; font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif; }
+main { max-width: 1500px; margin: 0 auto; padding: 20px 24px; }
+h1 { font-size: 24px; margin: 0; } h2 { font-size: 17px; margin: 26px 0 8px; } .soft { color: #5b666f; }
+.views { display: flex; flex-wrap: wrap; gap: 14px; align-items: flex-start; }
+figure { margin: 0; background: #fff; border: 1px solid #dde2e6; border-radius: 8px; padding: 8px; }
+figcaption { font-size: 13px; color: #5b666f; padding: 4px 2px 0; } svg { display: block; }
+.key span { margin-right: 18px; white-space: nowrap; } .key i { display: inline-block; width: 12px; height: 12px; border-radius: 3px; margin-right: 6px; }
+li { margin: 2px 0; } footer { color: #5b666f; margin-top: 24px; font-size: 13px; }
+)css";
+
+std::string px(double value) { return rounded(value, 1); }
+
+std::string label(double x, double y, const std::string& text, const char* colour) {
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"12\" fill=\"" + colour +
+           "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">" + html_escaped(text) + "</text>";
+}
+
+std::string line(const View& view, Vec3 from, Vec3 to, const char* colour, const char* more = "") {
+    return "<line x1=\"" + px(view.x_of(from)) + "\" y1=\"" + px(view.y_of(from)) + "\" x2=\"" + px(view.x_of(to)) +
+           "\" y2=\"" + px(view.y_of(to)) + "\" stroke=\"" + colour + "\" stroke-width=\"1.6\" " + more + "/>";
+}
+
+bool is_in(const View& view, Vec3 p) {
+    const double x = view.x_of(p), y = view.y_of(p);
+    return x > 4 && y > 12 && x < view.columns - 4 && y < view.rows - 4;
+}
+
+/// Landmarks where they are, with their tolerance as a circle. `reach` [m]: those farther from the plane are left out.
+std::string landmarks(const View& view, const Scene& scene, double reach) {
+    std::string marks;
+    const auto is_near = [&](Vec3 p) { return std::abs(dot(p - view.centre, view.away())) <= reach && is_in(view, p); };
+    for (const LandmarkAxis& axis : scene.anatomy.axes) {
+        if (!is_near(axis.from) && !is_near(axis.to)) continue;
+        marks += line(view, axis.from, axis.to, "#1f6f9f", "stroke-dasharray=\"6 3\"");
+        if (is_in(view, axis.from)) marks += label(view.x_of(axis.from) + 6, view.y_of(axis.from), axis.id, "#1f6f9f");
+    }
+    for (const LandmarkPoint& point : scene.anatomy.points) {
+        if (!is_near(point.at)) continue;
+        marks += "<circle cx=\"" + px(view.x_of(point.at)) + "\" cy=\"" + px(view.y_of(point.at)) + "\" r=\"" +
+                 px(std::max(3.0, point.tolerance / view.pixel())) + "\" fill=\"none\" stroke=\"#0a7d4b\" stroke-width=\"1.6\"/>";
+        marks += label(view.x_of(point.at) + 8, view.y_of(point.at) - 6, point.id, "#0a7d4b");
+    }
+    for (const LandmarkPlane& plane : scene.anatomy.planes) {
+        if (!is_in(view, plane.at)) continue;
+        marks += line(view, plane.at, plane.at + 10e-3 * plane.normal, "#7a3fa0");
+        marks += label(view.x_of(plane.at) + 8, view.y_of(plane.at), plane.id, "#7a3fa0");
+    }
+    return marks;
+}
+
+/// 10 mm in the lower left corner.
+std::string scale(const View& view) {
+    const double y = view.rows - 12.0, length = 10e-3 / view.pixel();
+    return "<path d=\"M12 " + px(y) + "h" + px(length) + "M12 " + px(y - 4) + "v8M" + px(12 + length) + " " + px(y - 4) +
+           "v8\" stroke=\"#1b2126\" stroke-width=\"2\" fill=\"none\"/><path d=\"M12 " + px(y) + "h" + px(length) +
+           "\" stroke=\"#fff\" stroke-width=\"1\"/>" + label(16 + length, y + 4, "10 mm", "#1b2126");
+}
+
+std::string figure(const View& view, const Picture& picture, const std::string& marks) {
+    const std::string size = "width=\"" + std::to_string(view.columns) + "\" height=\"" + std::to_string(view.rows) + "\"";
+    return "<figure><svg " + size + " viewBox=\"0 0 " + std::to_string(view.columns) + " " + std::to_string(view.rows) +
+           "\" role=\"img\"><title>" + html_escaped(view.title) + "</title><image " + size + " href=\"" +
+           png_link(picture) + "\"/>" + marks + scale(view) + "</svg><figcaption>" + html_escaped(view.title) +
+           "</figcaption></figure>\n";
+}
+
+/// Where a step wants its tool in the end.
+Pose goal_pose(const Scene& scene, std::size_t step) {
+    double depth = 0.0;
+    for (const Goal& goal : scene.procedure.steps[step].goals)
+        if (goal.quantity == "depth" && goal.bound.at_least) depth = std::max(depth, *goal.bound.at_least);
+    return scene.frames[step].pose_at({depth, 0.0});
+}
+
+/// The outline of the tool as the plane of the view cuts it.
+std::string tool_outline(const View& view, const Scene& scene, const Pose& tool) {
+    const Vec3 along = tool * Vec3{0, 0, 1} - tool * Vec3{};
+    Vec3 across = cross(along, view.away());
+    if (length(across) < 0.1) {  // seen along its axis
+        const double radius = scene.outline.whole.largest_radius() / view.pixel();
+        return "<circle cx=\"" + px(view.x_of(tool.position)) + "\" cy=\"" + px(view.y_of(tool.position)) + "\" r=\"" +
+               px(radius) + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
+    }
+    across = normalized(across);
+    std::string there, back;
+    for (const kerf_profile_point& point : scene.outline.whole.outline()) {
+        const Vec3 middle = tool * Vec3{0, 0, point.z};
+        const Vec3 a = middle + point.radius * across, b = middle - point.radius * across;
+        there += px(view.x_of(a)) + "," + px(view.y_of(a)) + " ";
+        back = px(view.x_of(b)) + "," + px(view.y_of(b)) + " " + back;
+    }
+    return "<polygon points=\"" + there + back + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
+}
+
+/// What all outside views show: the region, or the bone.
+Box shown_box(const Scene& scene) {
+    if (scene.body.region.is_bounded()) return {scene.body.region.low, scene.body.region.high};
+    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    const Grid& grid = scene.body.grid();
+    for (int k = 0; k < grid.bricks[2]; ++k)
+        for (int j = 0; j < grid.bricks[1]; ++j)
+            for (int i = 0; i < grid.bricks[0]; ++i) {
+                if (scene.body.surface.is_all_air(grid.brick_index(i, j, k))) continue;
+                const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
+                const Vec3 high = grid.sample_position((i + 1) * brick_edge, (j + 1) * brick_edge, (k + 1) * brick_edge);
+                box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y), std::min(box.low.z, low.z)};
+                box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y), std::max(box.high.z, high.z)};
+            }
+    return box;
+}
+
+std::string outside_views(const Scene& scene, const std::vector<Pose>& tools) {
+    const Box box = shown_box(scene);
+    const Vec3 centre = 0.5 * (box.low + box.high), size = box.high - box.low;
+    struct Direction {
+        const char* title;
+        Vec3 right, up;
+    };
+    std::string figures;
+    for (const Direction& d : {Direction{"From behind: the patient's left is on the left", {-1, 0, 0}, {0, 0, 1}},
+                               Direction{"From the patient's left: the front is on the left", {0, 1, 0}, {0, 0, 1}},
+                               Direction{"From above: the front is up, the patient's left on the left", {-1, 0, 0}, {0, -1, 0}}}) {
+        View view{d.title, centre, d.right, d.up};
+        const auto extent = [&](Vec3 axis) {
+            return std::abs(size.x * axis.x) + std::abs(size.y * axis.y) + std::abs(size.z * axis.z) + 16e-3;
+        };
+        view.rows = std::clamp(static_cast<int>(view.columns * extent(d.up) / extent(d.right)), 200, 460);
+        view.width = std::max(extent(d.right), extent(d.up) * view.columns / view.rows);
+        figures += figure(view, from_outside(view, scene, tools), landmarks(view, scene, 1.0));
+    }
+    return "<section><h2>From outside</h2><div class=\"views\">" + figures + "</div></section>\n";
+}
+
+std::string step_views(const Scene& scene, std::size_t step) {
+    const AxisFrame& frame = scene.frames[step];
+    const Pose tool = goal_pose(scene, step);
+    const double depth = frame.depth_of(tool.position);
+    Vec3 across = frame.medial;
+    if (length(across) < 0.5) across = normalized(cross(frame.along, std::abs(frame.along.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    const Vec3 other = cross(frame.along, across);
+    const char* side = length(frame.medial) > 0.5 ? "; the midline is on the right" : "";
+    const double width = std::max(60e-3, 1.8 * depth);
+    std::string figures;
+    for (const bool is_first : {true, false}) {
+        View view{is_first ? std::string("Along the axis") + side : std::string("Along the axis, a quarter turn further"),
+                  frame.entry + 0.5 * depth * frame.along, is_first ? across : other, -1.0 * frame.along, width};
+        figures += figure(view, cut_through(view, scene), tool_outline(view, scene, tool) + landmarks(view, scene, 3e-3));
+    }
+    View section{"Across the axis, " + rounded(0.5e3 * depth, 1) + " mm behind the entry", frame.entry + 0.5 * depth * frame.along,
+                 across, cross(across, frame.along), 50e-3};
+    figures += figure(section, cut_through(section, scene), tool_outline(section, scene, {section.centre, tool.rotation}));
+    return "<section><h2>Step " + html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
+           rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
+}
+
+std::string told(const Scene& scene) {
+    std::string items, text = anatomy_text(scene);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        items += "<li>" + html_escaped(text.substr(at, end - at)) + "</li>";
+        at = end + 1;
+    }
+    return "<section><h2>What import did, and where things lie</h2><ul>" + items + "</ul></section>\n";
+}
+
+std::string key() {
+    const auto entry = [](const char* colour, const char* text) {
+        return std::string("<span><i style=\"background:") + colour + "\"></i>" + text + "</span>";
+    };
+    return "<p class=\"key\">" + entry("#ede3cc", "bone, outermost tissue") + entry("#d99973", "the next tissue") +
+           entry("#db3329", "zone") + entry("#386bb8", "tool") + entry("#ffb826", "border of bone") +
+           entry("#0a7d4b", "point, with its tolerance") + entry("#1f6f9f", "axis") +
+           "</p><p class=\"soft\">What bone hides is shown through it, paler.</p>";
+}
+
+}  // namespace
+
+std::string preview_page(const Scene& scene) {
+    std::vector<Pose> tools;
+    for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) tools.push_back(goal_pose(scene, step));
+    std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+                       html_escaped(scene.procedure.title) + "</title><style>" + std::string(style) +
+                       "</style></head><body><main><h1>" + html_escaped(scene.procedure.title) + "</h1><p class=\"soft\">" +
+                       html_escaped(scene.anatomy.title) + ", before anything is cut. Spacing " +
+                       rounded(scene.procedure.spacing * 1e3, 2) + " mm.</p>" + key();
+    page += outside_views(scene, tools);
+    for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) page += step_views(scene, step);
+    return page + told(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";
+}
+
+}  // namespace kerf

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/preview/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/field/body.h"
+#include "core/procedure/solids.h"
+
+namespace kerf {
+namespace {
+
+/// Linear red, green, blue, 0 … 1.
+using Colour = Vec3;
+
+constexpr Colour background{0.97, 0.975, 0.98}, zone_colour{0.86, 0.20, 0.16}, tool_colour{0.22, 0.42, 0.72},
+    air{0.10, 0.11, 0.13}, border_line{1.0, 0.72, 0.15};
+/// Front to back, as tissues are listed.
+constexpr std::array<Colour, 4> tissues{{{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
+
+Colour mixed(Colour a, Colour b, double share) { return a + share * (b - a); }
+
+void set(Picture& picture, int x, int y, Colour colour) {
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    const auto byte = [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(c, 0.0, 1.0))); };
+    picture.rgb[at] = byte(colour.x);
+    picture.rgb[at + 1] = byte(colour.y);
+    picture.rgb[at + 2] = byte(colour.z);
+}
+
+Colour tissue_at(const Body& body, Vec3 p) {
+    double weight[KERF_MAX_TISSUES];
+    material_weights(body, locate(body, p), weight);
+    Colour colour{};
+    for (std::size_t m = 0; m < body.materials.size(); ++m) colour = colour + weight[m] * tissues[m % tissues.size()];
+    return colour;
+}
+
+/// Where a straight way through the box of what is known begins and ends [m along it]; `end` under `begin`: it misses.
+struct Stretch {
+    double begin = 0.0, end = -1.0;
+};
+Stretch within(const Box& box, Vec3 from, Vec3 along) {
+    Stretch stretch{-1e9, 1e9};
+    const std::array<std::array<double, 4>, 3> axes{{{box.low.x, box.high.x, from.x, along.x},
+                                                     {box.low.y, box.high.y, from.y, along.y},
+                                                     {box.low.z, box.high.z, from.z, along.z}}};
+    for (const auto& [low, high, at, step] : axes) {
+        if (std::abs(step) < 1e-12) {
+            if (at < low || at > high) return {};
+            continue;
+        }
+        const double a = (low - at) / step, b = (high - at) / step;
+        stretch.begin = std::max(stretch.begin, std::min(a, b));
+        stretch.end = std::min(stretch.end, std::max(a, b));
+    }
+    return stretch;
+}
+
+/// What is known of a body: its region, or else its grid.
+Box known_box(const Body& body) {
+    const Grid& grid = body.grid();
+    const Vec3 low = grid.sample_position(0, 0, 0);
+    const Vec3 size = brick_edge * grid.spacing *
+                      Vec3{static_cast<double>(grid.bricks[0]), static_cast<double>(grid.bricks[1]),
+                           static_cast<double>(grid.bricks[2])};
+    if (body.region.is_bounded()) return {body.region.low, body.region.high};
+    return {low, low + size};
+}
+
+double depth_at(const Body& body, Vec3 p) { return body.surface.at(locate(body, p)); }
+
+/// The first place [m along the way] where a distance is negative; none: `stretch.end`.
+template <class DistanceAt>
+double first_inside(const Stretch& stretch, double least_step, const DistanceAt& distance) {
+    for (double way = stretch.begin; way < stretch.end;) {
+        const double d = distance(way);
+        if (d < 0.0) return way;
+        way += std::max(0.9 * d, least_step);
+    }
+    return stretch.end;
+}
+
+Vec3 slope(const Body& body, Vec3 p, double h) {
+    const auto along = [&](Vec3 axis) { return depth_at(body, p + h * axis) - depth_at(body, p - h * axis); };
+    return normalized(Vec3{along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})});
+}
+
+Colour shaded(Colour colour, Vec3 normal, Vec3 away) {
+    const double facing = std::abs(dot(normal, away));
+    return (0.35 + 0.65 * facing) * colour;
+}
+
+double zones_distance(const Scene& scene, Vec3 p) {
+    double least = 1e9;
+    for (const Zone& zone : scene.anatomy.zones) least = std::min(least, distance_to_any(zone.solids, p));
+    return least;
+}
+
+}  // namespace
+
+Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools) {
+    Picture picture(view.columns, view.rows);
+    const Body& body = scene.body;
+    const double h = body.grid().spacing;
+    const Vec3 away = view.away();
+    const Box box = known_box(body);
+    for (int y = 0; y < view.rows; ++y)
+        for (int x = 0; x < view.columns; ++x) {
+            const Vec3 from = view.place(x + 0.5, y + 0.5);
+            const Stretch in_box = within(box, from, away);
+            const double bone = first_inside(in_box, 0.25 * h, [&](double way) { return depth_at(body, from + way * away); });
+            const bool is_bone = in_box.end > in_box.begin && bone < in_box.end;
+            Colour colour = background;
+            if (is_bone) {
+                const Vec3 at = from + bone * away;
+                // On a face of the region one looks into the bone.
+                const bool is_face = bone - in_box.begin < 0.5 * h && depth_at(body, at) < -0.25 * h;
+                colour = is_face ? 0.92 * tissue_at(body, at + 0.5 * h * away)
+                                 : shaded(tissues[0], slope(body, at, h), away);
+            }
+            const auto lay_over = [&](double way, double end, Colour over) {
+                if (way < end) colour = mixed(colour, over, !is_bone || way < bone ? 0.75 : 0.30);
+            };
+            const Stretch around{-0.25, 0.25};
+            const auto zone = [&](double way) { return zones_distance(scene, from + way * away); };
+            if (!scene.anatomy.zones.empty()) lay_over(first_inside(around, 0.5 * h, zone), around.end, zone_colour);
+            for (const Pose& tool : tools) {
+                const Pose tool_from_world = inverse(tool);
+                const auto distance = [&](double way) { return scene.outline.whole.distance(tool_from_world * (from + way * away)); };
+                const double way = first_inside(around, 0.25 * h, distance);
+                lay_over(way, around.end, tool_colour);
+            }
+            set(picture, x, y, colour);
+        }
+    return picture;
+}
+
+Picture cut_through(const View& view, const Scene& scene) {
+    Picture picture(view.columns, view.rows);
+    const Body& body = scene.body;
+    const auto& scan = scene.import.scan_value;
+    for (int y = 0; y < view.rows; ++y)
+        for (int x = 0; x < view.columns; ++x) {
+            const Vec3 p = view.place(x + 0.5, y + 0.5);
+            Colour colour = air;
+            const double value = scan ? scan(p) : 0.0;
+            if (scan && std::isfinite(value)) {
+                const double grey = std::clamp((value + 300.0) / 1600.0, 0.0, 1.0);
+                colour = {grey, grey, grey};
+            }
+            if (outside_region(body, p) == 0.0) {
+                const double d = depth_at(body, p);
+                if (d < 0.0) colour = mixed(colour, tissue_at(body, p), scan ? 0.35 : 1.0);
+                if (std::abs(d) < 0.8 * view.pixel()) colour = border_line;
+            } else if (!scan) {
+                colour = 0.5 * air;
+            }
+            if (zones_distance(scene, p) < 0.0) colour = mixed(colour, zone_colour, 0.45);
+            set(picture, x, y, colour);
+        }
+    return picture;
+}
+
+}  // namespace kerf
