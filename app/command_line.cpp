@@ -169,6 +169,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_files(preview, "YAML file of the procedure", 1);
     add_option(preview, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
                not_empty(yaml_help));
+    add_changes(preview);
     add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
                not_empty("a file, as in `--out preview.html`"));
 

@@ -55,9 +55,9 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
 }
 
 std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                const PluginRegistry& plugins, Diagnostics& diagnostics) {
+                                const PluginRegistry& plugins, Diagnostics& diagnostics, const ImportOptions& options) {
     auto documents = check_documents({procedure_file, anatomy_file}, plugins, diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
 }
 
 HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {

@@ -10,6 +10,7 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t most_parts = 16;  // of a path
+constexpr int most_changes = 1000;      // of a patch: each looks through what is there
 
 bool is_id_of(const Node& item, std::string_view id) {
     const Node* found = item.find("id");
@@ -53,6 +54,11 @@ private:
     /// `path` leads from `target` to what `change` is for.
     void apply(Node& target, const Node& change, std::string_view path) {
         if (change.is_refused) return;
+        if (++changes_ > most_changes) {
+            if (changes_ == most_changes + 1)
+                report_.error(Code::out_of_range, change.key_span, "This patch has more than " + std::to_string(most_changes) + " changes. Write a procedure of its own.");
+            return;
+        }
         if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= most_parts) {
             report_.error(Code::nested_too_deep, change.key_span, "This path has more than " + std::to_string(most_parts) + " parts. Name something nearer.");
             return;
@@ -133,14 +139,17 @@ private:
 
     void merge_items(Node& list, const Node& change) {
         for (const Node& item : change.children) {
+            if (changes_ > most_changes) return;
             const auto same = find_within(list, item.find("id")->text);
             if (same != list.children.end()) apply(*same, item);
             else list.children.push_back(item);
+            ++changes_;
         }
     }
 
     Document& document_;
     Report& report_;
+    int changes_ = 0;
 };
 
 // ---- as YAML

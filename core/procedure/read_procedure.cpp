@@ -13,6 +13,7 @@
 namespace kerf {
 namespace {
 
+constexpr std::size_t most_variants = 32;
 constexpr const char* midline = "midline";
 
 std::string quoted_id(const std::string& id) { return "`" + id + "`"; }
@@ -388,6 +389,10 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
 std::vector<Variant> read_variants(const Node& node, Report& report) {
     std::vector<Variant> variants;
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
+    if (node.children.size() > most_variants)  // each is read and checked like a procedure
+        report.error(Code::out_of_range, node.children[most_variants].key_span,
+                     "There are " + std::to_string(node.children.size()) + " variants, must be at most " + std::to_string(most_variants) +
+                         ". Move some into a procedure of their own.");
     for (const Node& child : node.children) {
         Node key;
         key.text = child.key;

@@ -66,7 +66,6 @@ std::string summary_json(const RunSummary& summary) {
     const Json document{{"schema", 1},
                         {"notice", notice_line},
                         {"procedure", summary.procedure},
-                        {"variant", summary.variant},
                         {"verdict", to_text(summary.verdict)},
                         {"reasons", summary.reasons},
                         {"score", plain_number(summary.score)},
@@ -79,7 +78,8 @@ std::string summary_json(const RunSummary& summary) {
                         {"force_scale", plain_number(summary.force_scale)},
                         {"hash", hex16(summary.hash)},
                         {"versions", std::move(versions)},
-                        {"anatomy_notes", summary.anatomy_notes}};
+                        {"anatomy_notes", summary.anatomy_notes},
+                        {"variant", summary.variant}};
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

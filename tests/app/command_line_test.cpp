@@ -41,7 +41,7 @@ TEST(CommandLine, DescribesAllOrOne) {
 }
 
 TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
-    for (const char* command : {"run", "validate", "rehearse", "plan", "expand"}) {
+    for (const char* command : {"run", "validate", "rehearse", "plan", "preview", "expand"}) {
         const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set", "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
         EXPECT_EQ(line.answer, "") << command;
         EXPECT_EQ(line.files, std::vector<std::string>{"a.yaml"});

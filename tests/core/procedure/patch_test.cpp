@@ -126,6 +126,21 @@ TEST(Patch, RefusesAPathWithoutEnd) {
     expect_refused(Code::nested_too_deep, "«" + path + "»: 1");
 }
 
+TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
+    std::string variants = "variants:\n";
+    for (int i = 0; i < 33; ++i) variants += (i == 32 ? "  «v" : "  v") + std::to_string(i) + (i == 32 ? "»" : "") + ": {patch: {time_limit: 3 s}}\n";
+    const MarkedText many(base + variants);
+    Diagnostics found;
+    EXPECT_FALSE(read(many.text, found, {}));
+    expect_only(Code::out_of_range, many, found);
+
+    std::string keys;
+    for (int i = 0; i < 50'000; ++i) keys += (i > 0 ? ", k" : "k") + std::to_string(i) + ": 1";
+    found.clear();
+    EXPECT_FALSE(read(with_patch("{" + keys + "}"), found));
+    EXPECT_EQ(found.at(0).code, "E0412");
+}
+
 TEST(Patch, AMistakeInItIsShownWhereItStandsTogetherWithWhatItReplaces) {
     Diagnostics found;
     EXPECT_FALSE(read(with_patch("instruments.drill.parameters: {diameter: 5}"), found));

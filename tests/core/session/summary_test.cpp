@@ -22,7 +22,7 @@ TEST(Summary, HasTheKeysThatScriptsDependOnInThisOrder) {
 
     const std::vector<std::string> promised{"schema", "notice", "procedure", "verdict", "reasons", "score", "duration_s", "steps",
                                             "metrics", "ticks", "late_ticks", "removed_mm3", "force_scale", "hash", "versions",
-                                            "anatomy_notes"};
+                                            "anatomy_notes", "variant"};
     EXPECT_EQ(keys, promised);
     EXPECT_EQ(document["schema"], 1);
 }
