@@ -41,7 +41,8 @@ struct Scene {
 /// Reads and checks everything. `anatomy_file` empty: the procedure's own.
 /// Error: whatever is wrong with the documents, all of it, in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(const std::string& procedure_file, const std::string& anatomy_file,
-                                              const PluginRegistry& plugins, Diagnostics& diagnostics);
+                                              const PluginRegistry& plugins, Diagnostics& diagnostics,
+                                              const ImportOptions& options = {});
 
 /// A rehearsal's intent as legs of the simulated hand, and where it starts.
 struct HandPlan {

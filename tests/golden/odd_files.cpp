@@ -115,8 +115,12 @@ struct Surface {
     int vertices = 0;
 
     Surface& cube(double size, double x, double y, double z, bool is_inwards = false, int faces = 6) {
+        return box(size, size, x, y, z, is_inwards, faces);
+    }
+    /// `size` wide and long, `height` high.
+    Surface& box(double size, double height, double x, double y, double z, bool is_inwards = false, int faces = 6) {
         for (int i = 0; i < 8; ++i)
-            vertex(x + (i & 1 ? 0.5 : -0.5) * size, y + (i & 2 ? 0.5 : -0.5) * size, z + (i & 4 ? 0.5 : -0.5) * size);
+            vertex(x + (i & 1 ? 0.5 : -0.5) * size, y + (i & 2 ? 0.5 : -0.5) * size, z + (i & 4 ? 0.5 : -0.5) * height);
         const int corners[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
         for (int f = 0; f < faces; ++f) {
             text += "f";
@@ -284,7 +288,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {651, surface(651, moebius_strip())},
         {652, surface(652, Surface().cube(20, 500, 0, 0).text)},
         {653, surface(653, Surface().cube(20, 0, 0, 0).cube(5, 5, 5, 5).text)},
-        {655, surface(655, Surface().cube(20, 0, 0, 0).cube(18, 0, 0, 0, true).text)},
+        {655, surface(655, Surface().cube(20, 0, 0, 0).box(12, 1, 0, 0, 12).text)},
         {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
         {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
         {660, [](const std::string& folder) {
