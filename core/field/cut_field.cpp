@@ -48,10 +48,13 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
       quantum_(body.grid().quantum()),
-      table_(body.grid().brick_count(), -1),
+      start_(body.grid().brick_count() + 1, uncut),
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
-    chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
+    for (std::size_t b = 0; b < body.grid().brick_count(); ++b) most_ += !body.surface.is_all_air(b);
+    samples_.reserve((most_ + 1) * stored_samples);
+    ranges_.reserve(most_);
+    samples_.assign(stored_samples, -32767);
     reserve(reserve_bricks);
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
     if (!body.region.is_bounded()) return;
@@ -68,11 +71,12 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
 }
 
 void CutField::reserve(std::size_t count) {
-    while (free_bricks() < count) {
-        chunks_.push_back(std::make_unique<std::int16_t[]>(chunk_bricks * stored_samples));
-        capacity_ += chunk_bricks;
-        ranges_.resize(capacity_);
-    }
+    const std::size_t wanted = std::min(used_ + count, most_);
+    if (wanted <= capacity_) return;
+    constexpr std::size_t some = 256;  // at a time
+    capacity_ = std::min((wanted + some - 1) / some * some, most_);
+    samples_.resize((capacity_ + 1) * stored_samples, -32767);
+    ranges_.resize(capacity_);
 }
 
 int CutField::stamp(const CutRecord &record, const RevolutionSolid &solid) {
@@ -153,7 +157,7 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
         ridge.for_each_held([&](std::size_t index, std::uint16_t place) {
-            brick(table_[index])[place] = 1;
+            brick(start_[index])[place] = 1;
             changed_[index] = 1;
         });
     };
@@ -171,9 +175,9 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
         }
         const auto [i, j, k] = box[n];
         const std::size_t index = g.brick_index(i, j, k);
-        if (table_[index] < 0 || is_full_[index] != 0) continue;
+        if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;
-        const std::int16_t *samples = brick(table_[index]);
+        const std::int16_t *samples = brick(start_[index]);
         const CellRanges &ranges = ranges_of(index);
         for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
             if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
@@ -216,16 +220,15 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
         if (touched >= most) return n;
         const auto [i, j, k] = places[n];
         const std::size_t index = grid().brick_index(i, j, k);
-        if (table_[index] < 0) {
+        if (start_[index] == uncut) {
             if (free_bricks() == 0) reserve(1);
-            table_[index] = static_cast<std::int32_t>(used_++);
-            std::fill_n(brick(table_[index]), stored_samples, std::int16_t{-32767});
+            start_[index] = static_cast<std::int32_t>(++used_) * stored_samples;
             ranges_of(index).fill(-32767);
         }
         ++touched;  // so that what a tick may stamp does not depend on what was cut
                     // before
         if (is_full_[index] != 0) continue;
-        std::int16_t *samples = brick(table_[index]);
+        std::int16_t *samples = brick(start_[index]);
         CellRanges &ranges = ranges_of(index);
         if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
@@ -235,39 +238,10 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
     return centres.count;
 }
 
-void CutField::at(const PlaceBlock &places, BlockValues &cut) const noexcept {
-    CornerBlock<std::int16_t> corners(places);
-    for (std::size_t i = 0; i < places.count; ++i) {
-        const std::int32_t slot =
-            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
-        if (slot < 0)
-            cut[i] = -clamp_;
-        else
-            corners.add(brick(slot), i);
-    }
-    corners.interpolate(quantum_, cut);
-}
-
-bool CutField::at(const PlaceBlock &places, SlopeBlock &cut) const noexcept {
-    CornerBlock<std::int16_t> corners(places);
-    for (std::size_t i = 0; i < places.count; ++i) {
-        const std::int32_t slot =
-            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
-        if (slot < 0)
-            cut.set(i, -clamp_);
-        else
-            corners.add(brick(slot), i);
-    }
-    corners.interpolate(quantum_, cut);
-    return !corners.is_empty();
-}
-
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {
     const Grid &g = grid();
     if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;
-    const std::int32_t slot = table_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)];
-    if (slot < 0) return -32767;
-    return brick(slot)[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
+    return brick(start_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)])[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
 }
 
 std::vector<std::size_t> CutField::take_changed() {
@@ -282,9 +256,9 @@ std::vector<std::size_t> CutField::take_changed() {
 
 std::uint64_t CutField::hash() const noexcept {
     Fnv1a hash;
-    for (std::size_t b = 0; b < table_.size(); ++b) {
-        if (table_[b] < 0) continue;
-        const std::int16_t *v = brick(table_[b]);
+    for (std::size_t b = 0; b < start_.size(); ++b) {
+        const std::int16_t *v = stored(b);
+        if (v == nullptr) continue;
         for (int s = 0; s < stored_samples; ++s)
             if (v[s] != -32767) {
                 hash.add_bytes(b, 8);
@@ -296,11 +270,11 @@ std::uint64_t CutField::hash() const noexcept {
 }
 
 bool CutField::same_bits(const CutField &other) const noexcept {
-    if (table_.size() != other.table_.size()) return false;
+    if (start_.size() != other.start_.size()) return false;
     const auto is_default = [](const std::int16_t *v) {
         return std::all_of(v, v + stored_samples, [](std::int16_t s) { return s == -32767; });
     };
-    for (std::size_t b = 0; b < table_.size(); ++b) {
+    for (std::size_t b = 0; b < start_.size(); ++b) {
         const std::int16_t *mine = stored(b), *theirs = other.stored(b);
         if (mine == nullptr && theirs == nullptr) continue;
         if (mine == nullptr || theirs == nullptr) {

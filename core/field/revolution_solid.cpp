@@ -78,8 +78,31 @@ double RevolutionSolid::squared_distance(double r, double z) const noexcept {
     return std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(z - back.z));
 }
 
+double RevolutionSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
+    const double low = middle.z - half.z, high = middle.z + half.z;
+    const double beside = std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
+    const double r = std::max(0.0, beside);
+    double depth = std::min(tip_z() - low, high - end_z());
+    for (const OutlineSegment& s : segments_)
+        depth = std::min(depth, s.offset - s.normal_r * r - std::min(s.normal_z * low, s.normal_z * high));
+    return depth;
+}
+
 Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    if (is_convex_) {  // inside, away from the plane of the nearest face
+        const double to_front = tip_z() - p.z, to_back = p.z - end_z();
+        double depth = std::min(to_front, to_back), in_r = 0.0, in_z = to_front < to_back ? -1.0 : 1.0;
+        for (const OutlineSegment& s : segments_) {
+            const double to_face = s.offset - (s.normal_r * r + s.normal_z * p.z);
+            if (!(to_face < depth)) continue;
+            depth = to_face;
+            in_r = s.normal_r;
+            in_z = -s.normal_z;
+        }
+        const double inwards = -in_r / r;
+        if (depth >= 0.0) return r > 0.0 ? Vec3{inwards * p.x, inwards * p.y, in_z} : Vec3{in_r, 0.0, in_z};
+    }
 
     // From the nearest point of the outline to the point, and inwards where there is no such way.
     double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;

@@ -41,6 +41,9 @@ public:
                                 gradients.writable());
     }
 
+    /// No point of the box is deeper [m]. Pre: is_convex().   [any] pure.
+    [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
+
     /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
     /// outside; on the surface inwards.   [any] pure.
     [[nodiscard]] Vec3 way_in(Vec3 point_in_tool) const noexcept;

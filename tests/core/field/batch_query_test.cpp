@@ -92,7 +92,7 @@ void compare_with(const BlockKernel& kernel, const test::DrilledBlock& hole, std
         seen.normals += dot(surface.normal, surface.normal) > 0.5;
         seen.air += sample.engagement == 0.0;
         const BrickPlace place = locate(hole.body, in_body);
-        seen.pending += surface.distance > std::max(hole.body.surface.at(place), hole.committed.at(place));
+        seen.pending += surface.distance > std::max(hole.body.surface.at(place), hole.committed.at(place)) + 1e-8;
     }
 }
 

@@ -49,6 +49,11 @@ protected:
             block.add({size * numbers(), size * numbers(), size * numbers()});
         return block;
     }
+    static std::vector<Vec3> listed(const PointBlock& block) {
+        std::vector<Vec3> list;
+        for (std::size_t i = 0; i < block.count; ++i) list.push_back(block[i]);
+        return list;
+    }
     const BlockKernel& plain = portable_kernel();
     const BlockKernel* fast = nullptr;
     Numbers numbers;
@@ -77,90 +82,134 @@ TEST_F(BothKernels, MovePointsAlike) {
     }
 }
 
-TEST_F(BothKernels, MakeTheSameNormals) {
+TEST_F(BothKernels, MovePointsOfAFrameAlike) {
     for (int n = 0; n < blocks; ++n) {
-        PointBlock in = points(3e4);
-        in.x[0] = in.y[0] = in.z[0] = 0.0;
+        const std::vector<Vec3> in = listed(points(0.05));
         const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        const Frame frame = frame_of({{numbers.sound(), numbers.sound(), numbers.sound()}, turn});
         PointBlock a, b;
-        plain.unit(turn, in.count, in.coordinates(), a.writable());
-        fast->unit(turn, in.count, in.coordinates(), b.writable());
-        expect_same(a.x, b.x, in.count, "x");
-        expect_same(a.y, b.y, in.count, "y");
-        expect_same(a.z, b.z, in.count, "z");
-        for (std::size_t i = 0; i < in.count; ++i) {
-            if (!is_finite(in[i]) || !(dot(in[i], in[i]) < 1e300)) continue;
-            ASSERT_TRUE(a[i] == rotate(turn, normalized(in[i]))) << i;
-        }
+        plain.move(frame, in.size(), in.data(), a.writable());
+        fast->move(frame, in.size(), in.data(), b.writable());
+        expect_same(a.x, b.x, in.size(), "x");
+        expect_same(a.y, b.y, in.size(), "y");
+        expect_same(a.z, b.z, in.size(), "z");
     }
 }
 
-TEST_F(BothKernels, FindTheSamePlaces) {
-    const LatticeShape grid{{-0.011, -0.012, -0.013}, 0.4e-3, {56, 64, 72}, 7, 8};
+TEST_F(BothKernels, FindTheSamePlacesAndThoseOfOnePoint) {
+    const Grid grid{{7, 8, 9}, 0.4e-3, {-0.011, -0.012, -0.013}};
     std::size_t inside = 0, outside = 0;
     for (int n = 0; n < blocks; ++n) {
-        PointBlock in = points(0.016);
-        for (std::size_t i = 0; i < in.count; i += 3)  // right on a sample, the grid's first and its end among them
-            in.x[i] = grid.origin[0] + grid.spacing * static_cast<double>(numbers.below(57));
+        std::vector<Vec3> in = listed(points(0.016));
+        for (std::size_t i = 0; i < in.size(); i += 3)  // right on a sample, the grid's first and its end among them
+            in[i].x = grid.origin.x + grid.spacing * static_cast<double>(numbers.below(57));
+        Region region;
+        if (n % 2 == 0) region = {grid.sample_position(5, 6, 7), grid.sample_position(40, 41, 42)};
+        const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
+        const GridFrame frame(grid, region, frame_of({{0, 0, 0}, n % 3 == 0 ? Quat{1, 0, 0, 0} : turn}));
         PlaceBlock a, b;
-        for (auto* places : {&a, &b})
-            (places == &a ? plain : *fast)
-                .locate(grid, in.count, in.coordinates(),
-                        {places->brick.data(),
-                         places->offset.data(),
-                         {places->fx.data(), places->fy.data(), places->fz.data()}});
-        expect_same(a.brick, b.brick, in.count, "brick");
-        expect_same(a.offset, b.offset, in.count, "offset");
-        expect_same(a.fx, b.fx, in.count, "fx");
-        expect_same(a.fy, b.fy, in.count, "fy");
-        expect_same(a.fz, b.fz, in.count, "fz");
-        for (std::size_t i = 0; i < in.count; ++i) ++(a.brick[i] == PlaceBlock::outside ? outside : inside);
+        PointBox box[2];
+        for (auto* places : {&a, &b}) {
+            const test::WithKernel with(places == &a ? plain : *fast);
+            box[places == &b] = frame.locate(in.data(), in.size(), *places);
+        }
+        expect_same(a.brick, b.brick, in.size(), "brick");
+        expect_same(a.offset, b.offset, in.size(), "offset");
+        expect_same(a.fx, b.fx, in.size(), "fx");
+        expect_same(a.fy, b.fy, in.size(), "fy");
+        expect_same(a.fz, b.fz, in.size(), "fz");
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            ASSERT_EQ(box[0].low[axis], box[1].low[axis]);
+            ASSERT_EQ(box[0].high[axis], box[1].high[axis]);
+        }
+        for (std::size_t i = 0; i < in.size(); ++i) {
+            const bool is_outside = a.brick[i] == static_cast<std::int32_t>(grid.brick_count());
+            ++(is_outside ? outside : inside);
+            if (n % 2 == 0) continue;
+            const Vec3 g = frame * in[i];
+            const BrickPlace one = locate_fixed(grid, frame.lattice().bits, g.x, g.y, g.z);
+            ASSERT_EQ(one.is_inside, !is_outside);
+            if (is_outside) continue;
+            ASSERT_EQ(static_cast<std::int32_t>(one.brick), a.brick[i]);
+            ASSERT_EQ(one.offset, a.offset[i]);
+            ASSERT_TRUE(one.fx == a.fx[i] && one.fy == a.fy[i] && one.fz == a.fz[i]);
+        }
     }
     EXPECT_GT(inside, 5000u);
     EXPECT_GT(outside, 1000u);
 }
 
-template <class Sample>
-void interpolate_alike(Numbers& numbers, const BlockKernel& plain, const BlockKernel& fast, double size) {
-    constexpr std::size_t bricks = 20;
-    std::vector<Sample> pool(bricks * stored_samples);
-    for (Sample& s : pool) s = static_cast<Sample>(size * numbers.sound());
-    for (int n = 0; n < blocks; ++n) {
-        const std::size_t count = 1 + numbers.below(block_capacity);
-        std::array<const Sample*, block_capacity> corner;
-        BlockValues fx, fy, fz, a, b;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t x = numbers.below(8), y = numbers.below(8), z = numbers.below(8);
-            corner[i] = &pool[numbers.below(bricks) * stored_samples + (z * stored_edge + y) * stored_edge + x];
-            for (auto* f : {&fx, &fy, &fz}) (*f)[i] = numbers.below(8) == 0 ? 0.0 : std::abs(numbers.sound());
+/// Places at random in so many bricks and, now and then, outside; behind the last the last again, as `place` leaves them.
+PlaceBlock random_places(Numbers& numbers, std::size_t bricks) {
+    PlaceBlock places;
+    places.count = 1 + numbers.below(block_capacity);
+    for (std::size_t i = 0; i < block_capacity; ++i) {
+        if (i >= places.count) {
+            places.brick[i] = places.brick[i - 1];
+            places.offset[i] = places.offset[i - 1];
+            for (auto* f : {&places.fx, &places.fy, &places.fz}) (*f)[i] = (*f)[i - 1];
+            continue;
         }
-        const ConstCoordinates fraction{fx.data(), fy.data(), fz.data()};
-        for (auto* values : {&a, &b}) {
-            const BlockKernel& kernel = values == &a ? plain : fast;
-            if constexpr (std::is_same_v<Sample, float>)
-                kernel.trilinear_float(corner.data(), count, fraction, 1.0, values->data());
-            else
-                kernel.trilinear_int16(corner.data(), count, fraction, 6.1e-8, values->data());
-        }
-        expect_same(a, b, count, "value");
-        if constexpr (std::is_same_v<Sample, std::int16_t>) {
-            SlopeBlock s, t;
-            for (auto* slopes : {&s, &t})
-                (slopes == &s ? plain : fast)
-                    .gradient_int16(corner.data(), count, fraction, 6.1e-8, slopes->value.data(),
-                                    {slopes->x.data(), slopes->y.data(), slopes->z.data()});
-            expect_same(s.value, a, count, "value beside its gradient");
-            expect_same(s.value, t.value, count, "value beside its gradient");
-            expect_same(s.x, t.x, count, "slope along x");
-            expect_same(s.y, t.y, count, "slope along y");
-            expect_same(s.z, t.z, count, "slope along z");
-        }
+        const std::size_t x = numbers.below(8), y = numbers.below(8), z = numbers.below(8);
+        places.brick[i] = static_cast<std::int32_t>(numbers.below(bricks + 1));
+        places.offset[i] = static_cast<std::int32_t>((z * stored_edge + y) * stored_edge + x);
+        for (auto* f : {&places.fx, &places.fy, &places.fz})
+            (*f)[i] = numbers.below(8) == 0 ? 0.0f : static_cast<float>(std::abs(numbers.sound()));
     }
+    return places;
 }
 
 TEST_F(BothKernels, InterpolateAlike) {
-    interpolate_alike<std::int16_t>(numbers, plain, *fast, 32767.9);
-    interpolate_alike<float>(numbers, plain, *fast, 2000.0);
+    // Two uniform bricks, as every field has them, and others; `start` has one entry more for what is outside
+    constexpr std::size_t bricks = 20;
+    constexpr double quantum = 6.1e-8, clamp = 0.002;
+    std::vector<std::int16_t> samples[2];
+    std::vector<float> densities(bricks * stored_samples);
+    for (float& density : densities) density = static_cast<float>(1000.0 + 1000.0 * numbers.sound());
+    for (auto& field : samples) {
+        field.assign(stored_samples, 32767);
+        field.resize(2 * stored_samples, -32767);
+        while (field.size() < bricks * stored_samples) field.push_back(static_cast<std::int16_t>(32767.9 * numbers.sound()));
+    }
+    int uniform = 0;
+    for (int n = 0; n < blocks; ++n) {
+        std::vector<std::int32_t> start[2], stored;
+        for (auto& of_field : start)
+            for (std::size_t b = 0; b <= bricks; ++b)
+                of_field.push_back(stored_samples * static_cast<std::int32_t>(numbers.below(n % 4 == 0 ? 2 : bricks)));
+        for (std::size_t b = 0; b <= bricks; ++b)
+            stored.push_back(numbers.below(3) == 0 ? -1 : stored_samples * static_cast<std::int32_t>(numbers.below(bricks)));
+        const PlaceBlock at = random_places(numbers, bricks);
+        const FieldShape bone{start[0].data(), samples[0].data(), 2 * stored_samples};
+        const FieldShape cut{start[1].data(), samples[1].data(), 2 * stored_samples};
+        uniform += n % 4 == 0;
+
+        FloatBlock value[2], density[2];
+        BlockValues distance[2];
+        SlopeBlock slopes[2];
+        float least[2];
+        kerf_surface_point answers[2][block_capacity] = {};
+        for (const std::size_t k : {0u, 1u}) {
+            const BlockKernel& kernel = k == 0 ? plain : *fast;
+            kernel.values(bone, at.count, at.places(), value[k].data());
+            kernel.metres(bone, at.count, at.places(), quantum, clamp, distance[k].data());
+            kernel.densities(stored.data(), densities.data(), at.count, at.places(), 77.0f, density[k].data());
+            least[k] = kernel.slopes(bone, cut, at.count, at.places(), slopes[k].writable());
+            kernel.answer({quantum, clamp, {{0.6f, 0.8f, 0.0f}, {-0.8f, 0.6f, 0.0f}, {0.0f, 0.0f, 1.0f}}}, at.count,
+                          slopes[k].slopes(), answers[k]);
+        }
+        expect_same(value[0], value[1], at.count, "value");
+        expect_same(distance[0], distance[1], at.count, "distance");
+        expect_same(density[0], density[1], at.count, "density");
+        expect_same(slopes[0].value, slopes[1].value, at.count, "value beside its gradient");
+        expect_same(slopes[0].x, slopes[1].x, at.count, "slope along x");
+        expect_same(slopes[0].y, slopes[1].y, at.count, "slope along y");
+        expect_same(slopes[0].z, slopes[1].z, at.count, "slope along z");
+        ASSERT_EQ(std::memcmp(answers[0], answers[1], at.count * sizeof answers[0][0]), 0);
+        ASSERT_EQ(least[0], least[1]);
+        ASSERT_EQ(least[0], *std::min_element(slopes[0].value.begin(), slopes[0].value.begin() + at.count));
+    }
+    EXPECT_GT(uniform, 100);
 }
 
 TEST_F(BothKernels, MeasureTheSameDepths) {
