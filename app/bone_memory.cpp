@@ -50,7 +50,7 @@ double bone_memory(const Anatomy& anatomy, double spacing) {
 }
 
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
-    if (anatomy.ct) return;
+    if (anatomy.ct || anatomy.mesh) return;
     const double needed = bone_memory(anatomy, procedure.spacing);
     if (needed <= most_bone_memory) return;
 

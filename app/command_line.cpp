@@ -106,6 +106,9 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
 
+    CLI::App* schema = add("schema", "Print the JSON Schema of a kind of document, for editors");
+    schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")->type_name("")->check(one_of({"procedure", "anatomy"}));
+
     CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
     add_files(plan, "YAML file of the procedure", 1);
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",

@@ -16,9 +16,10 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "list", "plan", "stability", "chart"; empty: `answer` is all
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "list", "plan", "stability", "chart"; empty: `answer` is all
     std::vector<std::string> files;  ///< procedures; at least one for run, validate, rehearse and plan, exactly one for run and plan
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
+    std::string kind = "procedure";  ///< of schema: procedure | anatomy
     std::string anatomy;             ///< file; empty: the procedure's own
     std::string hand, replay, learner;
     std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none

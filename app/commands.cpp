@@ -14,6 +14,8 @@
 #include "conformance/chart/chart_files.h"
 #include "conformance/stability/atlas.h"
 #include "conformance/stability/suite.h"
+#include "core/procedure/schema.h"
+#include "core/procedure/shapes.h"
 #include "core/session/content_hash.h"
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
@@ -207,6 +209,12 @@ ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
     return exit_pass;
 }
 
+ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
+    const Shape& shape = line.kind == "anatomy" ? shapes::anatomy : shapes::procedure;
+    std::fputs(schema_text(shape, plugins.catalog(), notice_line).c_str(), stdout);
+    return exit_pass;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -215,6 +223,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "plan") return plan(line, plugins);
     if (line.command == "stability") return look_at_stability(line, plugins);
     if (line.command == "chart") return draw_chart(line, plugins, printed);
+    if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;

@@ -13,9 +13,21 @@ using Json = nlohmann::ordered_json;
 
 const char* level_of(const Diagnostic& d) { return d.level == Diagnostic::Level::error ? "error" : "warning"; }
 
+Json to_json(const SourcePlace& place) {
+    return {{"file", place.file}, {"line", place.line}, {"column", place.column}, {"length", place.length}};
+}
+
 Json to_json(const Diagnostic& d) {
-    return {{"level", level_of(d)},     {"code", d.code},           {"file", d.place.file}, {"line", d.place.line},
-            {"column", d.place.column}, {"length", d.place.length}, {"message", d.message}, {"write", d.write}};
+    Json json{{"level", level_of(d)}, {"code", d.code}};
+    json.update(to_json(d.place));
+    json["message"] = d.message;
+    json["write"] = d.write;
+    json["reason"] = nullptr;
+    if (d.reason) {
+        json["reason"] = to_json(d.reason->place);
+        json["reason"]["message"] = d.reason->message;
+    }
+    return json;
 }
 
 std::string json_of(const std::vector<Findings>& all) {
@@ -60,6 +72,7 @@ std::string github_of(const Diagnostic& d) {
     if (d.place.line > 0) text += ",line=" + std::to_string(d.place.line) + ",col=" + std::to_string(d.place.column);
     text += ",title=" + d.code + "::" + escaped(d.message, false);
     if (!d.write.empty()) text += escaped(" Write `" + d.write + "`.", false);
+    if (d.reason) text += escaped("\nbecause of " + to_text(d.reason->place) + ": " + d.reason->message, false);
     return text + "\n";
 }
 

@@ -25,9 +25,9 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
     for (int i = 0; i < count; ++i) ids.emplace_back(known[i].id);
     const Node* haptics = document.root.find("haptics");
     const Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
+    const std::string meant = closest(procedure.device, ids);
     report.error(Code::unknown_device, device != nullptr ? device->span : TextSpan{},
-                 "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + ".",
-                 closest(procedure.device, ids));
+                 "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant), meant);
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     const auto keep_to_the_first = [&](std::size_t i, const char* key, const std::string& value, const std::string& wanted) {
         if (value != wanted)
             report.error(Code::one_tool_only, span_in(document, "steps", i, key),
-                         std::string("Another ") + key + " than the first step's is not possible yet.", wanted);
+                         std::string("Another ") + key + " than the first step's is not possible yet.", wanted,
+                         report.because(span_in(document, "steps", 0, key), "the first step's is this."));
     };
     for (std::size_t i = 1; i < procedure.steps.size(); ++i) {
         keep_to_the_first(i, "instrument", procedure.steps[i].instrument, first.instrument);
@@ -51,7 +52,7 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
         if (path.size() < 2)
             report.error(Code::no_way, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal has " + std::to_string(path.size()) +
-                             " waypoint, must have at least 2: from where and to where.");
+                             " waypoint, must have at least 2: from where and to where. Add one.");
         else if (path.front().depth >= 0.0)
             report.error(Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal starts inside the bone; its first waypoint must have a depth below 0 mm.",

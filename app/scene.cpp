@@ -8,6 +8,7 @@
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
+#include "core/import/markups.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_procedure.h"
 
@@ -35,6 +36,8 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     auto anatomy = read_anatomy(anatomy_file.empty() ? scene.procedure.anatomy_file : anatomy_file, diagnostics);
     if (!anatomy || has_error(diagnostics)) return std::nullopt;
     scene.anatomy = std::move(*anatomy);
+    const std::vector<std::uint64_t> markups = add_markups(scene.anatomy, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
     check_needs(scene.procedure, scene.anatomy, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
 
@@ -50,6 +53,7 @@ std::optional<Scene> make_scene(const std::string& procedure_file, const std::st
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
     scene.notes = std::move(import.notes);
+    import.file_hashes.insert(import.file_hashes.end(), markups.begin(), markups.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),

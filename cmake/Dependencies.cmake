@@ -9,6 +9,7 @@ find_package(ZLIB REQUIRED)
 # Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)   # its packages list all that Debian keeps in other ones
 find_package(ITK 5 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta)
+find_package(GDCM 3 REQUIRED)          # codecs of compressed DICOM, nothing else
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 
 function(dep_wrap name)   # the first target that exists wins
@@ -32,6 +33,10 @@ add_library(dep_itk INTERFACE)   # without its use-file, which changes flags for
 target_link_libraries(dep_itk INTERFACE ${ITK_LIBRARIES})
 target_include_directories(dep_itk SYSTEM INTERFACE ${ITK_INCLUDE_DIRS})
 add_library(dep::itk ALIAS dep_itk)
+add_library(dep_gdcm INTERFACE)
+target_link_libraries(dep_gdcm INTERFACE gdcmMSFF gdcmDSED gdcmDICT gdcmCommon)
+target_include_directories(dep_gdcm SYSTEM INTERFACE ${GDCM_INCLUDE_DIRS})
+add_library(dep::gdcm ALIAS dep_gdcm)
 if(KERF_TESTS)
   find_package(GTest CONFIG REQUIRED)
   dep_wrap(gtest GTest::gtest_main)

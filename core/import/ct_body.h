@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "core/import/image/scan.h"
 #include "core/import/import_report.h"
-#include "core/import/image/read_image.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/solids.h"
 
 /// Bone out of a CT: which voxels, where the border between them runs, how dense it is.
 ///
-///     E0630  the label map does not lie on the image's grid
+///     E0630  the label map covers nothing of the region
 ///     E0631  the axes lie outside the image
-///     E0632  the image is sheared (tilted gantry)
+///     E0632  the image is sheared within its slices
 ///     E0633  no voxel is bone
+///     E0634  no bone near the landmark that names the piece
+///     E0635  the segmentation has no structure of that name
+///     W0675  values that are no HU, or metal
 namespace kerf {
 
 /// A bone on the grid of its CT, cut out around the planned axes.
@@ -29,20 +33,18 @@ struct CtBone {
     ImportReport report;     ///< what was done, and with which files
 };
 
-/// Reads the files that `anatomy.ct` names and makes the bone.
+/// Reads the files that `anatomy.ct` names, and of them only the region, and makes the bone.
 ///
-/// Mask: the labels to keep, or whatever reaches the threshold, its largest piece; closed and filled as told. Border:
-/// voxels beside the mask's border that the grey values put on its other side change sides (one voxel, never into
-/// another label); then between an inner voxel a and an outer voxel b at
-///
-///     t = (v_a − threshold) / (v_a − v_b)   of the way, ½ where the values do not cross
-///
-/// and the distance follows from |∇d| = 1 (fast sweeping).
-/// Error: E062x, E063x.   Pre: `anatomy.ct`.   [main]
-[[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics);
+/// Mask: the labels to keep, or whatever reaches the threshold, of it the largest piece or the one at a landmark; closed and
+/// filled as told. Border: voxels beside the mask's border that the grey values put on its other side change sides (one voxel,
+/// never into another label); then as `distance_in_voxels` says. A label map on another grid gives each voxel its nearest label.
+/// Error: E062x, E063x, E066x, E067x.   Pre: `anatomy.ct`.   [main]
+[[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics,
+                                                 const ImportOptions& options = {});
 
 /// The same for images that are in memory. `labels` may be null.   [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& image,
-                                                 const VoxelImage* labels, Diagnostics& diagnostics);
+                                                 const VoxelImage* labels, Diagnostics& diagnostics,
+                                                 const ImportOptions& options = {});
 
 }  // namespace kerf

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/import_report.h"
 
-#include <cstdio>
+#include <charconv>
 #include <fstream>
 
 #include "core/field/fnv1a.h"
@@ -20,12 +20,16 @@ bool hash_of_file(const std::string& file, std::uint64_t& hash) {
     return in.eof();
 }
 
+std::uint64_t hash_of_hashes(const std::vector<std::uint64_t>& hashes) {
+    Fnv1a sum;
+    for (const std::uint64_t one : hashes) sum.add_bytes(one, 8);
+    return sum.value();
+}
+
 std::string rounded(double value, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    for (char& c : text)
-        if (c == ',') c = '.';
-    return text;
+    char text[400];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
+    return {text, end.ptr};
 }
 
 }  // namespace kerf

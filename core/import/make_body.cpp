@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/import/ct_body.h"
+#include "core/import/landmark_checks.h"
+#include "core/import/mesh_body.h"
+#include "core/import/surface/diagnose.h"
+#include "core/import/surface/signed_distance.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -13,6 +18,8 @@ namespace {
 
 constexpr double least_share = 0.80;             // of a planned axis in bone
 constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
+
+using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
 Diagnostic error(std::string code, const std::string& file, std::string message, const std::string& advice) {
     Diagnostic d;
@@ -57,7 +64,26 @@ bool may_hold_base(const Body& body, std::size_t brick) {
 }
 
 ImportReport phantom_report(const Anatomy& anatomy) {
-    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}};
+    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}};
+}
+
+/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.
+void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string& file, Diagnostics& diagnostics) {
+    constexpr double least_voxels = 3.0;
+    const double needed = least_voxels * spacing;
+    const auto least = thinnest(bone.walls);
+    if (!least || least->thickness >= needed) return;
+    const double fine_enough = std::floor(least->thickness / least_voxels * 1e5) * 1e-5;  // to 0.01 mm
+    const double share = share_under(bone.walls, needed);
+    Diagnostic thin = error("W0655", file,
+                            "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at) +
+                                ", and " + (share < 1e-3 ? "under 0.1" : rounded(100.0 * share, 1)) +
+                                " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
+                                rounded(spacing * 1e3, 3) + " mm can carry.",
+                            "There it is felt too weakly.");
+    thin.level = Diagnostic::Level::warning;
+    if (fine_enough > 0.0) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
+    diagnostics.push_back(std::move(thin));
 }
 
 void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
@@ -66,7 +92,7 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
         const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
         std::string note = "Tissue " + tissue.id + ": ";
         note +=
-            is_base ? "what the others leave" : rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not from a CT";
+            is_base ? "what the others leave" : rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not measured";
         note += material.densities.is_empty() ? "; " + rounded(material.density * 1e-3, 2) + " g/cm3 everywhere."
                                               : "; density by place.";
         report.notes.push_back(std::move(note));
@@ -83,11 +109,14 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
 
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report) {
+std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report,
+                              const ImportOptions& options) {
     std::optional<CtBone> ct;
-    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics))) return std::nullopt;
+    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics, options))) return std::nullopt;
+    std::optional<MeshBone> mesh;
+    if (anatomy.mesh && !(mesh = make_mesh_bone(anatomy, diagnostics))) return std::nullopt;
 
-    const Box bounds = ct ? ct->region : phantom_bounds(anatomy.phantom);
+    const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
         diagnostics.push_back(error("E0601", anatomy.file, "the phantom has no part that adds bone.",
                                     "Give `phantom.parts` at least one part without `subtract`."));
@@ -109,13 +138,21 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     Body body;
     body.id = anatomy.id;
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    if (ct) body.region = region_on(grid, bounds);
+    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
     // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
-    const auto depth = [&](Vec3 p) {
-        return ct ? ct->distance.sample_trilinear(body.region.nearest(p), spacing * 1e3)
-                  : distance_to(anatomy.phantom, p);
+    const auto in_region = [&](auto distance) -> Distance {
+        return [&body, distance](Vec3 p) mutable { return distance(body.region.nearest(p)); };
     };
-    body.surface = LevelSet::build(grid, depth);
+    std::optional<TriangleTree> surface_tree, canal_tree;
+    if (mesh) surface_tree.emplace(mesh->surface);
+    if (mesh && mesh->canal) canal_tree.emplace(*mesh->canal);
+    const Distance depth =
+        ct ? in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); })
+        : mesh ? in_region(SignedDistance(*surface_tree))
+               : Distance([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
+    body.surface = LevelSet::build(grid, !canal_tree ? depth : [&, room = in_region(SignedDistance(*canal_tree))](Vec3 p) {
+        return std::max(depth(p), -room(p));
+    });
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -134,8 +171,10 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
         body.materials.push_back(std::move(material));
     }
+    if (mesh) warn_of_thin_walls(*mesh, spacing, anatomy.file, diagnostics);
+    check_landmarks(anatomy, body, diagnostics);
     if (report) {
-        *report = ct ? std::move(ct->report) : phantom_report(anatomy);
+        *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
         note_tissues_and_axes(anatomy, body, *report);
     }
     return body;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -32,8 +33,31 @@ struct Tissue {
     std::string source;
 };
 
-struct LandmarkPoint { std::string id; Vec3 at{}; double tolerance = 0.0; };
-struct LandmarkAxis { std::string id; Vec3 from{}, to{}; double tolerance = 0.0; };
+struct LandmarkPoint {
+    /// What the author knows of the place, and import checks within the tolerance.
+    enum class Lies { anywhere, on_bone, in_bone, off_bone };
+    std::string id;
+    Vec3 at{};               ///< [m]
+    double tolerance = 0.0;  ///< [m]
+    Lies lies = Lies::anywhere;
+};
+struct LandmarkAxis {
+    std::string id;
+    Vec3 from{}, to{};       ///< [m]
+    double tolerance = 0.0;  ///< [m]
+};
+struct LandmarkPlane {
+    std::string id;
+    Vec3 at{}, normal{};     ///< [m]; unit
+    double tolerance = 0.0;  ///< [m]
+};
+
+/// A file of 3D Slicer's markups whose points, lines and planes are landmarks. Path as written, found like a scan.
+struct MarkupsFile {
+    std::string file;
+    double tolerance = 0.0;                    ///< [m] of all that is in it
+    std::map<std::string, std::string> names;  ///< what the file calls one, and which id it gets; others keep their name
+};
 
 struct Zone {
     std::string id;
@@ -50,11 +74,17 @@ struct DensityLine {
     std::string source;
 };
 
-/// Bone out of a CT. Files: paths as written, inside the document's folder or, failing that, inside KERF_DATA.
+/// Bone out of a CT. Files and folders: paths as written, inside the document's folder or, failing that, inside KERF_DATA.
 struct CtSource {
-    std::string image;
-    std::string labels;      ///< a label map on the same grid; empty: by threshold alone
-    std::vector<int> keep;   ///< the labels that are this bone
+    enum class Intensity { hounsfield, grey };
+    std::string image;           ///< a file, or a folder with a DICOM series
+    std::string series;          ///< which one, as import offers it; empty: the only one
+    bool may_resample = false;   ///< across missing slices
+    Intensity intensity = Intensity::hounsfield;  ///< what the values are: cone-beam CT and others give grey levels
+    std::string labels;          ///< a label map or segmentation; empty: by threshold alone
+    std::vector<int> keep;       ///< the labels that are this bone,
+    std::vector<std::string> keep_named;  ///< or what the segmentation calls them
+    std::string component_at;    ///< a landmark point: of all pieces the one nearest to it; empty: the largest, or all labels
     double threshold = 0.0;  ///< [HU or grey] the border of bone, between voxels; without labels also what is bone
     double closing = 0.0;    ///< [m] radius: narrower gaps in the mask are closed
     bool fill = false;       ///< cavities without a way out count as bone
@@ -62,15 +92,37 @@ struct CtSource {
     std::string source;
 };
 
+/// What a closed piece of a surface inside another is, when its faces say that there is bone on both sides of it.
+enum class InnerPieces { unsaid, hollow, solid };
+
+/// Bone out of a closed surface. Files: paths as above.
+struct MeshSource {
+    std::string file;
+    double unit = 1e-3;        ///< [m] one of its coordinates' 1
+    bool is_ras = false;       ///< x to the right and y to the front; else LPS
+    bool names_frame = false;  ///< said, not supposed
+    double holes_up_to = 0.0;   ///< [m] across: such holes are closed
+    double pieces_under = 0.0;  ///< [m³] smaller pieces are left out
+    InnerPieces inner = InnerPieces::unsaid;
+    /// The marrow's room: there is no bone in it, and marrow resists nothing. A second surface in the same unit and
+    /// frame, or a tube.
+    std::string canal_file;
+    std::optional<TubeSolid> canal;
+    std::string source;
+};
+
 struct Anatomy {
     std::string file;   ///< stderr only
     std::string id, title;
     std::string text;   ///< the document itself
-    PhantomSource phantom;       ///< this,
-    std::optional<CtSource> ct;  ///< or that
+    PhantomSource phantom;           ///< this,
+    std::optional<CtSource> ct;      ///< or that,
+    std::optional<MeshSource> mesh;  ///< or that
     std::vector<Tissue> tissues;  ///< front to back; the last one is the base
     std::vector<LandmarkPoint> points;
     std::vector<LandmarkAxis> axes;
+    std::vector<LandmarkPlane> planes;
+    std::vector<MarkupsFile> markups;  ///< not yet among the above: core/import/markups reads them
     std::vector<Zone> zones;
 };
 

@@ -67,7 +67,7 @@ public:
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ == 0) return;
-        report_.error(Code::several_documents, {at(mark), 1}, "A second document starts here; one file holds one.");
+        report_.error(Code::several_documents, {at(mark), 1}, "A second document starts here; one file holds one. Remove it, or put it into a file of its own.");
         throw StopReading{};
     }
     void OnDocumentEnd() override {}
@@ -151,7 +151,7 @@ private:
         refuse_tag(opened.node.span.begin, tag);
         if (open_.size() >= deepest_level) {
             report_.error(Code::nested_too_deep, opened.node.span,
-                          "This is nested more than " + std::to_string(deepest_level) + " levels deep.");
+                          "This is nested more than " + std::to_string(deepest_level) + " levels deep. Take some of the levels away.");
             throw StopReading{};
         }
         open_.push_back(std::move(opened));
@@ -206,12 +206,15 @@ private:
         parent.key.reset();
         if (key.is_refused) return;
         if (key.kind != Node::Kind::scalar || key.text.empty()) {
-            report_.error(Code::key_not_text, key.span, "A key must be a word.");
+            report_.error(Code::key_not_text, key.span, "A key must be a word. Put one before the `:`.");
             return;
         }
         if (!parent.keys.insert(key.text).second) {
+            std::optional<Reason> reason;
+            if (const Node* first = report_.is_full() ? nullptr : parent.node.find(key.text))
+                reason = report_.because(first->key_span, "it stands here first.");
             report_.error(Code::duplicate_key, key.span,
-                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.");
+                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.", {}, std::move(reason));
             return;
         }
         // yaml-cpp places an absent value at the next token, often on another line.
@@ -284,22 +287,28 @@ std::string Document::source_line(TextSpan span) const {
     return shown.size() <= longest_line_shown ? std::string(shown) : std::string();
 }
 
-void Report::error(Code code, TextSpan span, std::string message, std::string write) {
+void Report::error(Code code, TextSpan span, std::string message, std::string write, std::optional<Reason> reason) {
     ++errors_;
-    add(Diagnostic::Level::error, code, span, std::move(message), std::move(write));
+    add(Diagnostic::Level::error, code, span, std::move(message), std::move(write), std::move(reason));
 }
 
 void Report::warning(Code code, TextSpan span, std::string message, std::string write) {
-    add(Diagnostic::Level::warning, code, span, std::move(message), std::move(write));
+    add(Diagnostic::Level::warning, code, span, std::move(message), std::move(write), {});
 }
 
-void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write) {
+Reason Report::because(TextSpan span, std::string message) const {
+    return {document_.place(span), std::move(message), document_.source_line(span)};
+}
+
+void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
+                 std::optional<Reason> reason) {
     if (++shown_ > most_shown + 1) return;
     if (shown_ == most_shown + 1) {
         level = Diagnostic::Level::error;
         code = Code::too_many_errors;
-        message = "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown.";
+        message = "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown. Mend these first.";
         write.clear();
+        reason.reset();
     }
     // What is missing may have been lost with the end of the file.
     if (code == Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
@@ -313,6 +322,7 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     diagnostic.message = std::move(message);
     diagnostic.write = std::move(write);
     diagnostic.source_line = document_.source_line(span);
+    diagnostic.reason = std::move(reason);
     diagnostics_.push_back(std::move(diagnostic));
 }
 
@@ -334,7 +344,7 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
     std::string text(largest_file + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) {
-        report_file(Code::file_unreadable, file, "Reading this file failed.", diagnostics);
+        report_file(Code::file_unreadable, file, "Reading this file failed. Copy it to another disk.", diagnostics);
         return std::nullopt;
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
@@ -343,7 +353,7 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
 
 std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics) {
     if (text.size() > largest_file) {
-        report_file(Code::file_too_large, file, "The file is larger than 1 MB; no document needs that.", diagnostics);
+        report_file(Code::file_too_large, file, "The file is larger than 1 MB; no document needs that. Name a YAML file.", diagnostics);
         return std::nullopt;
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark would shift the first line
@@ -351,7 +361,7 @@ std::optional<Document> parse_document(const std::string& file, std::string text
     std::optional<Document> document(std::in_place, file, std::move(text));
     Report report(*document, diagnostics);
     if (const std::size_t at = find_not_text(document->text()); at != std::string::npos) {
-        report.error(Code::not_text, {at, 1}, "This is not text: save the file as UTF-8, without control characters.");
+        report.error(Code::not_text, {at, 1}, "This is not text. Save the file as UTF-8, without control characters.");
         return std::nullopt;
     }
 
@@ -362,7 +372,7 @@ std::optional<Document> parse_document(const std::string& file, std::string text
         while (parser.HandleNextDocument(builder)) {
         }
         if (!builder.has_content()) {
-            report_file(Code::file_empty, file, "The file says nothing.", diagnostics);
+            report_file(Code::file_empty, file, "The file says nothing. Begin it with `apiVersion: kerf/v1`, as a file of `procedures/` does.", diagnostics);
             return std::nullopt;
         }
     } catch (const StopReading&) {

@@ -57,15 +57,17 @@ class Report {
 public:
     Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
 
-    void error(Code code, TextSpan span, std::string message, std::string write = {});
+    void error(Code code, TextSpan span, std::string message, std::string write = {}, std::optional<Reason> reason = {});
     void warning(Code code, TextSpan span, std::string message, std::string write = {});
+    Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
     bool has_error() const noexcept { return errors_ > 0; }
     bool is_full() const noexcept { return shown_ > most_shown; }
 
 private:
     static constexpr int most_shown = 100;
 
-    void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write);
+    void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
+             std::optional<Reason> reason);
 
     const Document& document_;
     Diagnostics& diagnostics_;

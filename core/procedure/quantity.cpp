@@ -115,8 +115,15 @@ std::string what_is_needed(const QuantityNeed& need) {
     return need.unit.empty() ? "a plain number" : "a number in " + need.unit;
 }
 
+/// A value to show how one is written.
+double example_of(const QuantityNeed& need) {
+    const std::optional<Unit> unit = parse_unit(need.unit);
+    return std::clamp(unit ? unit->factor : 1.0, need.min, need.max);
+}
+
 QuantityProblem not_a_number(std::string_view text, const std::string& name, const QuantityNeed& need) {
-    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ".", {}};
+    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ". Write one, as in `" +
+                                                    quantity_text(example_of(need), need.unit) + "`.", {}};
 
     // "3,2 mm" is how half of the world writes it.
     std::string with_point(text.substr(0, 40));
@@ -191,6 +198,31 @@ std::string without_commas(std::string_view text, const std::string& name, const
     return has_comma && parse_vector(meant, name, need).value ? meant : std::string();
 }
 
+constexpr const char* number_pattern = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+
+std::string power_pattern(int power) {
+    if (power == 1) return "";
+    const std::string figure = std::to_string(power);
+    const std::string raised = power == 2 ? "|²" : power == 3 ? "|³" : "";
+    return "(\\^?" + figure + raised + ")";
+}
+
+/// Units of this dimension, and all that are made of several.
+std::string unit_pattern(const kerf_dimension& dimension) {
+    std::string fitting, any;
+    for (const Symbol& symbol : symbols) {
+        any += (any.empty() ? "" : "|") + std::string(symbol.name);
+        for (int power = 1; power <= 4; ++power) {
+            bool fits = true;
+            for (int i = 0; i < 8; ++i) fits = fits && power * symbol.dimension.exponent[i] == dimension.exponent[i];
+            const bool is_one = power > 1 && symbol.dimension == dimension::none;  // `%` needs no powers
+            if (fits && !is_one) fitting += std::string(symbol.name) + power_pattern(power) + "|";
+        }
+    }
+    const std::string factor = "(" + any + ")(\\^?[2-4]|²|³)?";
+    return fitting + factor + "([/* ]" + factor + "){1," + std::to_string(most_factors - 1) + "}";
+}
+
 }  // namespace
 
 std::optional<Unit> parse_unit(std::string_view text) {
@@ -232,6 +264,17 @@ QuantityProblem decimal_comma(const std::string& name, const std::string& before
     return {Code::not_a_number, is + " Write `" + before + behind + "` for thousands, or `" + with_point + "`.", {}};
 }
 
+std::string quantity_pattern(const QuantityNeed& need) {
+    const std::string number = number_pattern;
+    if (!need.unit.empty()) return "^\\s*" + number + "\\s*(" + unit_pattern(need.dimension) + ")\\s*$";
+    return "^\\s*" + number + "(\\s*/\\s*" + number + ")?\\s*(" + unit_pattern(need.dimension) + ")?\\s*$";
+}
+
+std::string vector_pattern(const QuantityNeed& need) {
+    const std::string number = number_pattern, unit = "(" + unit_pattern(need.dimension) + ")";
+    return "^\\s*" + number + "\\s+" + number + "\\s+" + number + "\\s*" + unit + (need.unit.empty() ? "?" : "") + "\\s*$";
+}
+
 std::string quantity_text(double value, std::string_view unit) {
     const std::optional<Unit> known = parse_unit(unit);
     return with_unit(number_text(known ? value / known->factor : value), unit);
@@ -268,18 +311,19 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
     std::array<double, 3> number{};
     for (double& component : number) {
         const std::optional<double> taken = take_number(rest);
-        if (!taken || rest.starts_with(','))
-            return {std::nullopt,
-                    {Code::not_three_numbers,
-                     name + " is " + quoted(text) + ", must be three numbers" +
-                         (need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`."),
-                     without_commas(text, name, need)}};
+        const bool is_apart = &component == &number.back() || trimmed(rest).size() < rest.size();
+        if (!taken || !is_apart || rest.starts_with(',')) {
+            const std::string meant = without_commas(text, name, need);
+            const std::string example = need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`.";
+            return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers" + example +
+                                                                (meant.empty() ? " Write it so." : ""), meant}};
+        }
         component = *taken;
     }
     const std::string_view number_part = text.substr(0, text.size() - rest.size());
     rest = trimmed(rest);
     if (std::string_view more = rest; take_number(more) && !parse_unit(rest))
-        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more.", {}}};
+        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more. Remove the rest.", {}}};
     const Parsed<double> factor = factor_of(rest, number_part, text, name, need);
     if (!factor.value) return {std::nullopt, factor.problem};
     for (double& component : number) {

@@ -51,6 +51,13 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
 /// What to say of `3,2 mm`, with the digits before the comma and all that follows it. `1,000` may be meant either way.   [any]
 QuantityProblem decimal_comma(const std::string& name, const std::string& before, const std::string& behind);
 
+/// A regular expression (ECMA 262) for the texts that `parse_quantity` does not refuse for their form or unit. Of units made of
+/// several it sees only that they are units.   [any]
+std::string quantity_pattern(const QuantityNeed& need);
+
+/// The same for `parse_vector`.   [any]
+std::string vector_pattern(const QuantityNeed& need);
+
 /// `value` in `unit`, at most ten digits: "0.5 mm".   [any]
 std::string quantity_text(double value, std::string_view unit);
 

@@ -1,84 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/read_anatomy.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "core/procedure/read_map.h"
+#include "core/procedure/shapes.h"
 #include "kerf/abi.h"
-#include "kerf/units.hpp"
 
 namespace kerf {
 namespace {
-
-using namespace literals;
-
-const QuantityNeed coordinate{dimension::length, "mm", -2.0_m, 2.0_m};
-const QuantityNeed extent{dimension::length, "mm", 0.1_mm, 2.0_m};
-const QuantityNeed tolerance{dimension::length, "mm", 0.0_mm, 20.0_mm};
-const QuantityNeed shell{dimension::length, "mm", 0.1_mm, 20.0_mm};
-const QuantityNeed bone_density{dimension::density, "g/cm3", 0.05_g_per_cm3, 3.0_g_per_cm3};
-const QuantityNeed line_density{dimension::density, "g/cm3", -3.0_g_per_cm3, 3.0_g_per_cm3};
-const QuantityNeed least_density{dimension::density, "g/cm3", 0.01_g_per_cm3, 3.0_g_per_cm3};
-const QuantityNeed closing_radius{dimension::length, "mm", 0.0_mm, 10.0_mm};
-const QuantityNeed voxel_value{dimension::none, "", -4000.0, 65535.0};
-const QuantityNeed label{dimension::none, "", 1.0, 65535.0};
-const QuantityNeed direction{dimension::none, "", -1.0, 1.0};
 
 constexpr double shortest = 1e-6;  // [m] a length below it has no direction
 
 /// The two ends of a tube or an axis; reports when they coincide.
 template <class Ends>
 void read_ends(MapReader& map, Ends& ends, const std::string& name, Report& report) {
-    const auto from = map.vector("from", coordinate);
-    const auto to = map.vector("to", coordinate);
+    const auto from = map.vector("from");
+    const auto to = map.vector("to");
     if (!from || !to) return;
     ends.from = *from;
     ends.to = *to;
     if (length(*to - *from) < shortest)
-        report.error(Code::degenerate, map.span(), name + " goes from a point to the same point.");
+        report.error(Code::degenerate, map.span(), name + " goes from a point to the same point. Move one of its ends.");
 }
 
 Solid read_box(const Node& node, const std::string& name, Report& report) {
-    MapReader map(node, name, report);
+    MapReader map(node, shapes::box, name, report);
     BoxSolid box;
-    box.centre = map.vector("centre", coordinate).value_or(Vec3{});
-    box.size = map.vector("size", extent).value_or(Vec3{});
+    box.centre = map.vector("centre").value_or(Vec3{});
+    box.size = map.vector("size").value_or(Vec3{});
     map.finish();
     return box;
 }
 
 Solid read_tube(const Node& node, const std::string& name, Report& report) {
-    MapReader map(node, name, report);
+    MapReader map(node, shapes::tube, name, report);
     TubeSolid tube;
     read_ends(map, tube, name, report);
-    tube.radius = map.quantity("radius", extent);
+    tube.radius = map.quantity("radius");
     map.finish();
     return tube;
 }
 
 Solid read_elliptic_tube(const Node& node, const std::string& name, Report& report) {
-    MapReader map(node, name, report);
+    MapReader map(node, shapes::elliptic_tube, name, report);
     EllipticTubeSolid tube;
     read_ends(map, tube, name, report);
-    tube.width = map.quantity("width", extent);
-    tube.height = map.quantity("height", extent);
-    if (const Node* up = map.optional("up")) {
-        tube.up = read_vector(*up, map.name_of("up"), direction, report).value_or(tube.up);
+    tube.width = map.quantity("width");
+    tube.height = map.quantity("height");
+    if (const Node* up = map.find("up")) {
+        tube.up = read_vector(*up, map.name_of("up"), map.need_of("up"), report).value_or(tube.up);
         const Vec3 along = normalized(tube.to - tube.from);
         if (length(cross(along, normalized(tube.up))) < 1e-3 && length(along) > 0.0)
-            report.error(Code::degenerate, up->span, map.name_of("up") + " must point across the tube, not along it.");
+            report.error(Code::degenerate, up->span, map.name_of("up") + " must point across the tube, not along it. Turn it.");
     }
     map.finish();
     return tube;
 }
 
-const std::vector<std::string> solid_keys{"box", "tube", "elliptic_tube"};
-
 /// The one solid that a map names by its key.
 Solid read_solid(MapReader& map, Report& report) {
-    const Node* node = map.one_of(solid_keys);
+    const Node* node = map.one_of();
     if (!node) return BoxSolid{};
     const std::string name = map.name_of(node->key);
     if (node->key == "box") return read_box(*node, name, report);
@@ -90,16 +75,16 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
     std::vector<PhantomPart> parts;
     UniqueIds ids;
     for (const Node& item : read_list(node, "phantom.parts", report)) {
-        MapReader map(item, item_name(item, "part"), report);
+        MapReader map(item, shapes::part, item_name(item, "part"), report);
         PhantomPart part;
         part.id = map.id("id");
         if (!part.id.empty()) ids.add(part.id, item.find("id")->span, report);
         part.solid = read_solid(map, report);
-        part.source = map.optional_text("source");
-        if (const Node* subtract = map.optional("subtract")) {
+        part.source = map.text("source");
+        if (const Node* subtract = map.find("subtract")) {
             part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
             if (part.subtract && parts.empty())
-                report.error(Code::degenerate, subtract->span, "The first part has nothing to be taken away from.");
+                report.error(Code::degenerate, subtract->span, "The first part has nothing to be taken away from. Put it behind what it is taken from.");
         }
         map.finish();
         parts.push_back(std::move(part));
@@ -107,56 +92,79 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
     return parts;
 }
 
-/// A path that stays inside whatever folder it is looked for in.
 std::string read_data_path(const Node* node, const std::string& name, Report& report) {
-    if (!node) return {};
-    const std::optional<std::string> text = read_text(*node, name, report);
-    if (!text) return {};
-    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
-    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
-    if (path.is_absolute() || has_drive || (!path.empty() && *path.begin() == "..")) {
-        report.error(Code::path_outside, node->span,
-                     name + " must be a path inside the document's own folder or KERF_DATA, with `/` between folders.");
-        return {};
-    }
-    return path.generic_string();
+    return node ? read_path(*node, name, "the document's own folder or KERF_DATA", report) : std::string();
 }
 
 DensityLine read_density_line(const Node& node, Report& report) {
-    MapReader map(node, "ct.density", report);
+    MapReader map(node, shapes::density_line, "ct.density", report);
     DensityLine line;
-    line.at_zero = map.quantity("at_zero", line_density);
-    line.per_unit = map.quantity("per_unit", line_density);
-    line.floor = map.quantity("floor", least_density);
+    line.at_zero = map.quantity("at_zero");
+    line.per_unit = map.quantity("per_unit");
+    line.floor = map.quantity("floor");
     line.source = map.text("source");
     map.finish();
     return line;
 }
 
 CtSource read_ct(const Node& node, Report& report) {
-    MapReader map(node, "ct", report);
+    MapReader map(node, shapes::ct, "ct", report);
     CtSource ct;
-    ct.image = read_data_path(map.required("image"), "ct.image", report);
-    if (const Node* found = map.optional("labels")) {
-        MapReader labels(*found, "ct.labels", report);
-        ct.labels = read_data_path(labels.required("file"), "ct.labels.file", report);
-        if (const Node* keep = labels.required("keep"))
-            for (const Node& item : read_list(*keep, "ct.labels.keep", report)) {
-                const std::optional<double> value = read_quantity(item, "A label", label, report);
-                if (!value) continue;
-                if (*value != std::floor(*value))
-                    report.error(Code::not_a_number, item.span, "A label must be a whole number.");
-                ct.keep.push_back(static_cast<int>(*value));
-            }
+    ct.image = read_data_path(map.find("image"), "ct.image", report);
+    ct.series = map.text("series");
+    ct.may_resample = map.yes_no("resample");
+    if (map.word("intensity") == "grey") ct.intensity = CtSource::Intensity::grey;
+    if (const Node* found = map.find("labels")) {
+        MapReader labels(*found, shapes::labels, "ct.labels", report);
+        ct.labels = read_data_path(labels.find("file"), "ct.labels.file", report);
+        labels.labels("keep", ct.keep, ct.keep_named);
         labels.finish();
     }
-    ct.threshold = map.quantity("threshold", voxel_value);
-    map.quantity("closing", closing_radius, ct.closing);
-    if (const Node* fill = map.optional("fill")) ct.fill = read_yes_no(*fill, "ct.fill", report).value_or(false);
-    if (const Node* density = map.optional("density")) ct.density = read_density_line(*density, report);
-    ct.source = map.optional_text("source");
+    if (const Node* found = map.find("keep")) {
+        MapReader keep(*found, shapes::kept_piece, "ct.keep", report);
+        ct.component_at = keep.id("component_at");
+        keep.finish();
+    }
+    ct.threshold = map.quantity("threshold");
+    map.quantity("closing", ct.closing);
+    ct.fill = map.yes_no("fill");
+    if (const Node* density = map.find("density")) ct.density = read_density_line(*density, report);
+    ct.source = map.text("source");
     map.finish();
     return ct;
+}
+
+void read_repair(const Node& node, MeshSource& mesh, Report& report) {
+    MapReader map(node, shapes::repair, "mesh.repair", report);
+    map.quantity("holes_up_to", mesh.holes_up_to);
+    map.quantity("pieces_under", mesh.pieces_under);
+    if (const std::string inner = map.word("inner"); !inner.empty())
+        mesh.inner = inner == "hollow" ? InnerPieces::hollow : InnerPieces::solid;
+    map.finish();
+}
+
+MeshSource read_mesh(const Node& node, Report& report) {
+    MapReader map(node, shapes::mesh, "mesh", report);
+    MeshSource mesh;
+    mesh.file = read_data_path(map.find("file"), "mesh.file", report);
+    const std::string unit = map.word("unit");
+    mesh.unit = unit == "cm" ? 1e-2 : unit == "m" ? 1.0 : unit == "um" ? 1e-6 : 1e-3;
+    if (const std::string frame = map.word("frame"); !frame.empty()) {
+        mesh.names_frame = true;
+        mesh.is_ras = frame == "RAS";
+    }
+    if (const Node* repair = map.find("repair")) read_repair(*repair, mesh, report);
+    if (const Node* canal = map.find("canal")) {
+        MapReader room(*canal, shapes::canal, "mesh.canal", report);
+        if (const Node* found = room.one_of()) {
+            if (found->key == "file") mesh.canal_file = read_data_path(found, "mesh.canal.file", report);
+            else mesh.canal = std::get<TubeSolid>(read_tube(*found, "mesh.canal.tube", report));
+        }
+        room.finish();
+    }
+    mesh.source = map.text("source");
+    map.finish();
+    return mesh;
 }
 
 /// `has_density_line`: the density of the base comes from the CT.
@@ -167,21 +175,24 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
     if (items.size() > KERF_MAX_TISSUES)
         report.error(Code::out_of_range, items[KERF_MAX_TISSUES].span,
                      "There are " + std::to_string(items.size()) + " tissues; a force model can mix at most " +
-                         std::to_string(KERF_MAX_TISSUES) + ".");
+                         std::to_string(KERF_MAX_TISSUES) + ". Remove some.");
     for (const Node& item : items) {
-        MapReader map(item, item_name(item, "tissue"), report);
+        MapReader map(item, shapes::tissue, item_name(item, "tissue"), report);
         Tissue tissue;
         tissue.id = map.id("id");
         if (!tissue.id.empty()) ids.add(tissue.id, item.find("id")->span, report);
         const bool is_base = &item == &items.back();
-        if (!(is_base && has_density_line)) tissue.density = map.quantity("density", bone_density);
-        else if (const Node* density = map.optional("density"))
+        const bool has_own_density = !(is_base && has_density_line);
+        const Node* density = has_own_density ? map.required("density") : map.find("density");
+        if (has_own_density) map.quantity("density", tissue.density);
+        else if (density)
             report.error(Code::degenerate, density->key_span, "`ct.density` gives the last tissue its density. Remove one.");
-        tissue.source = map.optional_text("source");
-        if (!is_base) tissue.thickness = map.quantity("thickness", shell);
-        else if (const Node* thickness = map.optional("thickness"))
+        const Node* thickness = is_base ? map.find("thickness") : map.required("thickness");
+        if (!is_base) map.quantity("thickness", tissue.thickness);
+        else if (thickness)
             report.error(Code::degenerate, thickness->key_span,
                          "The last tissue fills what the others leave; it has no thickness. Remove it.");
+        tissue.source = map.text("source");
         map.finish();
         tissues.push_back(std::move(tissue));
     }
@@ -201,27 +212,66 @@ const std::vector<Node>& read_named(const Node* node, const std::string& name, U
     return node->children;
 }
 
+std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
+    std::vector<MarkupsFile> files;
+    for (const Node& item : read_list(node, "landmarks.markups", report)) {
+        MapReader map(item, shapes::markups, "markups", report);
+        MarkupsFile markups;
+        markups.file = read_data_path(map.find("file"), "markups.file", report);
+        markups.tolerance = map.quantity("tolerance");
+        if (const Node* names = map.find("names"))
+            for (const Node& one : read_list(*names, "markups.names", report)) {
+                MapReader name(one, shapes::markup_name, "markups.names", report);
+                const std::string label = name.text("label");
+                markups.names[label] = name.id("id");
+                name.finish();
+            }
+        map.finish();
+        files.push_back(std::move(markups));
+    }
+    return files;
+}
+
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
-    MapReader map(node, "landmarks", report);
+    MapReader map(node, shapes::landmarks, "landmarks", report);
     UniqueIds ids;  // a step names a landmark without saying of which sort
-    for (const Node& item : read_named(map.optional("points"), "landmarks.points", ids, report)) {
-        MapReader point(item, item.key, report);
+    for (const Node& item : read_named(map.find("points"), "landmarks.points", ids, report)) {
+        MapReader point(item, shapes::point, item.key, report);
         LandmarkPoint landmark;
         landmark.id = item.key;
-        landmark.at = point.vector("at", coordinate).value_or(Vec3{});
-        landmark.tolerance = point.quantity("tolerance", tolerance);
+        landmark.at = point.vector("at").value_or(Vec3{});
+        landmark.tolerance = point.quantity("tolerance");
+        if (const std::string lies = point.word("lies"); !lies.empty())
+            landmark.lies = lies == "on_bone"   ? LandmarkPoint::Lies::on_bone
+                            : lies == "in_bone" ? LandmarkPoint::Lies::in_bone
+                                                : LandmarkPoint::Lies::off_bone;
         point.finish();
         anatomy.points.push_back(std::move(landmark));
     }
-    for (const Node& item : read_named(map.optional("axes"), "landmarks.axes", ids, report)) {
-        MapReader axis(item, item.key, report);
+    for (const Node& item : read_named(map.find("axes"), "landmarks.axes", ids, report)) {
+        MapReader axis(item, shapes::axis, item.key, report);
         LandmarkAxis landmark;
         landmark.id = item.key;
         read_ends(axis, landmark, item.key, report);
-        landmark.tolerance = axis.quantity("tolerance", tolerance);
+        landmark.tolerance = axis.quantity("tolerance");
         axis.finish();
         anatomy.axes.push_back(std::move(landmark));
     }
+    for (const Node& item : read_named(map.find("planes"), "landmarks.planes", ids, report)) {
+        MapReader plane(item, shapes::plane, item.key, report);
+        LandmarkPlane landmark;
+        landmark.id = item.key;
+        landmark.at = plane.vector("at").value_or(Vec3{});
+        if (const auto normal = plane.vector("normal")) {
+            landmark.normal = normalized(*normal);
+            if (!(length(*normal) > 1e-6))
+                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
+        }
+        landmark.tolerance = plane.quantity("tolerance");
+        plane.finish();
+        anatomy.planes.push_back(std::move(landmark));
+    }
+    if (const Node* files = map.find("markups")) anatomy.markups = read_markups(*files, report);
     map.finish();
 }
 
@@ -232,7 +282,7 @@ std::vector<Zone> read_zones(const Node& node, Report& report) {
         Zone zone;
         zone.id = item.key;
         for (const Node& solid : read_list(item, item.key, report)) {
-            MapReader map(solid, item.key, report);
+            MapReader map(solid, shapes::zone_solid, item.key, report);
             zone.solids.push_back(read_solid(map, report));
             map.finish();
         }
@@ -253,31 +303,29 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
     std::optional<Anatomy> anatomy;
     if (const std::optional<Document> document = parse_document(file, std::move(text), found)) {
         Report report(*document, found);
-        MapReader map(document->root, "", report);
+        MapReader map(document->root, shapes::anatomy, "", report);
         if (read_header(map, "Anatomy", report)) {
             anatomy.emplace();
             anatomy->file = file;
             anatomy->text = document->text();
-            if (const Node* node = map.required("metadata")) {
-                MapReader metadata(*node, "metadata", report);
+            if (const Node* node = map.find("metadata")) {
+                MapReader metadata(*node, shapes::anatomy_metadata, "metadata", report);
                 anatomy->id = metadata.id("id");
                 anatomy->title = metadata.text("title");
                 metadata.finish();
             }
-            const Node* solids = map.optional("phantom");
-            const Node* ct = map.optional("ct");
-            if (!solids == !ct)
-                report.error(Code::one_of, ct ? ct->key_span : map.span(), "An anatomy has either `phantom` or `ct`.");
-            if (ct) anatomy->ct = read_ct(*ct, report);
-            if (solids) {
-                MapReader phantom(*solids, "phantom", report);
-                if (const Node* parts = phantom.required("parts")) anatomy->phantom.parts = read_parts(*parts, report);
+            map.one_of();
+            if (const Node* ct = map.find("ct")) anatomy->ct = read_ct(*ct, report);
+            if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, report);
+            if (const Node* node = map.find("phantom")) {
+                MapReader phantom(*node, shapes::phantom, "phantom", report);
+                if (const Node* parts = phantom.find("parts")) anatomy->phantom.parts = read_parts(*parts, report);
                 phantom.finish();
             }
-            if (const Node* node = map.required("tissues")) 
+            if (const Node* node = map.find("tissues"))
                 anatomy->tissues = read_tissues(*node, anatomy->ct && anatomy->ct->density, report);
-            if (const Node* node = map.required("landmarks")) read_landmarks(*node, *anatomy, report);
-            if (const Node* node = map.optional("zones")) anatomy->zones = read_zones(*node, report);
+            if (const Node* node = map.find("landmarks")) read_landmarks(*node, *anatomy, report);
+            if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, report);
             map.finish();
         }
     }

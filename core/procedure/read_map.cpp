@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
+#include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -36,6 +38,28 @@ const char* kind_name(Node::Kind kind) {
         case Node::Kind::scalar: break;
     }
     return "a single value";
+}
+
+/// How to turn a value into one of this kind.
+const char* way_to(Node::Kind kind) {
+    switch (kind) {
+        case Node::Kind::map: return "Write `key: value`, a line for each.";
+        case Node::Kind::list: return "Put `[` and `]` around it, or `- ` before each item.";
+        case Node::Kind::scalar: break;
+    }
+    return "Write a single value.";
+}
+
+/// The id that somebody meant who wrote `text`; empty if there is none.
+std::string id_of(std::string_view text) {
+    std::string id;
+    for (const char c : text.substr(0, 64)) {
+        const bool is_alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty())) id += c;
+        else if (!id.empty() && id.back() != '-') id += '-';
+    }
+    while (!id.empty() && id.back() == '-') id.pop_back();
+    return id;
 }
 
 bool is_absent(const Node& node) { return node.kind == Node::Kind::scalar && node.text.empty(); }
@@ -71,6 +95,8 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     return best;
 }
 
+std::string or_choose(const std::string& meant, const std::string& advice) { return meant.empty() ? " " + advice : std::string(); }
+
 std::string listed(const std::vector<std::string>& words) {
     constexpr std::size_t most = 8;
     std::string text;
@@ -85,11 +111,11 @@ std::string listed(const std::vector<std::string>& words) {
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
     if (node.is_refused) return false;
     if (is_absent(node)) {
-        report.error(Code::empty_value, node.span, name + " is empty, must be " + kind_name(kind) + ".");
+        report.error(Code::empty_value, node.span, name + " is empty, must be " + kind_name(kind) + ". Fill it, or remove it.");
         return false;
     }
     if (node.kind == kind) return true;
-    report.error(Code::wrong_shape, node.span, name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ".");
+    report.error(Code::wrong_shape, node.span, name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ". " + way_to(kind));
     return false;
 }
 
@@ -102,7 +128,9 @@ std::optional<std::string> read_id(const Node& node, const std::string& name, Re
     std::optional<std::string> text = read_text(node, name, report);
     if (text && !is_id(*text)) {
         report.error(Code::malformed_word, node.span,
-                     name + " must be one word of letters, digits, `.`, `_` and `-`, at most 64.");
+                     name + " must be one word of letters, digits, `.`, `_` and `-`, at most 64" +
+                         (id_of(*text).empty() ? ", a letter or digit first. Choose one." : "."),
+                     id_of(*text));
         return std::nullopt;
     }
     return text;
@@ -112,15 +140,20 @@ std::optional<bool> read_yes_no(const Node& node, const std::string& name, Repor
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;
     if (*text == "true" || *text == "false") return *text == "true";
-    report.error(Code::unknown_word, node.span, name + " must be `true` or `false`.");
+    const bool is_yes = *text == "yes" || *text == "on" || *text == "y" || *text == "True" || *text == "TRUE" || *text == "1";
+    const bool is_no = *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
+    const std::string meant = is_yes ? "true" : is_no ? "false" : "";
+    report.error(Code::unknown_word, node.span, name + " must be `true` or `false`." + or_choose(meant, "Write one of the two."), meant);
     return std::nullopt;
 }
 
-std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
+std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
+                                    std::optional<Reason> declared) {
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;
     Parsed<double> parsed = parse_quantity(*text, name, need);
-    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write);
+    if (parsed.problem.code != Code::out_of_range) declared.reset();
+    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write, std::move(declared));
     return parsed.value;
 }
 
@@ -128,7 +161,7 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
     if (node.kind == Node::Kind::list) {
         if (node.children.size() != 3) {
             report.error(Code::not_three_numbers, node.span, name + " has " + std::to_string(node.children.size()) +
-                                                                 " values, must have three.");
+                                                                 " values, must have three. Write one for x, y and z each.");
             return std::nullopt;
         }
         std::array<std::optional<double>, 3> values;
@@ -143,10 +176,20 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
     return parsed.value;
 }
 
+std::string read_path(const Node& node, const std::string& name, const std::string& where, Report& report) {
+    const std::optional<std::string> text = read_text(node, name, report);
+    if (!text) return {};
+    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
+    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
+    if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
+    report.error(Code::path_outside, node.span, name + " must be a path inside " + where + ", with `/` between folders. Put the file there, and write its path from there.");
+    return {};
+}
+
 const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report) {
     static const std::vector<Node> none;
     if (!is_kind(node, Node::Kind::list, name, report)) return none;
-    if (node.children.empty()) report.error(Code::empty_value, node.span, name + " is an empty list.");
+    if (node.children.empty()) report.error(Code::empty_value, node.span, name + " is an empty list. Put an item into it, or remove it.");
     return node.children;
 }
 
@@ -160,8 +203,10 @@ std::vector<std::string> read_ids(const Node& node, const std::string& name, Rep
 }
 
 bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
-    if (ids_.insert(id).second) return true;
-    report.error(Code::duplicate_id, span, "`" + id + "` is used already; give this one another name.");
+    const auto [first, is_new] = ids_.try_emplace(id, span);
+    if (is_new) return true;
+    report.error(Code::duplicate_id, span, "`" + id + "` is used already. Give this one another name.", {},
+                 report.because(first->second, "it is used here first."));
     return false;
 }
 
@@ -181,16 +226,19 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
     if (const Node* node = document.required("kind"))
         if (const auto text = read_text(*node, "kind", report); text && *text != kind) {
             // Only a slip of the pen is mended here; another document needs another file.
+            const std::string meant = closest(*text, {kind}, report);
             report.error(Code::wrong_kind, node->span,
-                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind + " is needed here.",
-                         closest(*text, {kind}, report));
+                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind + " is needed here." +
+                             or_choose(meant, "Name another file."),
+                         meant);
             is_right = false;
         }
     return is_right;
 }
 
-MapReader::MapReader(const Node& node, std::string name, Report& report)
+MapReader::MapReader(const Node& node, const Shape& shape, std::string name, Report& report)
     : node_(node),
+      shape_(shape),
       name_(std::move(name)),
       report_(report),
       span_(node.key.empty() ? node.span : node.key_span),
@@ -198,70 +246,127 @@ MapReader::MapReader(const Node& node, std::string name, Report& report)
 
 std::string MapReader::name_of(const std::string& key) const { return name_.empty() ? key : name_ + "." + key; }
 
-const Node* MapReader::optional(const std::string& key) {
-    known_.push_back(key);
+const KeyShape& MapReader::shape_of(const std::string& key) const {
+    const KeyShape* shape = shape_.find(key);
+    KERF_ASSERT(shape != nullptr, ("add `" + key + "` to the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    return *shape;
+}
+
+const Node* MapReader::ask(const std::string& key) {
+    asked_.push_back(shape_of(key).name);
     return is_map_ ? node_.find(key) : nullptr;
 }
 
+const Node* MapReader::find(const std::string& key) {
+    return shape_of(key).presence == Presence::required ? required(key) : ask(key);
+}
+
 const Node* MapReader::required(const std::string& key) {
-    const Node* found = optional(key);
+    const Node* found = ask(key);
     if (!found && is_map_)
-        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`.");
+        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`.",
+                      key + ": " + shape_of(key).example);
     return found;
 }
 
 std::string MapReader::text(const std::string& key) {
-    const Node* found = required(key);
-    return found ? read_text(*found, name_of(key), report_).value_or("") : "";
-}
-
-std::string MapReader::optional_text(const std::string& key) {
-    const Node* found = optional(key);
+    const Node* found = find(key);
     return found ? read_text(*found, name_of(key), report_).value_or("") : "";
 }
 
 std::string MapReader::id(const std::string& key) {
-    const Node* found = required(key);
+    const Node* found = find(key);
     return found ? read_id(*found, name_of(key), report_).value_or("") : "";
 }
 
-double MapReader::quantity(const std::string& key, const QuantityNeed& need) {
-    const Node* found = required(key);
-    return found ? read_quantity(*found, name_of(key), need, report_).value_or(need.min) : need.min;
+std::vector<std::string> MapReader::ids(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_ids(*found, name_of(key), report_) : std::vector<std::string>{};
 }
 
-void MapReader::quantity(const std::string& key, const QuantityNeed& need, double& value) {
-    if (const Node* found = optional(key)) value = read_quantity(*found, name_of(key), need, report_).value_or(value);
+std::string MapReader::word(const std::string& key) {
+    const Node* found = find(key);
+    const std::string word = found ? read_text(*found, name_of(key), report_).value_or("") : "";
+    const std::vector<std::string>& words = shape_of(key).value.words;
+    if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
+    const std::string meant = closest(word, words, report_);
+    report_.error(Code::unknown_word, found->span, name_of(key) + " must be " + listed(words) + "." + or_choose(meant), meant);
+    return {};
 }
 
-std::optional<Vec3> MapReader::vector(const std::string& key, const QuantityNeed& need) {
-    const Node* found = required(key);
-    return found ? read_vector(*found, name_of(key), need, report_) : std::nullopt;
+bool MapReader::yes_no(const std::string& key) {
+    const Node* found = find(key);
+    return found && read_yes_no(*found, name_of(key), report_).value_or(false);
 }
 
-const Node* MapReader::one_of(const std::vector<std::string>& keys) {
+double MapReader::quantity(const std::string& key) {
+    double value = need_of(key).min;
+    quantity(key, value);
+    return value;
+}
+
+void MapReader::quantity(const std::string& key, double& value) {
+    if (const Node* found = find(key)) value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
+}
+
+void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names) {
+    const Node* found = find(key);
+    if (!found) return;
+    const QuantityNeed& need = shape_of(key).value.item.front().need;
+    for (const Node& item : read_list(*found, name_of(key), report_)) {
+        const std::string name = "A label in " + name_of(key);
+        const bool is_number = item.text.find_first_not_of("+-.0123456789") == std::string::npos;
+        if (item.kind == Node::Kind::scalar && !is_number) {
+            names.push_back(item.text);
+            continue;
+        }
+        const std::optional<double> value = read_quantity(item, name, need, report_);
+        if (!value) continue;
+        if (*value == std::floor(*value)) numbers.push_back(static_cast<int>(*value));
+        else report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
+    }
+}
+
+std::optional<Vec3> MapReader::vector(const std::string& key) {
+    const Node* found = find(key);
+    return found ? read_vector(*found, name_of(key), need_of(key), report_) : std::nullopt;
+}
+
+const Node* MapReader::one_of() {
     const Node* found = nullptr;
-    for (const std::string& key : keys) {
-        const Node* candidate = optional(key);
+    std::vector<std::string> keys;
+    for (const KeyShape& key : shape_.keys) {
+        if (key.presence != Presence::one_of) continue;
+        keys.push_back(key.name);
+        const Node* candidate = ask(key.name);
         if (candidate && found) {
             report_.error(Code::one_of, candidate->key_span,
-                          name_ + " has both `" + found->key + "` and `" + key + "`; it can have one.");
+                          (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name + "`; it can have one. Remove one of them.", {},
+                          report_.because(found->key_span, "the other one is here."));
         } else if (candidate) {
             found = candidate;
         }
     }
-    if (!found && is_map_) report_.error(Code::one_of, span_, name_ + " needs " + listed(keys) + ".");
+    if (!found && is_map_)
+        report_.error(Code::one_of, span_, (name_.empty() ? "The document" : name_) + " needs " + listed(keys) + ". Add one of them.");
     return found;
 }
 
 void MapReader::finish() {
+    std::vector<std::string> known;
+    for (const KeyShape& key : shape_.keys) {
+        known.push_back(key.name);
+        KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
+                    ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
+    }
     if (!is_map_) return;
     for (const Node& child : node_.children) {
-        if (std::find(known_.begin(), known_.end(), child.key) != known_.end()) continue;
-        const std::string meant = closest(child.key, known_, report_);
+        if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
+        const std::string meant = closest(child.key, known, report_);
         report_.error(Code::unknown_key, child.key_span,
                       "`" + child.key.substr(0, longest_word) + "` is not a key of " +
-                          (name_.empty() ? "the document" : name_) + "; it knows " + listed(known_) + ".",
+                          (name_.empty() ? "the document" : name_) +
+                          (known.empty() ? "; it has none." : "; it knows " + listed(known) + ".") + or_choose(meant, "Remove it."),
                       meant.empty() ? "" : meant + ":");
     }
 }

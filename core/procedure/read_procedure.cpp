@@ -7,26 +7,10 @@
 #include <utility>
 
 #include "core/procedure/read_map.h"
-#include "kerf/units.hpp"
+#include "core/procedure/shapes.h"
 
 namespace kerf {
 namespace {
-
-using namespace literals;
-
-// What a person can plausibly ask for; anything else is a slip of the pen or a wrong unit.
-const QuantityNeed voxel_spacing{dimension::length, "mm", 0.05_mm, 2.0_mm};
-const QuantityNeed share_of_force{dimension::none, "%", 0.001, 0.5};
-const QuantityNeed share_of_volume{dimension::none, "%", 0.0005, 0.5};
-const QuantityNeed tick_time{dimension::time, "us", 1e-6, 1.0_ms};
-const QuantityNeed duration{dimension::time, "s", 1.0_s, 3600.0_s};
-const QuantityNeed scale{dimension::none, "", 1e-4, 10.0};
-const QuantityNeed hand_speed{dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s};
-const QuantityNeed hand_force{dimension::force, "N", 0.1_N, 500.0_N};
-const QuantityNeed hand_reaction{dimension::time, "ms", 0.0_ms, 2000.0_ms};
-const QuantityNeed depth_along_axis{dimension::length, "mm", -300.0_mm, 300.0_mm};
-const QuantityNeed sideways{dimension::length, "mm", -100.0_mm, 100.0_mm};
-const QuantityNeed clearance{dimension::length, "mm", -50.0_mm, 50.0_mm};
 
 constexpr const char* midline = "midline";
 
@@ -51,51 +35,33 @@ bool is_version(std::string_view text) {
 }
 
 void read_metadata(const Node& node, Procedure& procedure, Report& report) {
-    MapReader map(node, "metadata", report);
+    MapReader map(node, shapes::metadata, "metadata", report);
     procedure.id = map.id("id");
     procedure.title = map.text("title");
-    if (const Node* version = map.required("version")) {
+    if (const Node* version = map.find("version")) {
         procedure.version = read_text(*version, "metadata.version", report).value_or("");
         if (!procedure.version.empty() && !is_version(procedure.version))
             report.error(Code::malformed_word, version->span, "metadata.version must be three numbers.", "0.1.0");
     }
-    if (const Node* status = map.required("status")) {
-        const std::vector<std::string> words{"draft", "piloted", "validated"};
-        procedure.status = read_text(*status, "metadata.status", report).value_or("");
-        if (!procedure.status.empty() && !contains(words, procedure.status))
-            report.error(Code::unknown_word, status->span, "metadata.status must be " + listed(words) + ".",
-                         closest(procedure.status, words, report));
-    }
-    if (const Node* authors = map.optional("authors"))
+    procedure.status = map.word("status");
+    if (const Node* authors = map.find("authors"))
         for (const Node& author : read_list(*authors, "metadata.authors", report))
             procedure.authors.push_back(read_text(author, "An author", report).value_or(""));
     map.finish();
 }
 
 void read_needs(const Node& node, Procedure& procedure, Report& report) {
-    MapReader map(node, "needs", report);
-    const auto ids = [&](const std::string& key) {
-        const Node* list = map.optional(key);
-        return list ? read_ids(*list, map.name_of(key), report) : std::vector<std::string>{};
-    };
-    procedure.needs_landmarks = ids("landmarks");
-    procedure.needs_zones = ids("zones");
-    procedure.needs_tissues = ids("tissues");
+    MapReader map(node, shapes::needs, "needs", report);
+    procedure.needs_landmarks = map.ids("landmarks");
+    procedure.needs_zones = map.ids("zones");
+    procedure.needs_tissues = map.ids("tissues");
     map.finish();
 }
 
-/// A path inside the document's folder, so that a procedure can be handed on, and cannot reach for other files.
-std::string read_path(const Node& node, const std::string& document_file, Report& report) {
-    const std::optional<std::string> text = read_text(node, node.key, report);
-    if (!text) return {};
-    const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
-    const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
-    if (path.is_absolute() || has_drive || (!path.empty() && *path.begin() == "..")) {
-        report.error(Code::path_outside, node.span,
-                     node.key + " must be a path inside the document's own folder, with `/` between folders.");
-        return {};
-    }
-    return (std::filesystem::path(document_file).parent_path() / path).generic_string();
+/// Inside the document's folder, so that a procedure can be handed on, and cannot reach for other files.
+std::string read_anatomy_file(const Node& node, const std::string& document_file, Report& report) {
+    const std::string path = read_path(node, node.key, "the document's own folder", report);
+    return path.empty() ? path : (std::filesystem::path(document_file).parent_path() / path).generic_string();
 }
 
 // ---- instruments -------------------------------------------------------------------------------------------------
@@ -105,7 +71,7 @@ public:
     InstrumentReader(const ComponentCatalog& catalog, Report& report) : catalog_(catalog), report_(report) {}
 
     Instrument read(const Node& node) {
-        MapReader map(node, node.key, report_);
+        MapReader map(node, shapes::instrument, node.key, report_);
         Instrument instrument;
         instrument.id = node.key;
         Node key;
@@ -113,9 +79,9 @@ public:
         key.span = node.key_span;
         read_id(key, "An instrument's name", report_);
 
-        const Node* plugin = map.required("plugin");
-        const Node* tool_node = map.required("tool");
-        const Node* force_node = map.required("force");
+        const Node* plugin = map.find("plugin");
+        const Node* tool_node = map.find("tool");
+        const Node* force_node = map.find("force");
         const ComponentInfo* tool = nullptr;
         const ComponentInfo* force = nullptr;
         if (plugin && find_plugin(*plugin, instrument.plugin)) {
@@ -127,8 +93,8 @@ public:
         if (force) instrument.force_parameters = defaults(force->parameters);
 
         // Without both components nobody knows which parameters there should be.
-        const Node* parameters = map.optional("parameters");
-        const Node* drives = map.optional("drives");
+        const Node* parameters = map.find("parameters");
+        const Node* drives = map.find("drives");
         if (parameters && tool && force) read_parameters(*parameters, *tool, *force, instrument);
         if (drives && tool) read_drives(*drives, *tool, instrument);
         map.finish();
@@ -155,9 +121,12 @@ private:
         for (const ComponentInfo& component : catalog_)
             if (!contains(known, component.plugin)) known.push_back(component.plugin);
         if (contains(known, id)) return true;
+        const std::string meant = closest(id, known, report_);
         report_.error(Code::unknown_plugin, node.span,
-                      known.empty() ? "No plugin was found at all." : "No such plugin was found; there is " + listed(known) + ".",
-                      closest(id, known, report_));
+                      known.empty() ? "No plugin was found at all. Name the folder that holds it in KERF_PLUGIN_PATH."
+                                    : "No such plugin was found; there is " + listed(known) + "." +
+                                          or_choose(meant, "Write one of these, or name the folder that holds it in KERF_PLUGIN_PATH."),
+                      meant);
         return false;
     }
 
@@ -172,21 +141,24 @@ private:
             if (component.id == id) return &component;
             known.push_back(component.id);
         }
+        const std::string meant = closest(id, known, report_);
         report_.error(is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
                       plugin + " has no such " + (is_tool ? "tool" : "force") +
-                          (known.empty() ? "." : "; it has " + listed(known) + "."),
-                      closest(id, known, report_));
+                          (known.empty() ? ". Choose another plugin." : "; it has " + listed(known) + "." + or_choose(meant)),
+                      meant);
         return nullptr;
     }
 
     /// Sets the one of `values` that `node` names. False if it names none.
-    bool set(const Node& node, const std::string& instrument, const std::vector<ParameterInfo>& parameters,
-             std::vector<double>& values) {
+    bool set(const Node& node, const std::string& instrument, const ComponentInfo& component,
+             const std::vector<ParameterInfo>& parameters, std::vector<double>& values) {
         const auto found = std::find_if(parameters.begin(), parameters.end(),
                                         [&](const ParameterInfo& p) { return p.id == node.key; });
         if (found == parameters.end()) return false;
         const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
-        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_))
+        Reason declared{{component.plugin + "/" + component.id}, found->id + " is declared there from " + quantity_text(need.min, need.unit) +
+                            " to " + quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) + " if not given.", {}};
+        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
             values[static_cast<std::size_t>(found - parameters.begin())] = *value;
         return true;
     }
@@ -198,13 +170,14 @@ private:
             if (!contains(known, id)) known.push_back(id);
         for (const Node& child : node.children) {
             // The same quantity may matter to both, as a diameter does.
-            const bool is_of_tool = set(child, instrument.id, tool.parameters, instrument.tool_parameters);
-            const bool is_of_force = set(child, instrument.id, force.parameters, instrument.force_parameters);
+            const bool is_of_tool = set(child, instrument.id, tool, tool.parameters, instrument.tool_parameters);
+            const bool is_of_force = set(child, instrument.id, force, force.parameters, instrument.force_parameters);
             if (is_of_tool || is_of_force) continue;
+            const std::string meant = suggestion(child.key, known);
             report_.error(Code::unknown_parameter, child.key_span,
                           "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
-                              (known.empty() ? "." : "; they have " + listed(known) + "."),
-                          suggestion(child.key, known));
+                              (known.empty() ? ". Remove it." : "; they have " + listed(known) + "." + or_choose(meant)),
+                          meant);
         }
     }
 
@@ -212,10 +185,12 @@ private:
         if (!is_kind(node, Node::Kind::map, instrument.id + ".drives", report_)) return;
         const std::vector<std::string> known = ids_of(tool.drives);
         for (const Node& child : node.children)
-            if (!set(child, instrument.id, tool.drives, instrument.drives))
+            if (!set(child, instrument.id, tool, tool.drives, instrument.drives)) {
+                const std::string meant = suggestion(child.key, known);
                 report_.error(Code::unknown_drive, child.key_span,
-                              tool.id + " has no such drive" + (known.empty() ? "." : "; it has " + listed(known) + "."),
-                              suggestion(child.key, known));
+                              tool.id + " has no such drive" + (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
+                              meant);
+            }
     }
 
     std::string suggestion(const std::string& key, const std::vector<std::string>& known) const {
@@ -230,45 +205,69 @@ private:
 // ---- steps -------------------------------------------------------------------------------------------------------
 
 /// `{at_least: …, at_most: …}`, one or both.
-void read_bound_values(MapReader& map, const QuantityNeed& need, const std::string& name, Bound& bound, Report& report) {
-    const Node* at_least = map.optional("at_least");
-    const Node* at_most = map.optional("at_most");
-    if (at_least) bound.at_least = read_quantity(*at_least, map.name_of("at_least"), need, report);
-    if (at_most) bound.at_most = read_quantity(*at_most, map.name_of("at_most"), need, report);
-    if (!at_least && !at_most && map.is_map())
-        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`.");
+void read_bound_values(MapReader& map, const std::string& name, Bound& bound, Report& report) {
+    bool is_bounded = false;
+    const auto read_end = [&](const char* key, std::optional<double>& value) {
+        const Node* node = map.find(key);
+        if (node) value = read_quantity(*node, map.name_of(key), map.need_of(key), report);
+        is_bounded |= node != nullptr;
+    };
+    read_end("at_least", bound.at_least);
+    read_end("at_most", bound.at_most);
+    if (!is_bounded && map.is_map())
+        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`. Add one.");
     if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
-        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it.");
+        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it. Exchange the two.");
 }
 
 Goal read_goal(const Node& item, const Document& document, Report& report) {
-    MapReader map(item, "goal", report);
+    MapReader map(item, shapes::goal, "goal", report);
     Goal goal;
-    if (const Node* quantity = map.one_of({"entry", "depth"})) {
+    if (const Node* quantity = map.one_of()) {
         goal.quantity = quantity->key;
         goal.place = document.place(quantity->key_span);
-        MapReader bound(*quantity, quantity->key, report);
-        if (quantity->key == "depth") read_bound_values(bound, depth_along_axis, "depth", goal.bound, report);
+        const bool is_entry = quantity->key == "entry";
+        MapReader bound(*quantity, is_entry ? shapes::entry_goal : shapes::depth_bound, quantity->key, report);
+        if (!is_entry) read_bound_values(bound, quantity->key, goal.bound, report);
         bound.finish();
     }
     map.finish();
     return goal;
 }
 
+/// A name of a step or limit that the procedure does not say it needs. The reason is the list in which it should stand.
+void refuse_undeclared(Code code, const Node& name, const std::string& what, const std::vector<std::string>& declared,
+                       const Document& document, Report& report) {
+    const std::string list = what + "s", meant = closest(name.text, declared, report);
+    const Node* needs = document.root.find("needs");
+    const Node* place = needs ? needs->find(list) : nullptr;
+    report.error(code, name.span, "This " + what + " is not listed under needs." + list + "." + or_choose(meant, "Add it there."), meant,
+                 place ? std::optional(report.because(place->key_span, "what the procedure needs is listed here.")) : std::nullopt);
+}
+
+void refuse_instrument(const Node& name, const std::vector<std::string>& instruments, const Document& document, Report& report) {
+    const std::string meant = closest(name.text, instruments, report);
+    const Node* place = document.root.find("instruments");
+    report.error(Code::unknown_instrument, name.span,
+                 instruments.empty() ? "There are no instruments. Add one under `instruments:`."
+                                     : "There is no such instrument; there is " + listed(instruments) + "." + or_choose(meant), meant,
+                 place ? std::optional(report.because(place->key_span, "the instruments stand here.")) : std::nullopt);
+}
+
 Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
-    MapReader map(item, "limit", report);
+    MapReader map(item, shapes::limit, "limit", report);
     Limit limit;
-    if (const Node* quantity = map.one_of({"clearance", "depth"})) {
+    if (const Node* quantity = map.one_of()) {
         limit.quantity = quantity->key;
         limit.place = document.place(quantity->key_span);
-        MapReader bound(*quantity, quantity->key, report);
-        if (const Node* zone = quantity->key == "clearance" ? bound.required("zone") : nullptr) {
+        const bool is_clearance = quantity->key == "clearance";
+        MapReader bound(*quantity, is_clearance ? shapes::clearance_bound : shapes::depth_bound, quantity->key, report);
+        if (const Node* zone = is_clearance ? bound.find("zone") : nullptr) {
             limit.zone = read_id(*zone, "clearance.zone", report).value_or("");
             if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
-                report.error(Code::undeclared_zone, zone->span, "This zone is not listed under needs.zones.",
-                             closest(limit.zone, procedure.needs_zones, report));
+                refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
-        read_bound_values(bound, quantity->key == "depth" ? depth_along_axis : clearance, quantity->key, limit.bound, report);
+        read_bound_values(bound, quantity->key, limit.bound, report);
         bound.finish();
     }
     limit.reason = map.text("reason");
@@ -278,27 +277,23 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
 
 Step read_step(const Node& item, const Procedure& procedure, const std::vector<std::string>& instrument_ids,
                const Document& document, Report& report) {
-    MapReader map(item, item_name(item, "step"), report);
+    MapReader map(item, shapes::step, item_name(item, "step"), report);
     Step step;
     step.id = map.id("id");
     step.title = map.text("title");
-    if (const Node* instrument = map.required("instrument")) {
+    if (const Node* instrument = map.find("instrument")) {
         step.instrument = read_id(*instrument, "instrument", report).value_or("");
         if (!step.instrument.empty() && !contains(instrument_ids, step.instrument))
-            report.error(Code::unknown_instrument, instrument->span,
-                         instrument_ids.empty() ? "There are no instruments."
-                                                : "There is no such instrument; there is " + listed(instrument_ids) + ".",
-                         closest(step.instrument, instrument_ids, report));
+            refuse_instrument(*instrument, instrument_ids, document, report);
     }
-    if (const Node* axis = map.required("axis")) {
+    if (const Node* axis = map.find("axis")) {
         step.axis = read_id(*axis, "axis", report).value_or("");
         if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
-            report.error(Code::undeclared_landmark, axis->span, "This landmark is not listed under needs.landmarks.",
-                         closest(step.axis, procedure.needs_landmarks, report));
+            refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document, report);
     }
-    if (const Node* goals = map.required("goals"))
+    if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report)) step.goals.push_back(read_goal(goal, document, report));
-    if (const Node* limits = map.optional("limits"))
+    if (const Node* limits = map.find("limits"))
         for (const Node& limit : read_list(*limits, "limits", report))
             step.limits.push_back(read_limit(limit, procedure, document, report));
     map.finish();
@@ -317,18 +312,23 @@ std::vector<std::string> limit_names(const std::vector<Step>& steps) {
     return names;
 }
 
+void refuse_limit(const Node& name, const std::vector<std::string>& limits, Report& report) {
+    const std::string meant = closest(name.text, limits, report);
+    report.error(Code::unknown_limit, name.span,
+                 limits.empty() ? "No step has a limit that could be broken. Add one to a step."
+                                : "No step has such a limit; there is " + listed(limits) + "." + or_choose(meant),
+                 meant);
+}
+
 /// `expect: pass`, or `expect: {fail: canal}`.
 void read_expectation(const Node& node, const std::vector<std::string>& limits, Rehearsal& rehearsal, Report& report) {
     if (node.kind == Node::Kind::map) {
-        MapReader map(node, "expect", report);
+        MapReader map(node, shapes::expectation, "expect", report);
         rehearsal.expect = "fail";
-        if (const Node* limit = map.required("fail")) {
+        if (const Node* limit = map.find("fail")) {
             rehearsal.expect_limit = read_id(*limit, "expect.fail", report).value_or("");
             if (!rehearsal.expect_limit.empty() && !contains(limits, rehearsal.expect_limit))
-                report.error(Code::unknown_limit, limit->span,
-                             limits.empty() ? "No step has a limit that could be broken."
-                                            : "No step has such a limit; there is " + listed(limits) + ".",
-                             closest(rehearsal.expect_limit, limits, report));
+                refuse_limit(*limit, limits, report);
         }
         map.finish();
         return;
@@ -337,29 +337,29 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
     if (!text) return;
     rehearsal.expect = *text;
     if (*text != "pass")
-        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks.");
+        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
 }
 
 Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, Report& report) {
-    MapReader map(item, item_name(item, "rehearsal"), report);
+    MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
-    rehearsal.title = map.optional_text("title");
-    if (const Node* expect = map.required("expect")) read_expectation(*expect, limits, rehearsal, report);
-    if (const Node* node = map.optional("hand")) {
-        MapReader hand(*node, "hand", report);
-        hand.quantity("feed", hand_speed, rehearsal.feed);
-        hand.quantity("approach", hand_speed, rehearsal.approach);
-        hand.quantity("push", hand_force, rehearsal.push);
-        hand.quantity("reaction", hand_reaction, rehearsal.reaction);
+    rehearsal.title = map.text("title");
+    if (const Node* expect = map.find("expect")) read_expectation(*expect, limits, rehearsal, report);
+    if (const Node* node = map.find("hand")) {
+        MapReader hand(*node, shapes::hand, "hand", report);
+        hand.quantity("feed", rehearsal.feed);
+        hand.quantity("approach", rehearsal.approach);
+        hand.quantity("push", rehearsal.push);
+        hand.quantity("reaction", rehearsal.reaction);
         hand.finish();
     }
-    if (const Node* path = map.required("path"))
+    if (const Node* path = map.find("path"))
         for (const Node& point : read_list(*path, "path", report)) {
-            MapReader waypoint(point, "waypoint", report);
+            MapReader waypoint(point, shapes::waypoint, "waypoint", report);
             Waypoint at;
-            at.depth = waypoint.quantity("depth", depth_along_axis);
-            waypoint.quantity("medial", sideways, at.medial);
+            at.depth = waypoint.quantity("depth");
+            waypoint.quantity("medial", at.medial);
             waypoint.finish();
             rehearsal.path.push_back(at);
         }
@@ -380,61 +380,55 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
     for (const Step& step : steps) used.insert(step.instrument);
     for (const Node& child : instruments.children)
         if (!used.contains(child.key))
-            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument.");
+            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument. Remove it, or name it in a step.");
 }
 
 Procedure read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report) {
     Procedure procedure;
     procedure.file = document.file();
     procedure.text = document.text();
-    if (const Node* node = map.required("metadata")) read_metadata(*node, procedure, report);
-    if (const Node* node = map.required("needs")) read_needs(*node, procedure, report);
-    if (const Node* node = map.required("anatomy")) procedure.anatomy_file = read_path(*node, document.file(), report);
-    if (const Node* node = map.optional("accuracy")) {
-        MapReader accuracy(*node, "accuracy", report);
-        accuracy.quantity("spacing", voxel_spacing, procedure.spacing);
-        accuracy.quantity("force", share_of_force, procedure.accuracy.force);
-        accuracy.quantity("volume", share_of_volume, procedure.accuracy.volume);
+    if (const Node* node = map.find("metadata")) read_metadata(*node, procedure, report);
+    if (const Node* node = map.find("needs")) read_needs(*node, procedure, report);
+    if (const Node* node = map.find("anatomy")) procedure.anatomy_file = read_anatomy_file(*node, document.file(), report);
+    if (const Node* node = map.find("accuracy")) {
+        MapReader accuracy(*node, shapes::accuracy, "accuracy", report);
+        accuracy.quantity("spacing", procedure.spacing);
+        accuracy.quantity("force", procedure.accuracy.force);
+        accuracy.quantity("volume", procedure.accuracy.volume);
         accuracy.finish();
     }
-    if (const Node* node = map.optional("budget")) {
-        MapReader budget(*node, "budget", report);
-        budget.quantity("tick", tick_time, procedure.budget.tick);
+    if (const Node* node = map.find("budget")) {
+        MapReader budget(*node, shapes::budget, "budget", report);
+        budget.quantity("tick", procedure.budget.tick);
         budget.finish();
     }
-    if (const Node* node = map.required("haptics")) {
-        MapReader haptics(*node, "haptics", report);
+    if (const Node* node = map.find("haptics")) {
+        MapReader haptics(*node, shapes::haptics, "haptics", report);
         procedure.device = haptics.id("device");
-        if (const Node* coupling = haptics.optional("coupling")) {
-            const std::vector<std::string> words{"solved", "direct"};
-            const std::string text = read_text(*coupling, "haptics.coupling", report).value_or(words[0]);
-            procedure.is_direct = text == words[1];
-            if (!contains(words, text))
-                report.error(Code::unknown_word, coupling->span, "haptics.coupling must be " + listed(words) + ".", closest(text, words, report));
-        }
-        if (const Node* force_scale = haptics.optional("force_scale"))
-            procedure.force_scale = read_quantity(*force_scale, "haptics.force_scale", scale, report);
+        procedure.is_direct = haptics.word("coupling") == "direct";
+        if (const Node* force_scale = haptics.find("force_scale"))
+            procedure.force_scale = read_quantity(*force_scale, "haptics.force_scale", haptics.need_of("force_scale"), report);
         haptics.finish();
     }
-    map.quantity("time_limit", duration, procedure.time_limit);
+    map.quantity("time_limit", procedure.time_limit);
 
     std::vector<std::string> instrument_ids;
-    const Node* instruments = map.required("instruments");
+    const Node* instruments = map.find("instruments");
     if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
         InstrumentReader reader(catalog, report);
-        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments.");
+        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
         for (const Node& child : instruments->children) {
             procedure.instruments.push_back(reader.read(child));
             instrument_ids.push_back(child.key);
         }
     }
-    const Node* steps = map.required("steps");
+    const Node* steps = map.find("steps");
     UniqueIds step_ids, rehearsal_ids;
     if (steps)
         for (const Node& item : read_list(*steps, "steps", report))
             add_unique(read_step(item, procedure, instrument_ids, document, report), item, step_ids, procedure.steps, report);
     if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
-    if (const Node* node = map.optional("rehearsals")) {
+    if (const Node* node = map.find("rehearsals")) {
         const std::vector<std::string> limits = limit_names(procedure.steps);
         for (const Node& item : read_list(*node, "rehearsals", report))
             add_unique(read_rehearsal(item, limits, report), item, rehearsal_ids, procedure.rehearsals, report);
@@ -455,13 +449,28 @@ TextSpan span_of_item(const Node* list, std::size_t index) {
     return list && index < list->children.size() ? list->children[index].span : TextSpan{};
 }
 
+/// The anatomy's own place for what is wrong with it here: the first of `keys`, each within the one before, that it has.
+Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, const std::string& message) {
+    const Document document = read_again(anatomy.file, anatomy.text);
+    const Node* node = &document.root;
+    TextSpan span;
+    for (const std::string& key : keys)
+        if (const Node* within = node ? node->find(key) : nullptr) {
+            node = within;
+            span = node->key_span;
+        }
+    return {document.place(span), message, document.source_line(span)};
+}
+
 void check_names(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
-                 Code code, const std::string& what, Report& report) {
+                 Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (contains(present, needed[i])) continue;
+        const std::string meant = closest(needed[i], present, report);
         report.error(code, span_of_item(list, i), "The anatomy has no " + what + " " + quoted_id(needed[i]) +
-                                                      (present.empty() ? "." : "; it has " + listed(present) + "."),
-                     closest(needed[i], present, report));
+                                                      (present.empty() ? "." : "; it has " + listed(present) + ".") +
+                                                      or_choose(meant, "Add it there, or choose another anatomy."),
+                     meant, report.is_full() ? std::nullopt : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
     }
 }
 
@@ -479,7 +488,7 @@ std::optional<Procedure> read_procedure_text(const std::string& file, std::strin
     std::optional<Procedure> procedure;
     if (const std::optional<Document> document = parse_document(file, std::move(text), found)) {
         Report report(*document, found);
-        MapReader map(document->root, "", report);
+        MapReader map(document->root, shapes::procedure, "", report);
         if (read_header(map, "Procedure", report)) procedure = read_body(map, *document, catalog, report);
     }
     if (has_error(found)) procedure.reset();
@@ -500,9 +509,9 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     append_ids(anatomy.points, landmarks);
     append_ids(anatomy.zones, zones);
     append_ids(anatomy.tissues, tissues);
-    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", report);
-    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", report);
-    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", report);
+    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy, report);
+    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", anatomy, report);
+    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
 
     const Node* steps = document.root.find("steps");
     for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
@@ -510,9 +519,11 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         if (!contains(points, axis) || contains(axes, axis)) continue;
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
+        const std::string meant = closest(axis, axes, report);
         report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis.",
-                     closest(axis, axes, report));
+                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis." +
+                         or_choose(meant, "Name an axis, or give the anatomy one."),
+                     meant, in_anatomy(anatomy, {"landmarks", "points", axis}, "it is a point here."));
     }
 
     if (contains(points, midline)) return;
@@ -523,7 +534,8 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         if (shifted == path.end()) continue;
         const Node* node = rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
         report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
-                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.");
+                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`. Add it "
+                     "there, or remove `medial`.", {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
     }
 }
 

@@ -25,6 +25,10 @@ std::string underlined(const SourcePlace& place, const std::string& line) {
 
 }  // namespace
 
+std::string to_text(const SourcePlace& place) {
+    return place.line > 0 ? place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) : place.file;
+}
+
 bool has_error(const Diagnostics& diagnostics) noexcept {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
                        [](const Diagnostic& d) { return d.level == Diagnostic::Level::error; });
@@ -33,12 +37,13 @@ bool has_error(const Diagnostics& diagnostics) noexcept {
 std::string to_text(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& d : diagnostics) {
-        text += d.code + " " + d.place.file;
-        if (d.place.line > 0) text += ":" + std::to_string(d.place.line) + ":" + std::to_string(d.place.column);
-        text += ": " + d.message;
+        text += d.code + " " + to_text(d.place) + ": " + d.message;
         if (!d.write.empty()) text += " Write `" + d.write + "`.";
         text += "\n";
         if (!d.source_line.empty()) text += underlined(d.place, d.source_line);
+        if (!d.reason) continue;
+        text += "  because of " + to_text(d.reason->place) + ": " + d.reason->message + "\n";
+        if (!d.reason->source_line.empty()) text += underlined(d.reason->place, d.reason->source_line);
     }
     return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct SourcePlace {
     int length = 1;  ///< characters to underline
 };
 
+/// Why something is wrong, where that is decided elsewhere: the limits a plugin declares, what stands there first.
+struct Reason {
+    SourcePlace place;        ///< its `file` may be a plugin's component
+    std::string message;      ///< one sentence
+    std::string source_line;  ///< the text of place.line; may be empty
+};
+
 /// One error or warning for a person: code, place, what we got, what is needed, what to write.
 struct Diagnostic {
     enum class Level { error, warning };
@@ -24,13 +32,17 @@ struct Diagnostic {
     std::string message;  ///< one sentence: what we got and what is needed, with its unit
     std::string write;    ///< what to write instead; may be empty
     std::string source_line;  ///< the text of place.line, for the caret; may be empty
+    std::optional<Reason> reason{};
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
+/// `file:14:22`, or `file` for the file as a whole.
+std::string to_text(const SourcePlace& place);
+
 bool has_error(const Diagnostics& diagnostics) noexcept;
 
-/// `E0412 file:14:22: message Write `6.5 mm`.` followed by the source line and a caret.
+/// `E0412 file:14:22: message Write `6.5 mm`.` followed by the source line and a caret, and by the reason likewise.
 std::string to_text(const Diagnostics& diagnostics);
 
 }  // namespace kerf

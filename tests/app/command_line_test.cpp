@@ -40,6 +40,11 @@ TEST(CommandLine, DescribesAllOrOne) {
     EXPECT_EQ(read({"describe", "kerf.saw/blade"}).component, "kerf.saw/blade");
 }
 
+TEST(CommandLine, PrintsTheSchemaOfOneKindOfDocument) {
+    EXPECT_EQ(read({"schema"}).kind, "procedure");
+    EXPECT_EQ(read({"schema", "anatomy"}).kind, "anatomy");
+}
+
 TEST(CommandLine, ReadsEveryOptionOfStability) {
     const CommandLine line = read({"stability", "--quick", "--plugin", "kerf.saw", "--out", "o"});
     ASSERT_EQ(line.answer, "");
@@ -102,6 +107,7 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
              {{"validate", "p.yaml", "--format", "xml"}, "`--format` is `xml`. Write `text`, `json` or `github`."},
              {{"run", "p.yaml", "--learner", "Jane Doe"}, "`--learner` must be a code of letters, digits"},
              {{"run", "p.yaml", "--learner", ""}, "`--learner` must be a code of letters, digits"},
+             {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure` or `anatomy`."},
              {{"validate"}, "which procedure? Write `kerf validate PROCEDURE.yaml`."},
              {{"list", "all"}, "`all` is one argument too many."},
              {{"list", "--out", "x"}, "there is no option `--out` of `kerf list`."},

@@ -42,5 +42,17 @@ TEST(Findings, AsJsonHoldEveryPart) {
     EXPECT_EQ(document["files"][1]["has_errors"], false);
 }
 
+TEST(Findings, TellTheReasonInItsOwnPlace) {
+    std::vector<Findings> files = two_files();
+    files[0].diagnostics[0].reason = Reason{{"base.yaml", 3, 7, 2}, "it stands here first.", "  abcdef"};
+    EXPECT_EQ(to_text(files[0].diagnostics),
+              "E0412 a,b.yaml:14:22: drill.diameter is 65 mm: 100 % wrong. Write `6.5 mm`.\n"
+              "  because of base.yaml:3:7: it stands here first.\n      abcdef\n          ^^\n");
+    const auto json = nlohmann::json::parse(findings_text(files, "json"));
+    EXPECT_EQ(json["files"][0]["diagnostics"][0]["reason"]["line"], 3);
+    EXPECT_EQ(json["files"][0]["diagnostics"][0]["reason"]["message"], "it stands here first.");
+    EXPECT_TRUE(findings_text(files, "github").ends_with("Write `6.5 mm`.%0Abecause of base.yaml:3:7: it stands here first.\n"));
+}
+
 }  // namespace
 }  // namespace kerf

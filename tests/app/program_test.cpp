@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/support/json_schema.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -204,6 +205,17 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
     EXPECT_EQ(one_bad.exit_code, 2);
     EXPECT_EQ(one_bad.out,
               "::error file=/nowhere.yaml,title=E0101::There is no such file. Check its name and its folder.\n");
+}
+
+TEST(Program, TheSchemaTakesTheShippedProcedureWithThePluginsThatAreThere) {
+    const Ended printed = kerf("schema");
+    EXPECT_EQ(printed.exit_code, 0) << printed.err;
+    const test::JsonSchema schema(printed.out);
+    const std::string text = contents_of(pedicle_screw);
+    EXPECT_EQ(schema.breach(test::as_json(text)), "");
+    std::string wrong = text;
+    wrong.replace(wrong.find("diameter"), 8, "diametre");
+    EXPECT_NE(schema.breach(test::as_json(wrong)), "");
 }
 
 TEST(Program, APluginFolderThatDoesNotExistIsSaidOnceAndHindersNobody) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
@@ -117,6 +118,18 @@ TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
                          [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
+
+/// A bone out of a surface, when there is one.
+TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {
+    if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/meshes"))
+        GTEST_SKIP() << "KERF_DATA names no folder with meshes/";
+    Diagnostics diagnostics;
+    const auto made = make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins(), diagnostics);
+    ASSERT_TRUE(made) << to_text(diagnostics);
+    const RunOutcome run = run_procedure(*made, test::plugins(), following("straight"));
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    for (const auto& [tissue, volume] : run.summary.removed_by_tissue) EXPECT_GT(volume, 1e-9) << tissue;
+}
 
 }  // namespace
 }  // namespace kerf

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,7 @@ constexpr int least_edge = 2, most_edge = 4096;  // [voxels]
 constexpr std::uint64_t most_voxels = 512ull * 1024 * 1024;
 constexpr double least_spacing = 1e-3, most_spacing = 100.0;  // [mm]
 constexpr std::size_t most_header = 64 * 1024;                // [bytes] of text
+constexpr int most_layers = 64, most_segments = 1000;         // of a segmentation
 
 /// What is wrong with the file; becomes a Diagnostic at the only way out.
 struct Refusal {
@@ -101,12 +103,18 @@ void check_size(const std::vector<long long>& size, ImageFile& image) {
             refuse("E0624", "the header says " + text + " voxels, each axis must have 2 … 4096.",
                    "Crop the image, or export it again if the header is wrong.");
     for (std::size_t axis = 0; axis < 3; ++axis) image.size[axis] = static_cast<int>(size[axis]);
-    if (image.voxels() > most_voxels)
+    if (image.voxels() * static_cast<std::uint64_t>(image.layers) > most_voxels)
         refuse("E0624", "the header says " + text + " voxels, at most 512 million can be read.", "Crop the image.");
 }
 
-/// Columns: the steps from voxel to voxel along i, j, k [mm], and the origin [mm].
-void check_placement(const std::array<Vec3, 3>& steps, Vec3 origin) {
+/// The steps from voxel to voxel along i, j, k, and the place of the first one [mm].
+struct Placement {
+    std::array<Vec3, 3> steps{};
+    Vec3 origin{};
+};
+
+void check_placement(const Placement& placement) {
+    const auto& [steps, origin] = placement;
     for (const Vec3& step : steps) {
         const double spacing = length(step);
         if (!(spacing >= least_spacing && spacing <= most_spacing))
@@ -118,6 +126,17 @@ void check_placement(const std::array<Vec3, 3>& steps, Vec3 origin) {
         refuse("E0627", "the three axes of the image lie in one plane.", "Export the image again.");
     if (!is_finite(origin) || length(origin) > 1e5)
         refuse("E0627", "the image's origin is no finite place within 100 m.", "Export the image again.");
+}
+
+/// Checks a placement and keeps it in LPS: `to_lps` is 1 or −1 for every axis of the patient.
+void place(ImageFile& image, const Placement& placement, Vec3 to_lps) {
+    check_placement(placement);
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+        const Vec3 v = 1e-3 * (axis < 3 ? placement.steps[axis] : placement.origin);
+        image.lps_from_index[axis] = to_lps.x * v.x;
+        image.lps_from_index[4 + axis] = to_lps.y * v.y;
+        image.lps_from_index[8 + axis] = to_lps.z * v.z;
+    }
 }
 
 // ---- bytes ---------------------------------------------------------------------------------------------------------
@@ -239,32 +258,67 @@ int bytes_of_nifti_type(int type) {
     }
 }
 
-void check_nifti_placement(const std::string& header, bool is_swapped) {
+/// Rotation of `qform` times the spacing: unit quaternion (a, b, c, d) of which b, c, d are written; the sign of the third
+/// axis is `pixdim[0]`. Source: nifti1.h, method 2.
+Placement placement_by_quaternion(Vec3 bcd, Vec3 spacing, double sign, Vec3 origin) {
+    const double b = bcd.x, c = bcd.y, d = bcd.z;
+    const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
+    const Vec3 i{a * a + b * b - c * c - d * d, 2.0 * (b * c + a * d), 2.0 * (b * d - a * c)};
+    const Vec3 j{2.0 * (b * c - a * d), a * a + c * c - b * b - d * d, 2.0 * (c * d + a * b)};
+    const Vec3 k{2.0 * (b * d + a * c), 2.0 * (c * d - a * b), a * a + d * d - b * b - c * c};
+    return {{spacing.x * i, spacing.y * j, (sign * spacing.z) * k}, origin};
+}
+
+/// The largest distance between the places that two placements give a voxel of the image [mm].
+double disagreement(const Placement& a, const Placement& b, const std::array<int, 3>& size) {
+    double most = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 apart = a.origin - b.origin;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (corner >> axis & 1) apart = apart + static_cast<double>(size[axis] - 1) * (a.steps[axis] - b.steps[axis]);
+        most = std::max(most, length(apart));
+    }
+    return most;
+}
+
+/// `sform` where there is one, or else `qform`. Where both are there and differ, that is a doubt.
+void place_nifti(const std::string& header, bool is_swapped, ImageFile& image) {
     const auto real = [&](std::size_t at) { return static_cast<double>(nifti_field<float>(header, at, is_swapped)); };
     const auto word = [&](std::size_t at) { return nifti_field<std::int16_t>(header, at, is_swapped); };
     const int unit = static_cast<unsigned char>(header[123]) & 7;
     const double mm = unit == 1 ? 1000.0 : unit == 3 ? 0.001 : 1.0;  // metres, micrometres; unknown means millimetres
+    constexpr Vec3 ras{-1, -1, 1};
 
     const Vec3 spacing{mm * real(80), mm * real(84), mm * real(88)};
     for (const double s : {spacing.x, spacing.y, spacing.z})
         if (!(s > 0.0))
             refuse("E0627", "`pixdim` is " + number_text(s) + ", must be above 0 mm.", "Export the image again.");
+    std::optional<Placement> by_matrix, by_quaternion;
     if (word(254) > 0) {
-        std::array<Vec3, 3> steps;
+        by_matrix.emplace();
         for (std::size_t axis = 0; axis < 3; ++axis)
-            steps[axis] = mm * Vec3{real(280 + 4 * axis), real(296 + 4 * axis), real(312 + 4 * axis)};
-        check_placement(steps, mm * Vec3{real(292), real(308), real(324)});
+            by_matrix->steps[axis] = mm * Vec3{real(280 + 4 * axis), real(296 + 4 * axis), real(312 + 4 * axis)};
+        by_matrix->origin = mm * Vec3{real(292), real(308), real(324)};
+        check_placement(*by_matrix);
     }
     if (word(252) > 0) {
         const Vec3 quaternion{real(256), real(260), real(264)};
         if (!is_finite(quaternion) || length(quaternion) > 1.001)
             refuse("E0627", "the rotation of `qform` is no unit quaternion.", "Export the image again.");
-        check_placement({Vec3{spacing.x, 0, 0}, Vec3{0, spacing.y, 0}, Vec3{0, 0, spacing.z}},
-                        mm * Vec3{real(268), real(272), real(276)});
+        by_quaternion = placement_by_quaternion(quaternion, spacing, real(76) < 0.0 ? -1.0 : 1.0,
+                                                mm * Vec3{real(268), real(272), real(276)});
+        check_placement(*by_quaternion);
     }
-    if (word(254) <= 0 && word(252) <= 0)
+    if (!by_matrix && !by_quaternion)
         refuse("E0627", "neither `qform_code` nor `sform_code` is above 0: nobody can tell left from right.",
                "Export the image with its orientation.");
+    if (by_matrix && by_quaternion) {
+        constexpr double same = 0.1;  // [mm]: headers are single precision, over the width of a body
+        if (const double apart = disagreement(*by_matrix, *by_quaternion, image.size); apart > same)
+            image.doubts.push_back("`sform` and `qform` of the file place voxels up to " + number_text(apart) +
+                                   " mm apart; `sform` was taken.");
+    }
+    place(image, by_matrix ? *by_matrix : *by_quaternion, ras);
 }
 
 ImageFile check_nifti(const std::string& file, bool is_packed) {
@@ -315,7 +369,7 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     for (const std::size_t at : {std::size_t{112}, std::size_t{116}})
         if (!std::isfinite(nifti_field<float>(header, at, is_swapped)))
             refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
-    check_nifti_placement(header, is_swapped);
+    place_nifti(header, is_swapped, image);
     return image;
 }
 
@@ -390,11 +444,34 @@ int bytes_of_named_type(const std::string& type) {
 
 // ---- NRRD -----------------------------------------------------------------------------------------------------------
 
+/// What 3D Slicer writes of each segment: `Segment0_Name`, `Segment0_LabelValue`, `Segment0_Layer`.
+std::vector<Segment> segments_of(const Fields& remarks, int layers) {
+    const auto whole = [&](const std::string& key, int otherwise) {
+        const auto at = remarks.find(key);
+        if (at == remarks.end()) return otherwise;
+        const auto value = numbers_of<int>(at->second, key);
+        if (value.size() != 1) refuse("E0622", "`" + key + "` must be one whole number.", "Export the segmentation again.");
+        return value[0];
+    };
+    std::vector<Segment> segments;
+    for (int n = 0; n < most_segments; ++n) {
+        const std::string prefix = "Segment" + std::to_string(n) + "_";
+        const auto name = remarks.find(prefix + "Name");
+        if (name == remarks.end()) break;
+        Segment segment{std::string(trimmed(name->second)), whole(prefix + "LabelValue", 1), whole(prefix + "Layer", 0)};
+        if (segment.layer < 0 || segment.layer >= layers)
+            refuse("E0622", "`" + prefix + "Layer` is " + std::to_string(segment.layer) + ", but the layers are 0 … " +
+                                std::to_string(layers - 1) + ".", "Export the segmentation again.");
+        segments.push_back(std::move(segment));
+    }
+    return segments;
+}
+
 ImageFile check_nrrd(const std::string& file) {
     const std::string text = first_bytes(file, most_header);
     if (text.compare(0, 7, "NRRD000") != 0)
         refuse("E0622", "this is no NRRD file.", "Export the image as .nrrd, .nii.gz or .mha.");
-    Fields fields;
+    Fields fields, remarks;
     std::size_t at = 0;
     bool has_end = false;
     for (bool is_first = true; at < text.size(); is_first = false) {
@@ -410,7 +487,10 @@ ImageFile check_nrrd(const std::string& file) {
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos)
             refuse("E0622", "the header has the line \"" + shown(line) + "\".", "Export the image again.");
-        if (colon + 1 < line.size() && line[colon + 1] == '=') continue;  // a remark of the author's
+        if (colon + 1 < line.size() && line[colon + 1] == '=') {  // a remark of whoever wrote it
+            remarks.emplace(line.substr(0, colon), line.substr(colon + 2));
+            continue;
+        }
         add(fields, line.substr(0, colon), line.substr(colon + 1));
     }
     if (find(fields, {"data file", "datafile"}))
@@ -424,10 +504,18 @@ ImageFile check_nrrd(const std::string& file) {
     image.format = ImageFile::Format::nrrd;
     image.data_file = file;
     image.data_offset = at;
-    const auto sizes = numbers_of<long long>(need(fields, {"sizes"}), "sizes");
+    auto sizes = numbers_of<long long>(need(fields, {"sizes"}), "sizes");
     const auto dimension = numbers_of<long long>(need(fields, {"dimension"}), "dimension");
     if (dimension.size() != 1 || dimension[0] != static_cast<long long>(sizes.size()))
         refuse("E0622", "`dimension` and the number of `sizes` differ.", "Export the image again.");
+    const std::string* kinds = find(fields, {"kinds"});
+    if (sizes.size() == 4 && kinds && lower(*kinds).rfind("list", 0) == 0) {  // a segmentation in layers
+        if (sizes[0] < 1 || sizes[0] > most_layers)
+            refuse("E0623", "the segmentation has " + std::to_string(sizes[0]) + " layers, must have 1 … 64.",
+                   "Export one segment at a time.");
+        image.layers = static_cast<int>(sizes[0]);
+        sizes.erase(sizes.begin());
+    }
     check_size(sizes, image);
     image.bytes_per_voxel = bytes_of_named_type(need(fields, {"type"}));
     if (image.bytes_per_voxel > 1)
@@ -449,12 +537,17 @@ ImageFile check_nrrd(const std::string& file) {
                "Export the image with space: left-posterior-superior.");
     if (find(fields, {"space units"}) && need(fields, {"space units"}) != "\"mm\" \"mm\" \"mm\"")
         refuse("E0627", "`space units` is not \"mm\" three times.", "Export the image in millimetres.");
-    const auto directions = numbers_of<double>(need(fields, {"space directions"}), "space directions");
+    std::string_view steps = trimmed(need(fields, {"space directions"}));
+    if (image.layers > 1 || steps.rfind("none", 0) == 0) steps.remove_prefix(std::min<std::size_t>(4, steps.size()));
+    const auto directions = numbers_of<double>(steps, "space directions");
     const auto origin = numbers_of<double>(need(fields, {"space origin"}), "space origin");
     if (directions.size() != 9 || origin.size() != 3)
         refuse("E0627", "`space directions` needs three vectors, `space origin` one.", "Export the image again.");
     const auto vector = [&](std::size_t i) { return Vec3{directions[i], directions[i + 1], directions[i + 2]}; };
-    check_placement({vector(0), vector(3), vector(6)}, {origin[0], origin[1], origin[2]});
+    const bool is_lps = space == "lps" || space == "left-posterior-superior";
+    const Vec3 to_lps{space[0] == 'r' ? -1.0 : 1.0, is_lps ? 1.0 : -1.0, 1.0};
+    place(image, {{vector(0), vector(3), vector(6)}, {origin[0], origin[1], origin[2]}}, to_lps);
+    image.segments = segments_of(remarks, image.layers);
     return image;
 }
 
@@ -519,7 +612,7 @@ ImageFile check_meta(const std::string& file) {
     std::array<Vec3, 3> steps;
     for (std::size_t axis = 0; axis < 3; ++axis)
         steps[axis] = spacing[axis] * Vec3{matrix[3 * axis], matrix[3 * axis + 1], matrix[3 * axis + 2]};
-    check_placement(steps, {origin[0], origin[1], origin[2]});
+    place(image, {steps, {origin[0], origin[1], origin[2]}}, {1, 1, 1});
 
     if (lower(data) == "local") {
         image.data_file = file;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/procedure/source.h"
 
@@ -22,22 +23,33 @@
 ///     E0629  a voxel that is no finite number
 namespace kerf {
 
+/// One structure of a segmentation that 3D Slicer wrote.
+struct Segment {
+    std::string name;
+    int label = 1;  ///< of its voxels
+    int layer = 0;  ///< in which they are
+};
+
 struct ImageFile {
     enum class Format { nifti, nrrd, meta };
     enum class Packing { raw, gzip_file, deflated };  ///< as it stands · the whole file · the voxels only
     Format format = Format::nifti;
     std::array<int, 3> size{};
-    int bytes_per_voxel = 0;
+    std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m], as the header places the voxels; may be sheared
+    int layers = 1;           ///< numbers per voxel: of a segmentation whose structures overlap; else 1
+    int bytes_per_voxel = 0;  ///< in one layer
+    std::vector<Segment> segments;  ///< named ones; empty: only numbers
     Packing packing = Packing::raw;
     std::string data_file;          ///< beside or the same as the header
     std::uint64_t data_offset = 0;  ///< [bytes] in the unpacked file for gzip_file, else in data_file
+    std::vector<std::string> doubts;  ///< what the header leaves open, and what was taken; a sentence each
 
     [[nodiscard]] std::uint64_t voxels() const noexcept {
         return static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]) *
                static_cast<std::uint64_t>(size[2]);
     }
     [[nodiscard]] std::uint64_t data_bytes() const noexcept {
-        return voxels() * static_cast<std::uint64_t>(bytes_per_voxel);
+        return voxels() * static_cast<std::uint64_t>(bytes_per_voxel) * static_cast<std::uint64_t>(layers);
     }
 };
 

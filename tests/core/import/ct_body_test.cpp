@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/field/fnv1a.h"
+#include "core/import/bone_mask.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -50,11 +51,18 @@ VoxelImage hollow_ball() {
     return image_of([](Vec3 p) { return blurred(std::max(length(p) - radius, 5.0_mm - length(p))); });
 }
 
+std::string to_string(const std::vector<std::string>& notes) {
+    std::string all;
+    for (const std::string& note : notes) all += note + "\n";
+    return all;
+}
+
 /// One axis through the origin; the threshold is half way up the ramp.
 Anatomy anatomy() {
     Anatomy result;
     result.file = "bone.yaml";
     result.ct.emplace().threshold = bright / 2.0;
+    result.ct->intensity = CtSource::Intensity::grey;  // nothing here is darker than 0
     result.tissues = {{"cortical", 1850.0, 1.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
     result.axes = {{"axis", {-(8.0_mm), 0.0, 0.0}, {8.0_mm, 0.0, 0.0}, 0.0}};
     return result;
@@ -133,6 +141,88 @@ TEST(CtBody, ClosesASlitNarrowerThanTwiceItsRadius) {
     }
 }
 
+TEST(CtBody, TakesTheNearestLabelWhereTheLabelsHaveAnotherGrid) {
+    // Given labels on half the spacing, cropped to the ball, a quarter voxel beside the image's grid
+    Anatomy one = anatomy();
+    one.ct->keep = {7};
+    VoxelImage labels;
+    labels.size = {45, 45, 45};
+    const double low = -22.0 * 0.5 * spacing + 0.25 * spacing, step = 0.5 * spacing;
+    labels.place({step, 0, 0, low, 0, step, 0, low, 0, 0, step, low});
+    for_each_voxel(labels, [&](int i, int j, int k, std::size_t) {
+        const Vec3 p = labels.lps({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+        labels.values.push_back(length(p) < radius ? 7.0f : 0.0f);
+    });
+
+    Diagnostics diagnostics;
+    const auto bone = make_ct_bone(one, ball(), &labels, diagnostics);
+
+    // Then the bone is the ball all the same, and the notes say so
+    ASSERT_TRUE(bone) << to_text(diagnostics);
+    for (const Vec3 along : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}})
+        EXPECT_NEAR(bone->distance.sample_trilinear(radius * along, 1.0), 0.0, 0.1 * spacing);
+    EXPECT_NE(to_string(bone->report.notes).find("another grid"), std::string::npos);
+}
+
+/// Two balls that do not touch: the larger one at the left.
+VoxelImage two_balls() {
+    return image_of([](Vec3 p) {
+        return blurred(std::min(length(p - Vec3{-(5.0_mm), 0.0, 0.0}) - 6.0_mm, length(p - Vec3{9.0_mm, 0.0, 0.0}) - 4.0_mm));
+    });
+}
+
+TEST(CtBody, KeepsTheLargestPieceOrTheOneAtALandmark) {
+    Anatomy one = anatomy();
+    one.points = {{"small", {9.0_mm, 0.0, 0.0}, 2.0_mm}};
+    for (const bool is_named : {false, true}) {
+        one.ct->component_at = is_named ? "small" : "";
+        Diagnostics diagnostics;
+        const auto bone = make_ct_bone(one, two_balls(), nullptr, diagnostics);
+        ASSERT_TRUE(bone) << to_text(diagnostics);
+        EXPECT_EQ(bone->distance.sample_trilinear({-(5.0_mm), 0.0, 0.0}, 1.0) < 0.0, !is_named);
+        EXPECT_EQ(bone->distance.sample_trilinear({9.0_mm, 0.0, 0.0}, 1.0) < 0.0, is_named);
+    }
+}
+
+TEST(CtBody, DoubtsValuesThatAreNoHounsfieldUnits) {
+    Anatomy one = anatomy();
+    one.ct->intensity = CtSource::Intensity::hounsfield;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(make_ct_bone(one, ball(), nullptr, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[0].code, "W0675");
+    EXPECT_NE(diagnostics[0].message.find("ct.intensity: grey"), std::string::npos);
+}
+
+TEST(CtBody, WarnsOfMetal) {
+    // Given a rod of 27 voxels, 91 mm³, beside the axis
+    Anatomy one = anatomy();
+    one.ct->intensity = CtSource::Intensity::hounsfield;
+    VoxelImage image = ball();
+    for (float& value : image.values) value -= 100.0f;
+    one.ct->threshold -= 100.0;
+    for (int k = 11; k < 14; ++k)
+        for (int j = 11; j < 14; ++j)
+            for (int i = 11; i < 14; ++i) image.values[image.offset(i, j, k)] = 3071.0f;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(make_ct_bone(one, image, nullptr, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    EXPECT_NE(diagnostics[0].message.find("91 mm3"), std::string::npos) << diagnostics[0].message;
+}
+
+TEST(CtBody, TellsHowFarTheEntryMovesWithTheThreshold) {
+    // Given a ramp of 500 over two voxels of 1.5 mm, along x: 5 % of the threshold of 250 are 12.5, or 0.075 mm
+    Anatomy one = anatomy();
+    one.axes = {{"axis", {-(16.0_mm), 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
+    Diagnostics diagnostics;
+    const auto bone = make_ct_bone(one, ball(), nullptr, diagnostics, {.with_shifts = true});
+    ASSERT_TRUE(bone) << to_text(diagnostics);
+    ASSERT_EQ(bone->report.shifts.size(), 1u);
+    ASSERT_TRUE(bone->report.shifts[0].lower && bone->report.shifts[0].upper);
+    EXPECT_NEAR(*bone->report.shifts[0].lower, -0.075_mm, 0.03_mm /* the ball's ramp is not the grid's */);
+    EXPECT_NEAR(*bone->report.shifts[0].upper, 0.075_mm, 0.03_mm);
+}
+
 void expect_refused(const std::string& code, const Anatomy& one, const VoxelImage& image, const VoxelImage* labels) {
     Diagnostics diagnostics;
     EXPECT_FALSE(make_ct_bone(one, image, labels, diagnostics));
@@ -141,11 +231,11 @@ void expect_refused(const std::string& code, const Anatomy& one, const VoxelImag
 }
 
 TEST(CtBody, RefusesWhatCannotBeABone) {
-    VoxelImage shifted = ball();
-    auto moved = shifted.lps_from_index;
-    moved[3] += 1.0_mm;
-    shifted.place(moved);
-    expect_refused("E0630", anatomy(), ball(), &shifted);
+    VoxelImage another_patient = ball();
+    auto moved = another_patient.lps_from_index;
+    moved[3] += 500.0_mm;
+    another_patient.place(moved);
+    expect_refused("E0630", anatomy(), ball(), &another_patient);
 
     Anatomy elsewhere = anatomy();
     elsewhere.axes = {{"axis", {1.0, 1.0, 1.0}, {1.1, 1.0, 1.0}, 0.0}};

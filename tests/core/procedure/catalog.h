@@ -24,4 +24,11 @@ inline ComponentCatalog drilling_catalog() {
     return {tool, force};
 }
 
+/// The same from the plugin that the shapes' examples speak of: core knows none by name.
+inline ComponentCatalog example_catalog() {
+    ComponentCatalog catalog = drilling_catalog();
+    for (ComponentInfo& component : catalog) component.plugin = "example.drilling";
+    return catalog;
+}
+
 }  // namespace kerf

@@ -167,7 +167,7 @@ TEST(Vector, WithTooFewOrTooManyNumbersIsRefused) {
 TEST(Vector, WithCommasIsAnsweredWithoutThem) {
     EXPECT_EQ(problem_of_vector("1, 2, 3 mm").write, "1 2 3 mm");
     EXPECT_EQ(problem_of_vector("0,5 0 -0,5 mm").write, "0.5 0 -0.5 mm");
-    EXPECT_EQ(problem_of_vector("left of the canal").message, "at is `left of the canal`, must be three numbers and one unit, as in `1 2 3 mm`.");
+    EXPECT_EQ(problem_of_vector("left of the canal").message, "at is `left of the canal`, must be three numbers and one unit, as in `1 2 3 mm`. Write it so.");
 }
 
 TEST(QuantityText, IsShort) {

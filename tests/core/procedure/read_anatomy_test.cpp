@@ -147,5 +147,59 @@ TEST(ReadAnatomy, RefusesACtBesideAPhantom) {
     expect_ct_refused(Code::one_of, "ct:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«ct»:");
 }
 
+// And out of a surface.
+const std::string faultless_mesh = R"(apiVersion: kerf/v1
+kind: Anatomy
+metadata: {id: bone, title: A bone}
+mesh:
+  file: meshes/bone.stl
+  unit: cm
+  frame: RAS
+  repair: {holes_up_to: 3 mm, pieces_under: 2 mm3, inner: solid}
+  canal: {tube: {from: 0 0 0 mm, to: 0 0 10 mm, radius: 4 mm}}
+  source: A book.
+tissues:
+  - {id: cortical, density: 1.85 g/cm3}
+landmarks: {}
+)";
+
+void expect_mesh_refused(Code code, std::string_view from, std::string_view to) {
+    SCOPED_TRACE(std::string(to));
+    const MarkedText marked(replaced(faultless_mesh, from, to));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(ReadAnatomy, GivesTheMeshInSi) {
+    Diagnostics diagnostics;
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", faultless_mesh, diagnostics);
+
+    ASSERT_TRUE(anatomy && anatomy->mesh) << to_text(diagnostics);
+    EXPECT_EQ(anatomy->mesh->file, "meshes/bone.stl");
+    EXPECT_EQ(anatomy->mesh->unit, 1e-2);
+    EXPECT_TRUE(anatomy->mesh->is_ras && anatomy->mesh->names_frame);
+    EXPECT_EQ(anatomy->mesh->holes_up_to, 3.0_mm);
+    EXPECT_DOUBLE_EQ(anatomy->mesh->pieces_under, 2e-9);
+    EXPECT_EQ(anatomy->mesh->inner, InnerPieces::solid);
+    EXPECT_EQ(anatomy->mesh->canal.value().radius, 4.0_mm);
+}
+TEST(ReadAnatomy, TakesAMeshForLpsAndSoundWhenNothingIsSaid) {
+    Diagnostics diagnostics;
+    const auto anatomy = read_anatomy_text("bone.yaml", replaced(faultless_mesh, "  frame: RAS\n  repair: {holes_up_to: 3 mm, pieces_under: 2 mm3, inner: solid}\n  canal: {tube: {from: 0 0 0 mm, to: 0 0 10 mm, radius: 4 mm}}\n", ""), diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    EXPECT_FALSE(anatomy->mesh->is_ras || anatomy->mesh->names_frame);
+    EXPECT_EQ(anatomy->mesh->holes_up_to, 0.0);
+    EXPECT_EQ(anatomy->mesh->inner, InnerPieces::unsaid);
+}
+TEST(ReadAnatomy, RefusesAMeshWithoutUnit) { expect_mesh_refused(Code::missing_key, "mesh:\n  file: meshes/bone.stl\n  unit: cm", "«mesh»:\n  file: meshes/bone.stl"); }
+TEST(ReadAnatomy, RefusesAUnitThatIsNone) { expect_mesh_refused(Code::unknown_word, "unit: cm", "unit: «inch»"); }
+TEST(ReadAnatomy, RefusesAFrameThatIsNone) { expect_mesh_refused(Code::unknown_word, "frame: RAS", "frame: «LAS»"); }
+TEST(ReadAnatomy, RefusesToCloseAWholeSection) { expect_mesh_refused(Code::out_of_range, "holes_up_to: 3 mm", "holes_up_to: «30 mm»"); }
+TEST(ReadAnatomy, RefusesAMeshOutsideBothFolders) { expect_mesh_refused(Code::path_outside, "meshes/bone.stl", "«../bone.stl»"); }
+TEST(ReadAnatomy, RefusesAMeshBesideAPhantom) {
+    expect_mesh_refused(Code::one_of, "mesh:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«mesh»:");
+}
+
 }  // namespace
 }  // namespace kerf

@@ -224,7 +224,8 @@ TEST(ReadProcedure, RefusesAParameterOutOfRangeAndSaysWhatToWrite) {
     EXPECT_EQ(to_text(diagnostics),
               "E0412 folder/hole.yaml:14:28: pilot.diameter is 65 mm, must be 0.5 mm … 20 mm. Write `6.5 mm`.\n"
               "        parameters: {diameter: 65 mm, wear: 0.5}\n"
-              "                               ^^^^^\n");
+              "                               ^^^^^\n"
+              "  because of kerf.drilling/twist_drill: diameter is declared there from 0.5 mm to 20 mm, 3.2 mm if not given.\n");
 }
 
 TEST(ReadProcedure, ReportsAllErrorsInOneGo) {

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/image/dicom_elements.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace kerf {
+namespace {
+
+constexpr std::uint64_t preamble = 128;          // [bytes]
+constexpr std::uint32_t undefined = 0xffffffff;  // a length that the end is marked for
+constexpr int most_nested = 16;
+constexpr int most_elements = 100'000;
+constexpr std::uint32_t most_kept = 1024;        // [bytes] of a value that may be asked for
+constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
+constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
+
+struct Fault {
+    std::string what;
+};
+
+/// The file as bytes that must be there.
+class Bytes {
+public:
+    explicit Bytes(const std::string& file) : in_(file, std::ios::binary) {
+        in_.seekg(0, std::ios::end);
+        const auto end = in_.tellg();
+        size_ = in_ && end > 0 ? static_cast<std::uint64_t>(end) : 0;
+        in_.seekg(0);
+    }
+    [[nodiscard]] std::uint64_t at() const { return at_; }
+    [[nodiscard]] std::uint64_t left() const { return size_ - at_; }
+
+    template <std::size_t N>
+    std::array<unsigned char, N> take() {
+        if (left() < N) throw Fault{"it ends in the middle of an element"};
+        std::array<unsigned char, N> bytes{};
+        in_.read(reinterpret_cast<char*>(bytes.data()), N);
+        if (!in_) throw Fault{"it cannot be read to its end"};
+        at_ += N;
+        return bytes;
+    }
+    /// The next bytes, which stay where they are.
+    template <std::size_t N>
+    std::array<unsigned char, N> peek() {
+        const std::uint64_t here = at_;
+        const auto bytes = take<N>();
+        at_ = here;
+        in_.seekg(static_cast<std::streamoff>(at_));
+        return bytes;
+    }
+    /// Pre: no more than a file may keep.
+    std::string keep(std::uint32_t length) {
+        if (length > left()) skip(length);  // says why not
+        std::string value(length, '\0');
+        in_.read(value.data(), static_cast<std::streamsize>(length));
+        if (!in_) throw Fault{"it cannot be read to its end"};
+        at_ += length;
+        return value;
+    }
+    void skip(std::uint64_t length) {
+        if (length > left())
+            throw Fault{"an element promises " + std::to_string(length) + " bytes, " + std::to_string(left()) +
+                        " are left"};
+        at_ += length;
+        in_.seekg(static_cast<std::streamoff>(at_));
+    }
+
+private:
+    std::ifstream in_;
+    std::uint64_t size_ = 0, at_ = 0;
+};
+
+/// How numbers are written, and whether an element says of which sort it is.
+struct Encoding {
+    bool is_big = false, is_explicit = true;
+};
+
+std::uint32_t bits(const unsigned char* bytes, int count, bool is_big) {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i) value |= std::uint32_t{bytes[i]} << (8 * (is_big ? count - 1 - i : i));
+    return value;
+}
+
+struct Element {
+    std::uint32_t tag = 0, length = 0;
+    bool is_unknown = false;  ///< sort UN: if its length is undefined, it is implicit inside
+};
+
+Element next_element(Bytes& bytes, Encoding encoding) {
+    const auto head = bytes.take<8>();
+    Element e;
+    e.tag = bits(head.data(), 2, encoding.is_big) << 16 | bits(head.data() + 2, 2, encoding.is_big);
+    if (!encoding.is_explicit || e.tag >> 16 == 0xfffe) {
+        e.length = bits(head.data() + 4, 4, encoding.is_big);
+        return e;
+    }
+    const std::array<char, 2> sort{static_cast<char>(head[4]), static_cast<char>(head[5])};
+    e.is_unknown = sort[0] == 'U' && sort[1] == 'N';
+    static constexpr std::array<const char*, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                           "UN", "UC", "UR", "UT", "SV", "UV"};
+    for (const char* one : long_ones)
+        if (std::memcmp(one, sort.data(), 2) == 0) {
+            e.length = bits(bytes.take<4>().data(), 4, encoding.is_big);
+            return e;
+        }
+    e.length = bits(head.data() + 6, 2, encoding.is_big);
+    return e;
+}
+
+/// What a walk finds.
+struct Found {
+    std::map<std::uint32_t, std::string>& values;
+    DicomElements& file;
+};
+
+/// Elements up to the voxels and over them, or up to the mark of an item's or a sequence's end.
+class Walk {
+public:
+    Walk(Bytes& bytes, Found found) : bytes_(bytes), found_(found) {}
+
+    void dataset(Encoding encoding) {
+        std::uint32_t last = 0;
+        while (bytes_.left() > 0) {
+            const Element e = counted(encoding);
+            if (e.tag <= last) throw Fault{"its elements are out of order"};
+            last = e.tag;
+            if (e.tag == pixel_data) return voxels(e, encoding);
+            if (e.length <= most_kept) found_.values[e.tag] = bytes_.keep(e.length);
+            else skip(e, encoding, 0);
+        }
+    }
+
+private:
+    Element counted(Encoding encoding) {
+        if (++elements_ > most_elements) throw Fault{"it has more than 100000 elements"};
+        return next_element(bytes_, encoding);
+    }
+
+    void skip(const Element& e, Encoding encoding, int depth) {
+        if (e.length != undefined) return bytes_.skip(e.length);
+        if (depth >= most_nested) throw Fault{"its sequences are nested more than 16 deep"};
+        if (e.is_unknown) encoding = {.is_big = false, .is_explicit = false};
+        while (true) {
+            const Element one = counted(encoding);
+            if (one.tag == sequence_end) return;
+            if (one.tag != item) throw Fault{"a sequence holds something that is no item"};
+            if (one.length != undefined) {
+                bytes_.skip(one.length);
+                continue;
+            }
+            for (Element inner = counted(encoding); inner.tag != item_end; inner = counted(encoding))
+                skip(inner, encoding, depth + 1);
+        }
+    }
+
+    void voxels(const Element& e, Encoding encoding) {
+        DicomElements& file = found_.file;
+        file.has_voxels = true;
+        file.is_encapsulated = e.length == undefined;
+        const auto piece = [&](std::uint32_t length) {
+            file.voxels.push_back({bytes_.at(), length});
+            bytes_.skip(length);
+        };
+        if (!file.is_encapsulated) return piece(e.length);
+        for (Element fragment = counted(encoding); fragment.tag != sequence_end; fragment = counted(encoding)) {
+            if (fragment.tag != item || fragment.length == undefined)
+                throw Fault{"its compressed voxels are not in fragments"};
+            piece(fragment.length);
+        }
+    }
+
+    Bytes& bytes_;
+    Found found_;
+    int elements_ = 0;
+};
+
+std::string trimmed(std::string text) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\0'; };
+    while (!text.empty() && is_blank(text.back())) text.pop_back();
+    text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), is_blank));
+    return text;
+}
+
+/// The elements of group 2, which are always little and explicit.
+std::string transfer_syntax_of(Bytes& bytes) {
+    std::string syntax;
+    while (bytes.left() >= 8 && bits(bytes.peek<2>().data(), 2, false) == 2) {
+        const Element e = next_element(bytes, {});
+        if (e.length == undefined) throw Fault{"its first group has no length"};
+        if (e.tag == transfer_syntax && e.length <= most_kept) syntax = trimmed(bytes.keep(e.length));
+        else bytes.skip(e.length);
+    }
+    if (syntax.empty()) throw Fault{"it does not say how it is encoded"};
+    return syntax;
+}
+
+}  // namespace
+
+DicomElements read_dicom_elements(const std::string& file) {
+    DicomElements elements;
+    try {
+        Bytes bytes(file);
+        if (bytes.left() < preamble + 4) return elements;
+        bytes.skip(preamble);
+        const auto word = bytes.take<4>();
+        if (std::memcmp(word.data(), "DICM", 4) != 0) return elements;
+        elements.is_dicom = true;
+        elements.encoding = transfer_syntax_of(bytes);
+        constexpr const char *implicit = "1.2.840.10008.1.2", *big = "1.2.840.10008.1.2.2",
+                             *deflated = "1.2.840.10008.1.2.1.99";
+        if (elements.encoding == deflated) {
+            elements.has_voxels = true;  // somewhere in there
+            return elements;
+        }
+        elements.is_big_endian = elements.encoding == big;
+        Walk(bytes, {elements.values_, elements})
+            .dataset({.is_big = elements.is_big_endian, .is_explicit = elements.encoding != implicit});
+    } catch (const Fault& fault) {
+        elements.fault = fault.what;
+    } catch (const std::exception&) {
+        elements.fault = "it cannot be read";
+    }
+    return elements;
+}
+
+std::string DicomElements::text(std::uint16_t group, std::uint16_t element) const {
+    const auto found = values_.find(std::uint32_t{group} << 16 | element);
+    return found == values_.end() ? std::string() : trimmed(found->second);
+}
+
+std::vector<double> DicomElements::numbers(std::uint16_t group, std::uint16_t element) const {
+    const std::string all = text(group, element);
+    std::vector<double> values;
+    for (std::size_t at = 0; at < all.size();) {
+        const std::size_t end = std::min(all.find('\\', at), all.size());
+        const char *first = all.data() + at, *last = all.data() + end;
+        while (first < last && (*first == ' ' || *first == '+')) ++first;
+        while (last > first && last[-1] == ' ') --last;
+        double value = 0.0;
+        const auto read = std::from_chars(first, last, value);
+        if (read.ec != std::errc{} || read.ptr != last || !std::isfinite(value)) return {};
+        values.push_back(value);
+        at = end + 1;
+    }
+    return values;
+}
+
+std::optional<double> DicomElements::number(std::uint16_t group, std::uint16_t element) const {
+    const auto values = numbers(group, element);
+    return values.empty() ? std::nullopt : std::optional(values.front());
+}
+
+std::optional<int> DicomElements::word(std::uint16_t group, std::uint16_t element, bool is_signed) const {
+    const auto found = values_.find(std::uint32_t{group} << 16 | element);
+    if (found == values_.end() || found->second.size() < 2) return std::nullopt;
+    const auto* bytes = reinterpret_cast<const unsigned char*>(found->second.data());
+    const auto raw = static_cast<std::uint16_t>(bits(bytes, 2, is_big_endian));
+    return is_signed ? static_cast<int>(static_cast<std::int16_t>(raw)) : static_cast<int>(raw);
+}
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+/// A DICOM file's outermost elements: short values as bytes, and where its voxels lie. What reads this never believes a length:
+/// Debian's GDCM stops the program at a malformed header, so it never sees one.
+class DicomElements {
+public:
+    struct Piece {
+        std::uint64_t offset = 0, size = 0;  ///< [bytes] in the file
+    };
+
+    bool is_dicom = false;         ///< the word DICM stands where it should
+    std::string fault;             ///< why the elements cannot be as they say; empty: they can
+    std::string encoding;          ///< UID of the transfer syntax
+    bool is_big_endian = false;
+    bool has_voxels = false;       ///< an element with pixel data
+    bool is_encapsulated = false;  ///< they are compressed, in pieces of which the first is a table
+    std::vector<Piece> voxels;     ///< one, or all fragments
+
+    /// Without the blanks around it; empty if it is not there.
+    [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;
+
+    /// Decimal strings, separated by backslashes. Empty if one of them is no finite number.
+    [[nodiscard]] std::vector<double> numbers(std::uint16_t group, std::uint16_t element) const;
+
+    /// The first of them.
+    [[nodiscard]] std::optional<double> number(std::uint16_t group, std::uint16_t element) const;
+
+    /// A whole number of 16 bits.
+    [[nodiscard]] std::optional<int> word(std::uint16_t group, std::uint16_t element, bool is_signed = false) const;
+
+private:
+    friend DicomElements read_dicom_elements(const std::string& file);
+    std::map<std::uint32_t, std::string> values_;
+};
+
+/// Walks from element to element, up to the pixel data and over them. A length that goes beyond the file or its
+/// own sequence is a fault: whoever believed it would take memory for bytes that are not there. Never throws.   [main]
+[[nodiscard]] DicomElements read_dicom_elements(const std::string& file);
+
+}  // namespace kerf

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/mesh_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/import/data_file.h"
+#include "core/import/planned_region.h"
+#include "core/import/surface/diagnose.h"
+#include "core/import/surface/repair.h"
+
+namespace kerf {
+namespace {
+
+constexpr double coarse = 20e-6;    // [m] a step of the file's numbers that is worth a warning
+constexpr double fineness = 0.5e-3;  // [m] between places where walls are measured
+
+Diagnostic finding(Diagnostic::Level level, const char* code, const std::string& file, std::string message,
+                   const std::string& advice) {
+    Diagnostic d;
+    d.level = level;
+    d.code = code;
+    d.place.file = file;
+    d.message = std::move(message) + " " + advice;
+    return d;
+}
+
+/// Metres and LPS.
+void place(SurfaceMesh& mesh, const MeshSource& source) {
+    const double across = source.is_ras ? -source.unit : source.unit;
+    for (Vec3& v : mesh.vertices) v = {across * v.x, across * v.y, source.unit * v.z};
+}
+
+bool is_within(const Box& box, Vec3 p) noexcept {
+    return p.x >= box.low.x && p.y >= box.low.y && p.z >= box.low.z && p.x <= box.high.x && p.y <= box.high.y &&
+           p.z <= box.high.z;
+}
+
+std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
+
+/// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
+bool make_sound(SurfaceFile& file, const Anatomy& anatomy, std::vector<std::string>& notes, Diagnostics& diagnostics) {
+    const MeshSource& source = *anatomy.mesh;
+    const auto warn = [&](const char* code, std::string message, const std::string& advice) {
+        diagnostics.push_back(finding(Diagnostic::Level::warning, code, anatomy.file, std::move(message), advice));
+    };
+    place(file.mesh, source);
+    if (!file.has_topology) weld(file.mesh);  // STL repeats every vertex in each of its faces
+    const SurfaceDiagnosis found = diagnose(file.mesh, source.unit);
+    for (std::string& note : to_notes(found)) notes.push_back(std::move(note));
+
+    if (!found.likely_unit.empty()) {
+        const Vec3 extent = found.bounds.high - found.bounds.low;
+        warn("W0648",
+             "the surface is " + millimetres(std::max({extent.x, extent.y, extent.z}), 3) + " long, which no bone is.",
+             "If its numbers are in another unit, write `unit: " + found.likely_unit + "`.");
+    }
+    if (file.holds_floats && found.float_step > coarse)
+        warn("W0657",
+             "the surface lies so far from the origin that its file's numbers are steps of " +
+                 millimetres(found.float_step, 2) + "; bone needs 0.02 mm.",
+             "Move it to the origin where it was made, and export it again.");
+    const Box region = planned_region(anatomy.axes, found.bounds);
+    const auto near = std::count_if(found.crossing_places.begin(), found.crossing_places.end(),
+                                    [&](Vec3 at) { return anatomy.axes.empty() || is_within(region, at); });
+    if (near > 0)
+        warn("W0656",
+             std::to_string(near) + (near == 1 ? " pair" : " pairs") +
+                 " of faces near the axes cut through one another, the first at " + place_text(found.crossings.at) +
+                 "; bone may feel thin where they do.",
+             "Join the parts of the surface into one in the program that made it.");
+
+    const RepairRules rules{source.holes_up_to, source.pieces_under, source.inner};
+    if (const auto error = repair(file.mesh, rules, notes)) {
+        diagnostics.push_back(
+            finding(Diagnostic::Level::error, error->code, anatomy.file, error->message, error->advice));
+        return false;
+    }
+    return true;
+}
+
+/// A closed tube with flat ends. Its radius is that of a circle of the same area as the polygon.
+SurfaceMesh mesh_of(const TubeSolid& tube) {
+    constexpr std::uint32_t sides = 64;
+    const Vec3 along = normalized(tube.to - tube.from);
+    const Vec3 other = std::abs(along.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 right = normalized(cross(other, along)), up = cross(along, right);
+    const double turn = 2.0 * 3.14159265358979323846 / sides;
+    const double radius = tube.radius * std::sqrt(turn / std::sin(turn));
+    SurfaceMesh mesh;
+    mesh.vertices = {tube.from, tube.to};
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const Vec3 out = radius * (std::cos(turn * i) * right + std::sin(turn * i) * up);
+        mesh.vertices.push_back(tube.from + out);
+        mesh.vertices.push_back(tube.to + out);
+    }
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t a = 2 + 2 * i, b = a + 1, c = 2 + 2 * ((i + 1) % sides), d = c + 1;
+        mesh.triangles.insert(mesh.triangles.end(), {Triangle{a, c, b}, {c, d, b}, {0, c, a}, {1, b, d}});
+    }
+    return mesh;
+}
+
+void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
+    const auto least = thinnest(bone.walls);
+    if (!least) return;
+    notes.push_back("Walls from face to face, straight inwards: thinnest " + millimetres(least->thickness, 2) + ", at " +
+                    place_text(least->at) + "; 1 % of the surface is under " + millimetres(thickness_at(bone.walls, 0.01), 2) +
+                    ", half under " + millimetres(thickness_at(bone.walls, 0.5), 2) + ".");
+}
+
+}  // namespace
+
+std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
+                                       Diagnostics& diagnostics) {
+    const MeshSource& source = *anatomy.mesh;
+    MeshBone bone;
+    std::vector<std::string>& notes = bone.report.notes;
+    notes.push_back(std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
+                    (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
+    if (!make_sound(surface, anatomy, notes, diagnostics)) return std::nullopt;
+    bone.surface = std::move(surface.mesh);
+    const Box bounds = bone.region = bounds_of(bone.surface);
+    if (canal) {
+        notes.push_back("The canal, a surface of its own:");
+        SurfaceFile room = *canal;
+        if (!make_sound(room, anatomy, notes, diagnostics)) return std::nullopt;
+        bone.canal = std::move(room.mesh);
+    } else if (source.canal) {
+        notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
+                        millimetres(length(source.canal->to - source.canal->from)) + " long.");
+        bone.canal = mesh_of(*source.canal);
+    }
+
+    if (!anatomy.axes.empty()) {
+        // A little air around the bone, so that a region that holds all of it ends outside.
+        bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));
+        bone.is_part = true;
+        if (is_empty(bone.region)) {
+            diagnostics.push_back(finding(Diagnostic::Level::error, "E0652", anatomy.file,
+                                          "the landmarks' axes lie outside the surface, which goes from " +
+                                              place_text(bounds.low) + " to " + place_text(bounds.high) + ".",
+                                          "Check that the axes are LPS, and `mesh.unit` and `mesh.frame`."));
+            return std::nullopt;
+        }
+        const Vec3 extent = bone.region.high - bone.region.low;
+        notes.push_back("Of it " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
+                        rounded(extent.z * 1e3, 0) + " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
+    }
+    bone.walls = measure_walls(bone.surface, TriangleTree(bone.surface), bone.region, fineness);
+    note_walls(bone, notes);
+    if (anatomy.tissues.size() == 1)
+        notes.push_back("A surface shows no tissues, and none is given a thickness: all of the bone is " + anatomy.tissues[0].id + ".");
+    return bone;
+}
+
+std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics) {
+    ImportReport files;
+    const auto read = [&](const std::string& written) -> std::optional<SurfaceFile> {
+        const std::string file = found_data_file(written, anatomy.file);
+        auto surface = read_surface(file, diagnostics);
+        if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
+            diagnostics.push_back(finding(Diagnostic::Level::error, "E0640", file, "the file could be read once, but not again.",
+                                          "Try again."));
+            return std::nullopt;
+        }
+        return surface;
+    };
+    auto surface = read(anatomy.mesh->file);
+    if (!surface) return std::nullopt;
+    std::optional<SurfaceFile> canal;
+    if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file))) return std::nullopt;
+    auto bone = make_mesh_bone(anatomy, std::move(*surface), canal ? &*canal : nullptr, diagnostics);
+    if (bone) bone->report.file_hashes = std::move(files.file_hashes);
+    return bone;
+}
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/import/import_report.h"
+#include "core/import/surface/read_surface.h"
+#include "core/import/surface/surface_mesh.h"
+#include "core/import/surface/thickness.h"
+#include "core/procedure/anatomy.h"
+#include "core/procedure/solids.h"
+
+/// Bone out of a surface: read, looked at, mended where that is safe, and how thick its walls are.
+///
+///     W0648  the size is no bone's; it would be in another unit
+///     E0652  the axes lie outside the surface
+///     W0655  walls that are too thin for the spacing (core/import/make_body.h)
+///     W0656  faces near the axes cut through one another
+///     W0657  so far from the origin that the file's numbers are coarse
+namespace kerf {
+
+/// A closed surface, its faces looking outwards. Metres, LPS.
+struct MeshBone {
+    SurfaceMesh surface;
+    std::optional<SurfaceMesh> canal;  ///< closed too; there is no bone in it
+    Box region{};                      ///< around the axes; without axes around the surface
+    bool is_part = false;              ///< what lies outside the region was not looked at
+    std::vector<WallSample> walls;     ///< of the surface, in the region
+    ImportReport report;
+};
+
+/// Reads the files that `anatomy.mesh` names and makes the bone.
+/// Error: E064x … E065x.   Pre: `anatomy.mesh`.   [main]
+[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics);
+
+/// The same for surfaces that are in memory, as their files hold them. `canal` may be null.   [main]
+[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
+                                                     Diagnostics& diagnostics);
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/surface/read_surface.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+namespace kerf {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 1'000'000'000;
+
+bool ends_in(const std::string& name, std::string_view ending) {
+    if (name.size() < ending.size()) return false;
+    return std::equal(ending.begin(), ending.end(), name.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char want, char got) { return want == (got >= 'A' && got <= 'Z' ? got - 'A' + 'a' : got); });
+}
+
+}  // namespace
+
+std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics) {
+    const auto refuse = [&](const SurfaceError& error) {
+        Diagnostic wrong;
+        wrong.code = error.code;
+        wrong.place.file = file;
+        wrong.message = error.message + " " + error.advice;
+        diagnostics.push_back(std::move(wrong));
+        return std::nullopt;
+    };
+    const bool is_stl = ends_in(file, ".stl"), is_obj = ends_in(file, ".obj"), is_ply = ends_in(file, ".ply");
+    if (!is_stl && !is_obj && !is_ply)
+        return refuse({"E0641", "the name ends in none of .stl, .obj and .ply.", "Export the surface as one of them."});
+
+    std::error_code wrong;
+    if (!std::filesystem::exists(file, wrong))
+        return refuse({"E0640", "there is no such file.",
+                       "Check the name, and that KERF_DATA names the folder with the data."});
+    if (!std::filesystem::is_regular_file(file, wrong))
+        return refuse({"E0640", "this is no regular file.", "Name the file that holds the surface."});
+    const std::uintmax_t size = std::filesystem::file_size(file, wrong);
+    if (wrong) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
+    if (size > most_bytes)
+        return refuse({"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
+    try {
+        std::string bytes(size, '\0');
+        std::ifstream in(file, std::ios::binary);
+        in.read(bytes.data(), static_cast<std::streamsize>(size));
+        if (!in) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
+        SurfaceError error;
+        std::optional<SurfaceFile> surface = is_stl ? read_stl(bytes, error) : is_obj ? read_obj(bytes, error) : read_ply(bytes, error);
+        if (!surface) return refuse(error);
+        return surface;
+    } catch (const std::exception& e) {
+        return refuse({"E0642", std::string("reading stopped: ") + e.what() + ".", "Export the surface with fewer faces."});
+    }
+}
+
+}  // namespace kerf

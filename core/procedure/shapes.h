@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/procedure/shape.h"
+
+/// The one table of what documents may say. A new key is a line here and the line that reads it; the reader stops at a
+/// key that is not in its shape, and at the end of a map for a key of the shape that it never asked for.
+namespace kerf::shapes {
+
+extern const Shape procedure;
+extern const Shape metadata, needs, accuracy, budget, haptics, instrument;
+extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound;
+extern const Shape rehearsal, expectation, hand, waypoint;
+
+extern const Shape anatomy;
+extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;
+extern const Shape ct, labels, kept_piece, density_line;
+extern const Shape mesh, repair, canal;
+extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, zone_solid;
+
+}  // namespace kerf::shapes

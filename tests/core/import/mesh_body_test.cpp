@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/mesh_body.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/field/fnv1a.h"
+#include "core/import/make_body.h"
+#include "core/procedure/read_anatomy.h"
+#include "kerf/units.hpp"
+#include "tests/core/import/surface/shapes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using test::cube, test::sphere, test::together, test::turned;
+
+/// A folder with a surface, in its file's own unit, and an anatomy that names it.
+class MeshAnatomy {
+public:
+    explicit MeshAnatomy(const SurfaceMesh& surface) {
+        std::ofstream(folder_ / "bone.stl", std::ios::binary) << test::binary_stl(surface);
+        anatomy.file = folder_ / "bone.yaml";
+        anatomy.id = "bone";
+        anatomy.mesh.emplace().file = "bone.stl";
+        anatomy.tissues = {{"cortical", 1850.0, 2.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
+    }
+    std::optional<Body> body(double spacing) { return make_body(anatomy, spacing, diagnostics, &report); }
+    void add_canal(const SurfaceMesh& canal) {
+        std::ofstream(folder_ / "canal.stl", std::ios::binary) << test::binary_stl(canal);
+        anatomy.mesh->canal_file = "canal.stl";
+    }
+    [[nodiscard]] bool says(const std::string& words) const {
+        return std::any_of(report.notes.begin(), report.notes.end(),
+                           [&](const std::string& note) { return note.find(words) != std::string::npos; });
+    }
+
+    Anatomy anatomy;
+    Diagnostics diagnostics;
+    ImportReport report;
+
+private:
+    test::TemporaryFolder folder_;
+};
+
+double distance_at(const Body& body, Vec3 p) { return body.surface.at(locate(body, p)); }
+
+/// Volume by counting samples; those at the border by their share.
+double volume_of(const Body& body) {
+    const Grid& g = body.grid();
+    double sum = 0.0;
+    for (int k = 0; k < g.samples(2); ++k)
+        for (int j = 0; j < g.samples(1); ++j)
+            for (int i = 0; i < g.samples(0); ++i)
+                sum += std::clamp(0.5 - body.surface.sample(i, j, k) * g.quantum() / g.spacing, 0.0, 1.0);
+    return sum * g.spacing * g.spacing * g.spacing;
+}
+
+std::uint64_t bits_of(const Body& body) {
+    Fnv1a sum;
+    const auto add = [&](const auto& level_set) {
+        for (std::size_t b = 0; b < body.grid().brick_count(); ++b) {
+            const std::int16_t* stored = level_set.stored(b);
+            const std::int16_t uniform = level_set.uniform_value(b);
+            sum.add({reinterpret_cast<const char*>(stored ? stored : &uniform), sizeof(std::int16_t) * (stored ? stored_samples : 1u)});
+        }
+    };
+    add(body.surface);
+    for (const auto& material : body.materials)
+        if (&material != &body.materials.back()) add(material.border);
+    return sum.value();
+}
+
+TEST(MeshBody, IsTheSurfaceAndItsShell) {
+    MeshAnatomy bone(sphere(12.0, 5));
+    const auto body = bone.body(0.5_mm);
+    ASSERT_TRUE(body) << to_text(bone.diagnostics);
+    EXPECT_TRUE(bone.diagnostics.empty()) << to_text(bone.diagnostics);
+    EXPECT_TRUE(body->region.is_everywhere());
+    EXPECT_EQ(bone.report.file_hashes.size(), 1u);
+
+    for (const Vec3 out : {Vec3{1, 0, 0}, normalized(Vec3{1, 2, 3}), normalized(Vec3{-3, 1, -2})}) {
+        EXPECT_NEAR(distance_at(*body, 12.0_mm * out), 0.0, 0.02_mm);
+        EXPECT_NEAR(distance_at(*body, 11.0_mm * out), -1.0_mm, 0.02_mm);
+        EXPECT_NEAR(distance_at(*body, 13.0_mm * out), 1.0_mm, 0.02_mm);
+        double weight[KERF_MAX_TISSUES];
+        material_weights(*body, locate(*body, 11.0_mm * out), weight);
+        EXPECT_EQ(weight[0], 1.0) << "1 mm deep it is cortical";
+        material_weights(*body, locate(*body, 9.0_mm * out), weight);
+        EXPECT_EQ(weight[1], 1.0) << "3 mm deep it is not";
+    }
+}
+
+TEST(MeshBody, HasTheSurfacesVolumeToSecondOrder) {
+    // A quantity of second order falls to a quarter with half the spacing
+    const SurfaceMesh surface = together(sphere(10.0, 5), turned(sphere(5.0, 4, {1, 0, 0})));
+    const double volume = 1e-9 * signed_volume_of(surface);
+    MeshAnatomy coarse(surface), fine(surface);
+    const auto coarse_body = coarse.body(1.0_mm), fine_body = fine.body(0.5_mm);
+    ASSERT_TRUE(coarse_body && fine_body) << to_text(coarse.diagnostics);
+    EXPECT_NEAR(volume_of(*coarse_body), volume, 0.004 * volume);
+    EXPECT_NEAR(volume_of(*fine_body), volume, 0.001 * volume);
+}
+
+TEST(MeshBody, IsTheSameBitsEveryTime) {
+    MeshAnatomy one(together(sphere(8.0, 4), cube(7.0, {6, 1, 2}))), two(together(sphere(8.0, 4), cube(7.0, {6, 1, 2})));
+    const auto first = one.body(0.5_mm), second = two.body(0.5_mm);
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(bits_of(*first), bits_of(*second));
+    EXPECT_EQ(one.report.notes, two.report.notes);
+}
+
+TEST(MeshBody, TurnsRasToLpsAndSaysWhichFrameItTook) {
+    MeshAnatomy lps(cube(20.0, {30, 0, 0})), ras(cube(20.0, {30, 0, 0}));
+    ras.anatomy.mesh->is_ras = ras.anatomy.mesh->names_frame = true;
+    const auto as_lps = lps.body(1.0_mm), as_ras = ras.body(1.0_mm);
+    ASSERT_TRUE(as_lps && as_ras);
+    EXPECT_LT(distance_at(*as_lps, {30.0_mm, 0, 0}), 0.0);
+    EXPECT_LT(distance_at(*as_ras, {-(30.0_mm), 0, 0}), 0.0);
+    EXPECT_TRUE(lps.says("LPS, supposed"));
+    EXPECT_TRUE(ras.says("RAS, turned to LPS"));
+}
+
+TEST(MeshBody, CountsInTheUnitThatWasSaid) {
+    MeshAnatomy bone(cube(2.0));
+    bone.anatomy.mesh->unit = 1e-2;
+    const auto body = bone.body(1.0_mm);
+    ASSERT_TRUE(body) << to_text(bone.diagnostics);
+    EXPECT_NEAR(distance_at(*body, {9.0_mm, 0, 0}), -1.0_mm, 0.01_mm);
+}
+
+TEST(MeshBody, SuspectsAnotherUnitAndSaysWhatToWrite) {
+    MeshAnatomy bone(cube(0.2));  // a bone of 20 cm in metres, taken for millimetres
+    EXPECT_TRUE(bone.body(0.05_mm));
+    ASSERT_FALSE(bone.diagnostics.empty());
+    EXPECT_EQ(bone.diagnostics[0].code, "W0648");
+    EXPECT_NE(bone.diagnostics[0].message.find("`unit: m`"), std::string::npos) << bone.diagnostics[0].message;
+    EXPECT_FALSE(has_error(bone.diagnostics));
+}
+
+TEST(MeshBody, SaysThatABoneWithoutShellIsAllOneTissue) {
+    MeshAnatomy bone(cube(20.0));
+    bone.anatomy.tissues = {{"cortical", 1850.0, 0.0, ""}};
+    EXPECT_TRUE(bone.body(1.0_mm));
+    EXPECT_TRUE(bone.says("all of the bone is cortical"));
+}
+
+TEST(MeshBody, TakesOnlyTheSurroundingsOfTheAxes) {
+    MeshAnatomy bone(cube(100.0));
+    bone.anatomy.axes = {{"axis", {60.0_mm, 0, 0}, {40.0_mm, 0, 0}, 0.0}};
+    const auto body = bone.body(1.0_mm);
+    ASSERT_TRUE(body) << to_text(bone.diagnostics);
+
+    // 15 mm around the axis, in x as far as the bone goes and a little air
+    EXPECT_NEAR(body->region.low.x, 25.0_mm, 1.0_mm);
+    EXPECT_NEAR(body->region.high.x, 51.0_mm, 1.0_mm);
+    EXPECT_NEAR(body->region.high.y, 15.0_mm, 1.0_mm);
+    EXPECT_TRUE(bone.says("Beyond, bone goes on and cannot be cut"));
+    EXPECT_LT(distance_at(*body, {0, 0, 0}), 0.0) << "beyond a face there is bone as at the face";
+    EXPECT_GT(distance_at(*body, {55.0_mm, 0, 0}), 0.0);
+    EXPECT_TRUE(axis_in_bone(*body, bone.anatomy.axes[0]).share == 1.0);
+}
+
+TEST(MeshBody, RefusesAxesBesideTheSurface) {
+    MeshAnatomy bone(cube(20.0, {-50, 0, 0}));
+    bone.anatomy.axes = {{"axis", {60.0_mm, 0, 0}, {40.0_mm, 0, 0}, 0.0}};
+    EXPECT_FALSE(bone.body(1.0_mm));
+    EXPECT_EQ(bone.diagnostics.back().code, "E0652");
+}
+
+TEST(MeshBody, RefusesAnOpenSurfaceUntilItIsToldToCloseIt) {
+    SurfaceMesh open = sphere(10.0, 4);
+    open.triangles.erase(open.triangles.begin() + 40);
+    MeshAnatomy bone(open);
+    EXPECT_FALSE(bone.body(1.0_mm));
+    ASSERT_EQ(bone.diagnostics.size(), 1u);
+    EXPECT_EQ(bone.diagnostics[0].code, "E0649");
+
+    MeshAnatomy told(open);
+    told.anatomy.mesh->holes_up_to = 3.0_mm;
+    EXPECT_TRUE(told.body(1.0_mm)) << to_text(told.diagnostics);
+    EXPECT_TRUE(told.says("Closed 1 hole"));
+}
+
+TEST(MeshBody, NamesTheSpacingThatAThinWallNeeds) {
+    // A shell of 1 mm around a cavity
+    const SurfaceMesh shell = together(cube(20.0), turned(cube(18.0)));
+    MeshAnatomy coarse(shell), fine(shell);
+    EXPECT_TRUE(coarse.body(0.5_mm));
+    ASSERT_EQ(coarse.diagnostics.size(), 1u);
+    EXPECT_EQ(coarse.diagnostics[0].code, "W0655");
+    EXPECT_EQ(coarse.diagnostics[0].level, Diagnostic::Level::warning);
+    EXPECT_NE(coarse.diagnostics[0].message.find("only 1.00 mm thick"), std::string::npos) << coarse.diagnostics[0].message;
+    EXPECT_EQ(coarse.diagnostics[0].write, "accuracy: {spacing: 0.33 mm}");
+    EXPECT_TRUE(fine.body(0.33_mm));
+    EXPECT_TRUE(fine.diagnostics.empty()) << to_text(fine.diagnostics);
+}
+
+TEST(MeshBody, WarnsOfFacesThatCutThroughOneAnother) {
+    MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
+    EXPECT_TRUE(bone.body(1.0_mm));
+    EXPECT_TRUE(std::any_of(bone.diagnostics.begin(), bone.diagnostics.end(), [](const auto& d) { return d.code == "W0656"; }));
+}
+
+TEST(MeshBody, HasNoBoneInItsCanal) {
+    for (const bool is_file : {true, false}) {
+        MeshAnatomy bone(cube(40.0));
+        if (is_file) bone.add_canal(cube(10.0));
+        else bone.anatomy.mesh->canal = TubeSolid{{0, 0, -(5.0_mm)}, {0, 0, 5.0_mm}, 5.0_mm};
+        const auto body = bone.body(0.5_mm);
+        ASSERT_TRUE(body) << to_text(bone.diagnostics);
+        EXPECT_NEAR(distance_at(*body, {4.0_mm, 0, 0}), 1.0_mm, 0.05_mm) << "1 mm before the canal's wall";
+        EXPECT_NEAR(distance_at(*body, {6.0_mm, 0, 0}), -1.0_mm, 0.05_mm);
+        EXPECT_NEAR(distance_at(*body, {19.0_mm, 0, 0}), -1.0_mm, 0.05_mm);
+        double weight[KERF_MAX_TISSUES];
+        material_weights(*body, locate(*body, {6.0_mm, 0, 0}), weight);
+        EXPECT_EQ(weight[1], 1.0) << "the shell is under the outer surface only";
+    }
+}
+
+TEST(MeshBody, WritesNothingOfTheFilesName) {
+    MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
+    EXPECT_TRUE(bone.body(1.0_mm));
+    EXPECT_FALSE(bone.says("bone.stl"));
+    EXPECT_FALSE(bone.says("/tmp"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/procedure/shapes.h"
+
+/// Documents made of the examples that the shapes give: with every key there is, or with one of them left out.
+namespace kerf {
+
+struct EveryKey {
+    static constexpr std::size_t choices = 9;
+
+    std::size_t choice = 0;  ///< which of keys that exclude each other
+    int depth = 9;           ///< how deep maps are spelled out; below that their example stands
+    std::string dropped{};   ///< "shape/key" that is left out
+    std::string altered{};   ///< "shape/key" that holds
+    std::string other{};     ///< this instead
+
+    std::string document(const Shape& shape) const {
+        std::string text;
+        for (const KeyShape& key : shape.keys)
+            if (is_written(shape, key)) text += key.name + ": " + value(shape, key, depth) + "\n";
+        return text;
+    }
+
+private:
+    /// Which of `count` ways the document goes at its top, and in every map within.
+    std::size_t way(std::size_t count, bool is_top) const { return (is_top ? choice : choice / 3) % count; }
+
+    bool is_written(const Shape& shape, const KeyShape& key) const {
+        if (shape.id + "/" + key.name == dropped) return false;
+        return key.presence != Presence::one_of || chosen_of(shape) == key.name;
+    }
+
+    std::string chosen_of(const Shape& shape) const {
+        std::vector<std::string> names;
+        for (const KeyShape& key : shape.keys)
+            if (key.presence == Presence::one_of) names.push_back(key.name);
+        return names[way(names.size(), &shape == &shapes::anatomy)];
+    }
+
+    std::string map(const Shape& shape, int levels) const {
+        std::string text;
+        for (const KeyShape& key : shape.keys)
+            if (is_written(shape, key)) text += (text.empty() ? "" : ", ") + key.name + ": " + value(shape, key, levels);
+        return "{" + text + "}";
+    }
+
+    std::string value(const Shape& shape, const KeyShape& key, int levels) const {
+        if (shape.id + "/" + key.name == altered) return other;
+        // The last tissue has no thickness, and no density of its own where the image gives it one.
+        const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
+        const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";
+        const bool has_tissues = !key.value.item.empty() && key.value.item[0].shape == &shapes::tissue;
+        if (key.value.kind == ValueShape::Kind::yes_no) return "false";  // `subtract: true` has nothing to take away from
+        if (levels <= 0) return has_tissues ? "[{id: cortical, thickness: 1 mm, density: 1.85 g/cm3}" + base + "]" : key.example;
+        const std::string text = value(key.value, key.example, levels - 1);
+        return has_tissues ? text.substr(0, text.size() - 1) + base + "]" : text;
+    }
+
+    std::string value(const ValueShape& shape, const std::string& example, int levels) const {
+        using Kind = ValueShape::Kind;
+        const bool has_maps = shape.kind == Kind::map || (!shape.item.empty() && shape.item[0].kind != Kind::id &&
+                                                          shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::label);
+        if (shape.kind == Kind::word && shape.shape != nullptr) return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
+        if (!has_maps) return example;
+        if (shape.kind == Kind::map) return map(*shape.shape, levels);
+        if (shape.kind == Kind::list) return "[" + value(shape.item[0], example, levels) + "]";
+        const std::string name = example.substr(1, example.find(':') - 1);
+        return "{" + name + ": " + value(shape.item[0], example, levels) + "}";
+    }
+};
+
+/// Calls `visit(shape, key)` for every key of every shape under `shape`, once.
+template <class Visit>
+void for_every_key(const Shape& shape, Visit&& visit) {
+    std::vector<const Shape*> shapes{&shape};
+    const auto add = [&](const ValueShape& value, const auto& again) -> void {
+        if (value.shape != nullptr && std::find(shapes.begin(), shapes.end(), value.shape) == shapes.end())
+            shapes.push_back(value.shape);
+        for (const ValueShape& item : value.item) again(item, again);
+    };
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Shape& here = *shapes[i];
+        for (const KeyShape& key : here.keys) {
+            visit(here, key);
+            add(key.value, add);
+        }
+    }
+}
+
+}  // namespace kerf

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// What editors are told of documents, held against what the readers say of them.
+#include "core/procedure/schema.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/procedure/read_anatomy.h"
+#include "core/procedure/read_procedure.h"
+#include "tests/core/procedure/catalog.h"
+#include "tests/core/procedure/every_key.h"
+#include "tests/support/json_schema.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::as_json;
+using test::JsonSchema;
+using Kind = ValueShape::Kind;
+
+const JsonSchema& procedure_schema() {
+    static const JsonSchema schema(schema_text(shapes::procedure, example_catalog(), "a comment"));
+    return schema;
+}
+const JsonSchema& anatomy_schema() {
+    static const JsonSchema schema(schema_text(shapes::anatomy, {}, "a comment"));
+    return schema;
+}
+
+struct KindOfDocument {
+    const Shape& shape;
+    const JsonSchema& schema;
+    std::function<bool(const std::string&)> is_read;
+};
+
+std::vector<KindOfDocument> documents() {
+    return {{shapes::procedure, procedure_schema(),
+             [](const std::string& text) {
+                 Diagnostics found;
+                 return read_procedure_text("p.yaml", text, example_catalog(), found).has_value();
+             }},
+            {shapes::anatomy, anatomy_schema(), [](const std::string& text) {
+                 Diagnostics found;
+                 return read_anatomy_text("a.yaml", text, found).has_value();
+             }}};
+}
+
+/// What a person might write for a value by mistake, and no reader takes.
+std::vector<std::string> mistakes(const ValueShape& value) {
+    switch (value.kind) {
+        case Kind::text: return {"[a, b]", "{a: b}"};
+        case Kind::id: return {"[a, b]", "two words", "ä"};
+        case Kind::version: return {"0.1", "1.0.0-beta", "[1]"};
+        case Kind::path: return {"/etc/passwd", "../bone.yaml", "a\\b", "{a: b}"};
+        case Kind::yes_no: return {"yes", "no", "'on'", "[true]"};
+        case Kind::word: return {"wrod", "[pass]"};
+        case Kind::quantity:
+            if (value.need.unit.empty()) return {"1e9", "-1e9", "many", "1 mm", "[1]", "\"1,5\""};
+            return {"5", "5 furlong", "5 K", "\"1,5 " + value.need.unit + "\"", value.need.dimension == dimension::force ? "5 mm" : "5 N",
+                    "hard", "[5]"};
+        case Kind::label: return {"1.5", "-3", "70000", "[1]"};
+        case Kind::vector: return {"1 2 mm", "\"1, 2, 3 mm\"", "[1 mm, 2 mm]", "5 mm", value.need.unit.empty() ? "0 0 1 mm" : "1 2 3", "{x: 1 mm}"};
+        case Kind::map: return {"5", "[a]", "{surely_unknown: 1}"};
+        case Kind::list: return {"5", "[]", "{a: b}"};
+        case Kind::named: return {"5", "[a]", "{two words: {}}"};
+        case Kind::renamed: return {"5", "[a]", "{F-1: two words}"};
+        case Kind::parameters: return {"5", "{surely_unknown: 1 mm}", "{diameter: 5}", "{diameter: 5 N}"};
+        case Kind::drives: return {"5", "{surely_unknown: 1 rpm}", "{spindle_speed: 1000}", "{spindle_speed: 5 mm}"};
+        case Kind::patch: return {"5", "[a]"};
+    }
+    return {};
+}
+
+TEST(Schema, TakesEveryDocumentOfExamples) {
+    for (const KindOfDocument& d : documents())
+        for (std::size_t choice = 0; choice < EveryKey::choices; ++choice)
+            for (const int depth : {0, 1, 2, 3, 9}) {
+                const std::string text = EveryKey{.choice = choice, .depth = depth}.document(d.shape);
+                EXPECT_EQ(d.schema.breach(as_json(text)), "") << text;
+            }
+}
+
+TEST(Schema, TakesTheShippedDocuments) {
+    ComponentCatalog catalog = drilling_catalog();
+    const JsonSchema schema(schema_text(shapes::procedure, catalog, ""));
+    EXPECT_EQ(schema.breach(as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"))), "");
+    EXPECT_EQ(anatomy_schema().breach(as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"))), "");
+    for (const char* name : {"l3", "t12"})
+        EXPECT_EQ(anatomy_schema().breach(as_json(test::contents_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + name + ".yaml"))), "");
+}
+
+TEST(Schema, RefusesEveryMistakeInTheFormOfAValue) {
+    int count = 0;
+    for (const KindOfDocument& d : documents())
+        for_every_key(d.shape, [&](const Shape& shape, const KeyShape& key) {
+            for (const std::string& mistake : mistakes(key.value)) {
+                bool is_refused_by_reader = true, is_refused_by_schema = true;
+                for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
+                    const std::string name = shape.id + "/" + key.name;
+                    const std::string text = EveryKey{.choice = choice, .altered = name, .other = mistake}.document(d.shape);
+                    if (text == EveryKey{.choice = choice}.document(d.shape)) continue;  // has no such key
+                    is_refused_by_reader = is_refused_by_reader && !d.is_read(text);
+                    is_refused_by_schema = is_refused_by_schema && !d.schema.breach(as_json(text)).empty();
+                    ++count;
+                }
+                EXPECT_TRUE(is_refused_by_reader) << shape.id << "/" << key.name << ": " << mistake;
+                EXPECT_TRUE(is_refused_by_schema) << shape.id << "/" << key.name << ": " << mistake;
+            }
+        });
+    EXPECT_GT(count, 1000);
+}
+
+TEST(Schema, RefusesADocumentWithoutWhatTheShapeRequires) {
+    for (const KindOfDocument& d : documents())
+        for_every_key(d.shape, [&](const Shape& shape, const KeyShape& key) {
+            const std::string name = shape.id + "/" + key.name;
+            for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
+                const std::string whole = EveryKey{.choice = choice}.document(d.shape);
+                const std::string text = EveryKey{.choice = choice, .dropped = name}.document(d.shape);
+                if (text == whole) continue;
+                const bool is_needed = key.presence == Presence::required || key.presence == Presence::one_of;
+                EXPECT_EQ(!d.schema.breach(as_json(text)).empty(), is_needed) << name << "\n" << text;
+            }
+        });
+}
+
+TEST(Schema, RefusesAKeyThatIsNotThere) {
+    for (const KindOfDocument& d : documents())
+        for_every_key(d.shape, [&](const Shape& shape, const KeyShape& key) {
+            if (key.value.kind != Kind::map) return;
+            const std::string name = shape.id + "/" + key.name;
+            for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
+                const std::string whole = EveryKey{.choice = choice}.document(d.shape);
+                const std::string mark = EveryKey{.choice = choice, .altered = name, .other = "MARK"}.document(d.shape);
+                if (mark == whole) continue;
+                // The map as it was, with one key more.
+                const std::size_t at = mark.find("MARK");
+                std::string text = whole;
+                text.insert(at + 1, whole[at + 1] == '}' ? "surely_unknown: 1" : "surely_unknown: 1, ");
+                EXPECT_FALSE(d.is_read(text)) << text;
+                EXPECT_NE(d.schema.breach(as_json(text)), "") << text;
+            }
+        });
+}
+
+TEST(Schema, TakesWhateverUnitTheReaderTakes) {
+    const QuantityNeed speed{dimension::speed, "mm/s", 0.0, 1e9}, length{dimension::length, "mm", -1e9, 1e9}, plain{dimension::none, "", -1e9, 1e9};
+    const QuantityNeed density{dimension::density, "g/cm3", 0.0, 1e9}, volume{dimension::volume, "ml", 0.0, 1e9}, share{dimension::none, "%", 0.0, 1.0};
+    for (const QuantityNeed& need : {speed, length, plain, density, volume, share}) {
+        const std::regex pattern(quantity_pattern(need)), row(vector_pattern(need));
+        for (const char* text : {"1 mm", "1mm", " 1.5e-3  m ", "1 µm", "5.", ".5 cm", "1/50", "1 / 50", "50 %", "1 mm/s", "1 m/min", "1 mm*Hz", "1 g/cm3",
+                                 "1 g/cm^3", "1 kg/m³", "1 cm3", "1 ml", "2 mm^2*m", "1", "1 1", "-3", "+3", "1e999", "0x10", "inf", "1 mm/", "N", "1 /s", "1 1/s*m"}) {
+            const QuantityNeed wide{need.dimension, need.unit, -HUGE_VAL, HUGE_VAL};
+            if (parse_quantity(text, "it", wide).value) { EXPECT_TRUE(std::regex_search(text, pattern)) << text << " as " << need.unit; }
+        }
+        for (const char* text : {"1 2 3 mm", "1 2 3mm", "1  2\t3  mm", "1 2 3", "-1 -2.5 .5 m", "1-2-3 mm", ".5.5.5 mm", "1 2 mm", "1 2 3 4 mm"})
+            if (parse_vector(text, "it", need).value) { EXPECT_TRUE(std::regex_search(text, row)) << text << " as " << need.unit; }
+    }
+}
+
+TEST(Schema, TellsOfEveryParameterWithItsRangeAndDefault) {
+    const auto schema = test::Json::parse(schema_text(shapes::procedure, drilling_catalog(), "a comment"));
+    EXPECT_EQ(schema["$comment"], "a comment");
+    bool is_found = false;
+    for (const auto& rule : schema["definitions"]["instrument"]["allOf"]) {
+        const auto& then = rule["then"]["properties"];
+        if (!then.contains("parameters")) continue;
+        const auto& diameter = then["parameters"]["properties"]["diameter"];
+        is_found = diameter["default"] == "3.2 mm" && diameter["description"].get<std::string>().find("0.5 mm … 20 mm") != std::string::npos;
+    }
+    EXPECT_TRUE(is_found);
+}
+
+}  // namespace
+}  // namespace kerf
