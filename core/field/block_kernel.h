@@ -19,6 +19,11 @@ struct Frame {
     kerf_vec3 origin;   ///< of b in a
 };
 
+/// The same in single precision.
+struct SingleFrame {
+    float axis[3][3], origin[3];
+};
+
 struct PointBox {
     double low[3], high[3];
 };
@@ -84,15 +89,34 @@ struct OutlineShape {
     bool is_convex;
 };
 
-/// Some of a brick's samples in three layers, three neighbouring rows of each.
+/// The same in single precision, for samples and for many solids at once.
+struct OutlineFace {
+    float radius, z;                      ///< where it begins
+    float along_r, along_z, inverse_length2, slope;
+    float normal_r, normal_z, offset;
+};
+struct SingleOutline {
+    const OutlineFace* face;
+    std::size_t count;
+    float front_radius, front_z, back_radius, back_z;
+    bool is_convex;
+};
+
+/// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at
+///
+///     ((origin + (first[0] + x) along[0]) + (first[1] + y) along[1]) + (first[2] + z) along[2]
+///
+/// counted from one sample of the grid for all bricks, so that what two of them share lies at one place.
 struct SampleCell {
-    ConstCoordinates row;    ///< where the layers' nine rows each would begin at x = 0, tool frame [m]
-    ConstCoordinates along;  ///< from there to the nine samples of a row [m]
-    int first_x, last_x;     ///< 4 or 5 of each row
-    int first_y;
-    /// No sample of the cell is deeper than base + x per_x + y per_y + layer per_layer, x and y counted in the brick
-    /// [quanta], give or take one for rounding.
-    float base, per_x, per_y, per_layer;
+    float origin[3], along[3][3], first[3];
+    bool has_edges;  ///< whether any of them may be outside and nearer to an edge of the outline than to a face
+};
+
+/// What `deepest` finds.
+struct Walls {
+    float* depth;         ///< [m]
+    std::int32_t* which;  ///< of the solids
+    float *x, *y, *z;     ///< the way in, in the frame of the points; where the depth is not negative
 };
 
 struct BlockKernel {
@@ -122,10 +146,16 @@ struct BlockKernel {
     /// depth + gradient · (from the point) [m], [–].
     void (*tangents)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
                      Coordinates gradients) noexcept;
-    /// As `sample = max(sample, quantised(depth))` where a sample is at most `band` [m] outside; `samples`: the layers'
-    /// 3 × 9 × 9. Tells whether any was raised, and in which range they are then.
-    bool (*raise)(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
+    /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them than
+    /// `walls.depth` has it, in which, and which way is in.
+    void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+                    const kerf_vec3* points, Walls walls) noexcept;
+    /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
+    /// cell's first. Tells whether any was raised, and if so in which range they are then.
+    bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
                   std::int16_t& lowest, std::int16_t& highest) noexcept;
+    /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
+    void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
 };
 
 /// For any machine.

@@ -49,13 +49,6 @@ void transform(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in
     }
 }
 
-/// The four 64-bit masks as 32-bit ones.
-inline __m128i narrow(Four mask) noexcept {
-    const __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(mask));
-    const __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(mask, 1));
-    return _mm_castps_si128(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)));
-}
-
 /// x, y and z of four points that follow one another.
 inline Four3 load_points(const double* p) noexcept {
     const auto two = [p](int low, int high) {
@@ -118,7 +111,7 @@ inline EightInts together(__m128i low, __m128i high) noexcept {
 }
 inline EightInts all_ints(std::int32_t v) noexcept { return _mm256_set1_epi32(v); }
 
-template <bool is_bounded>
+template <bool is_bounded, bool is_turned>
 void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
               Places places, PointBox& box) noexcept {
     const FourFrame frame(fixed_from_points);
@@ -140,7 +133,11 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         const Four3 p = load_points(from);
         least_point = {least(p.x, least_point.x), least(p.y, least_point.y), least(p.z, least_point.z)};
         most_point = {most(p.x, most_point.x), most(p.y, most_point.y), most(p.z, most_point.z)};
-        Four3 g = frame * p;
+        Four3 g;
+        if constexpr (is_turned)
+            g = frame * p;
+        else  // the products with zero left out change nothing
+            g = {frame.x.x * p.x + frame.origin.x, frame.y.y * p.y + frame.origin.y, frame.z.z * p.z + frame.origin.z};
         if constexpr (is_bounded)
             g = {least(high.x, most(low.x, g.x)), least(high.y, most(low.y, g.y)), least(high.z, most(low.z, g.z))};
         return {_mm256_cvttpd_epi32(g.x), _mm256_cvttpd_epi32(g.y), _mm256_cvttpd_epi32(g.z)};
@@ -182,7 +179,11 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
 
 void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points, Places places,
            PointBox& box) noexcept {
-    (grid.is_bounded ? place_in<true> : place_in<false>)(fixed_from_points, grid, count, points, places, box);
+    const Frame& f = fixed_from_points;
+    const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
+    // Taken to the region, an infinite coordinate would not be one any more: there the products with zero count.
+    const auto place_there = grid.is_bounded ? place_in<true, true> : is_turned ? place_in<false, true> : place_in<false, false>;
+    place_there(f, grid, count, points, places, box);
 }
 
 /// A gather keeps what its mask leaves out, so it waits for whatever was in its register before: a zero is put there. The
@@ -474,73 +475,231 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     }
 }
 
-/// To the nearest quantum, kept within ± 32767.
-inline __m128i quantised(Four depth, Four per_quantum) noexcept {
-    const Four q = depth * per_quantum;
-    const Four kept = most(least(q, all(32767.0)), all(-32767.0));
-    const Four half = _mm256_blendv_pd(all(-0.5), all(0.5), not_less(q, _mm256_setzero_pd()));
-    return _mm256_cvttpd_epi32(kept + half);
+inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
+inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
+inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
+inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
+inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+inline Eight minus(Eight a) noexcept { return _mm256_xor_ps(a, eight(-0.0f)); }
+inline bool any(Eight mask) noexcept { return _mm256_movemask_ps(mask) != 0; }
+
+inline Eight to_face(const OutlineFace& f, Eight r, Eight z) noexcept {
+    return eight(f.offset) - (eight(f.normal_r) * r + eight(f.normal_z) * z);
+}
+inline Eight squared_distance(const SingleOutline& o, Eight r, Eight z) noexcept {
+    const Eight zero = _mm256_setzero_ps();
+    Eight nearest2 = eight(1e30f);
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius), dz = z - eight(f.z);
+        const Eight t = least(eight(1.0f), most(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
+        const Eight off_r = dr - t * along_r, off_z = dz - t * along_z;
+        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+    }
+    const auto to_cap2 = [&](float radius, float at) {
+        const Eight dr = most(r - eight(radius), zero), dz = z - eight(at);
+        return dr * dr + dz * dz;
+    };
+    if (o.front_radius > 0.0f) nearest2 = least(to_cap2(o.front_radius, o.front_z), nearest2);
+    return least(to_cap2(o.back_radius, o.back_z), nearest2);
+}
+inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
+    if (o.is_convex) {
+        Eight depth = least(z - eight(o.back_z), eight(o.front_z) - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = least(to_face(o.face[n], r, z), depth);
+        return depth;
+    }
+    Eight wall = eight(o.back_radius);
+    for (std::size_t n = o.count; n > 0; --n) {
+        const OutlineFace& f = o.face[n - 1];
+        const Eight is_behind = less(z, eight(n < o.count ? o.face[n].z : o.back_z));
+        wall = _mm256_blendv_ps(eight(f.radius) + eight(f.slope) * (eight(f.z) - z), wall, is_behind);
+    }
+    const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
+    const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
+    return _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
+}
+/// The depth in a convex solid from that.
+inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
+    const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
+    Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
+                                   _mm256_and_ps(same(z - eight(o.back_z), depth), not_less(eight(o.back_radius), r)));
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const Eight along = ((r - eight(f.radius)) * eight(f.along_r) + (z - eight(f.z)) * eight(f.along_z)) * eight(f.inverse_length2);
+        const Eight is_within = _mm256_and_ps(not_less(along, zero), not_less(eight(1.0f), along));
+        is_beside = _mm256_or_ps(is_beside, _mm256_and_ps(same(to_face(f, r, z), depth), is_within));
+    }
+    const Eight is_beyond = _mm256_andnot_ps(is_beside, is_outside);
+    if (!any(is_beyond)) return depth;
+    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
 }
 
-bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest) noexcept {
-    const Four per_quantum = all(1.0 / quantum), farthest = all(-band);
-    const __m128 lowest_kept = _mm_set1_ps(static_cast<float>(-band / quantum) - 2.0f);
-    const ConstCoordinates start = cell.row, along = cell.along;
-    __m128i least_value = _mm_set1_epi32(32767), most_value = _mm_set1_epi32(-32767), raised = _mm_setzero_si128();
-    /// What four samples become; `at` makes their places, if one of them can rise.
-    const auto raise_four = [&](__m128i before, __m128 ceiling, const auto& at) {
-        const __m128 is_below = _mm_and_ps(_mm_cmplt_ps(_mm_cvtepi32_ps(before), ceiling), _mm_cmplt_ps(lowest_kept, ceiling));
-        __m128i after = before;
-        if (_mm_movemask_ps(is_below) != 0) {
-            const Four3 p = at();
-            const Four depth = depth_in(outline, _mm256_sqrt_pd(p.x * p.x + p.y * p.y), p.z);
-            const __m128i is_near = narrow(not_less(depth, farthest));
-            const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, per_quantum), is_near);
-            after = _mm_max_epi32(before, cut);
-        }
-        raised = _mm_or_si128(raised, _mm_cmpgt_epi32(after, before));
-        least_value = _mm_min_epi32(least_value, after);
-        most_value = _mm_max_epi32(most_value, after);
-        return after;
+struct EightPoints {
+    Eight x, y, z;
+};
+inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
+    const auto along = [&](int n) {
+        return ((eight(f.axis[0][n]) * p.x + eight(f.axis[1][n]) * p.y) + eight(f.axis[2][n]) * p.z) + eight(f.origin[n]);
     };
-    const auto ceiling_at = [&](int x, int y, int layer) {
-        return cell.base + static_cast<float>(x) * cell.per_x + static_cast<float>(y) * cell.per_y +
-               static_cast<float>(layer) * cell.per_layer + 2.0f;
-    };
-    const __m128 along_x = _mm_mul_ps(_mm_set1_ps(cell.per_x), _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f));
-    const __m128 along_y = _mm_mul_ps(_mm_set1_ps(cell.per_y), _mm_setr_ps(0.0f, 1.0f, 2.0f, 2.0f));
-    for (int layer = 0; layer < 3; ++layer) {
-        for (int y = cell.first_y; y < cell.first_y + 3; ++y) {
-            const int row = layer * stored + y, x = cell.first_x;
-            std::int16_t* four = samples + row * stored + x;
-            const __m128i before = _mm_cvtepi16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(four)));
-            const __m128i after = raise_four(before, _mm_add_ps(_mm_set1_ps(ceiling_at(x, y, layer)), along_x), [&] {
-                return Four3{all(start.x[row]) + _mm256_loadu_pd(along.x + x), all(start.y[row]) + _mm256_loadu_pd(along.y + x),
-                             all(start.z[row]) + _mm256_loadu_pd(along.z + x)};
-            });
-            _mm_storel_epi64(reinterpret_cast<__m128i*>(four), _mm_packs_epi32(after, after));
-        }
-        if (cell.last_x - cell.first_x < static_cast<int>(lanes)) continue;
-        // The fifth of each row, three rows at a time and the last of them twice.
-        const int row = layer * stored + cell.first_y, x = cell.last_x;
-        std::int16_t *a = samples + row * stored + x, *b = a + stored, *c = b + stored;
-        const __m128i after = raise_four(_mm_setr_epi32(*a, *b, *c, *c),
-                                         _mm_add_ps(_mm_set1_ps(ceiling_at(x, cell.first_y, layer)), along_y), [&] {
-            const auto rows = [&](const double* of) { return _mm256_setr_pd(of[row], of[row + 1], of[row + 2], of[row + 2]); };
-            return Four3{rows(start.x) + all(along.x[x]), rows(start.y) + all(along.y[x]), rows(start.z) + all(along.z[x])};
-        });
-        *a = static_cast<std::int16_t>(_mm_extract_epi32(after, 0));
-        *b = static_cast<std::int16_t>(_mm_extract_epi32(after, 1));
-        *c = static_cast<std::int16_t>(_mm_extract_epi32(after, 2));
+    return {along(0), along(1), along(2)};
+}
+inline EightPoints turned_back(const SingleFrame& f, const EightPoints& d) noexcept {
+    const auto along = [&](int n) { return (eight(f.axis[n][0]) * d.x + eight(f.axis[n][1]) * d.y) + eight(f.axis[n][2]) * d.z; };
+    return {along(0), along(1), along(2)};
+}
+
+inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
+    const Eight to_back = p.z - eight(o.back_z), to_front = eight(o.front_z) - p.z;
+    Eight depth = least(to_back, to_front), in_r = _mm256_setzero_ps();
+    Eight in_z = _mm256_blendv_ps(eight(1.0f), eight(-1.0f), less(to_front, to_back));
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const Eight here = to_face(o.face[n], r, p.z), is_less = less(here, depth);
+        depth = _mm256_blendv_ps(depth, here, is_less);
+        in_r = _mm256_blendv_ps(in_r, eight(o.face[n].normal_r), is_less);
+        in_z = _mm256_blendv_ps(in_z, eight(-o.face[n].normal_z), is_less);
     }
-    const auto across = [](__m128i four, auto better) {
-        four = better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(1, 0, 3, 2)));
-        return static_cast<std::int16_t>(_mm_cvtsi128_si32(better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(2, 3, 0, 1)))));
+    const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
+    return {inwards * p.x, inwards * p.y, in_z};
+}
+
+void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+             const kerf_vec3* points, Walls walls) noexcept {
+    const Steps<wide> steps(points, count);
+    for (std::size_t i = 0; i < count; i += wide) {
+        const Four3 a = load_points(steps[i]), b = load_points(steps[i] + 3 * lanes);
+        const auto single = [](Four low, Four high) { return _mm256_set_m128(_mm256_cvtpd_ps(high), _mm256_cvtpd_ps(low)); };
+        const EightPoints at{single(a.x, b.x), single(a.y, b.y), single(a.z, b.z)};
+        Eight best = _mm256_loadu_ps(walls.depth + i), which = _mm256_loadu_ps(reinterpret_cast<const float*>(walls.which + i));
+        EightPoints way{_mm256_loadu_ps(walls.x + i), _mm256_loadu_ps(walls.y + i), _mm256_loadu_ps(walls.z + i)};
+        for (std::size_t n = 0; n < solids; ++n) {
+            const SingleFrame& frame = solid_from_points[n];
+            const EightPoints p = moved(frame, at);
+            const Eight r = _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
+            Eight depth = depth_at_most(outline, r, p.z);
+            Eight is_deeper = less(best, depth);
+            if (!any(is_deeper)) continue;
+            if (outline.is_convex && any(_mm256_and_ps(is_deeper, less(depth, _mm256_setzero_ps()))))
+                depth = depth_from(outline, r, p.z, depth);
+            is_deeper = less(best, depth);
+            if (!any(is_deeper)) continue;
+            const EightPoints way_here = turned_back(frame, way_in(outline, p, r));
+            best = _mm256_blendv_ps(best, depth, is_deeper);
+            which = _mm256_blendv_ps(which, _mm256_castsi256_ps(all_ints(static_cast<std::int32_t>(n))), is_deeper);
+            way = {_mm256_blendv_ps(way.x, way_here.x, is_deeper), _mm256_blendv_ps(way.y, way_here.y, is_deeper),
+                   _mm256_blendv_ps(way.z, way_here.z, is_deeper)};
+        }
+        _mm256_storeu_ps(walls.depth + i, best);
+        _mm256_storeu_ps(reinterpret_cast<float*>(walls.which + i), which);
+        _mm256_storeu_ps(walls.x + i, way.x);
+        _mm256_storeu_ps(walls.y + i, way.y);
+        _mm256_storeu_ps(walls.z + i, way.z);
+    }
+}
+
+/// To the nearest quantum, of two the even one, kept within ± 32767.
+inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
+    const Eight q = depth * per_quantum;
+    return _mm256_cvtps_epi32(most(least(q, eight(32767.0f)), eight(-32767.0f)));
+}
+
+// The 27 samples of a cell's layer lie one after the other: in four steps, of which the last goes over five once more.
+constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
+struct LanePlaces {
+    float x[steps_of_layer][wide], y[steps_of_layer][wide];
+
+    constexpr LanePlaces() noexcept : x{}, y{} {
+        for (int n = 0; n < steps_of_layer; ++n)
+            for (int lane = 0; lane < static_cast<int>(wide); ++lane) {
+                x[n][lane] = static_cast<float>((step_start[n] + lane) % stored);
+                y[n][lane] = static_cast<float>((step_start[n] + lane) / stored);
+            }
+    }
+};
+alignas(32) constexpr LanePlaces lane_places;
+
+bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong too
+    // often.
+    constexpr int steps = 3 * steps_of_layer;
+    const Eight farthest = eight(-band), scale = eight(per_quantum), zero = _mm256_setzero_ps();
+    const auto& along = cell.along;
+    const auto step_at = [&](int n) {
+        return reinterpret_cast<__m128i*>(samples + n / steps_of_layer * stored * stored + step_start[n % steps_of_layer]);
     };
-    lowest = across(least_value, [](__m128i a, __m128i b) { return _mm_min_epi32(a, b); });
-    highest = across(most_value, [](__m128i a, __m128i b) { return _mm_max_epi32(a, b); });
-    return _mm_movemask_epi8(raised) != 0;
+    Eight radius[steps], height[steps], depth[steps], may_rise = zero, may_rise_outside = zero;
+    EightInts before[steps], value[steps];
+    EightPoints up[3];
+    for (int layer = 0; layer < 3; ++layer) {
+        const Eight k = eight(cell.first[2] + static_cast<float>(layer));
+        up[layer] = {k * eight(along[2][0]), k * eight(along[2][1]), k * eight(along[2][2])};
+    }
+    for (int n = 0; n < steps_of_layer; ++n) {
+        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_places.x[n]), j = eight(cell.first[1]) + _mm256_loadu_ps(lane_places.y[n]);
+        const auto row = [&](int axis) { return (eight(cell.origin[axis]) + i * eight(along[0][axis])) + j * eight(along[1][axis]); };
+        const EightPoints start{row(0), row(1), row(2)};
+        for (int layer = 0; layer < 3; ++layer) {
+            const int at = layer * steps_of_layer + n;
+            const Eight x = start.x + up[layer].x, y = start.y + up[layer].y, z = start.z + up[layer].z;
+            radius[at] = _mm256_sqrt_ps(x * x + y * y);
+            height[at] = z;
+        }
+    }
+    const auto rises = [&](int n) {
+        return _mm256_and_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(value[n], before[n])), not_less(depth[n], farthest));
+    };
+    for (int n = 0; n < steps; ++n) {
+        before[n] = _mm256_cvtepi16_epi32(_mm_loadu_si128(step_at(n)));
+        depth[n] = depth_at_most(outline, radius[n], height[n]);
+        value[n] = quantised(depth[n], scale);
+        const Eight rises_here = rises(n);
+        may_rise = _mm256_or_ps(may_rise, rises_here);
+        may_rise_outside = _mm256_or_ps(may_rise_outside, _mm256_and_ps(rises_here, less(depth[n], zero)));
+    }
+    if (!any(may_rise)) return false;
+    if (outline.is_convex && cell.has_edges && any(may_rise_outside))
+        for (int n = 0; n < steps; ++n) {
+            depth[n] = depth_from(outline, radius[n], height[n], depth[n]);
+            value[n] = quantised(depth[n], scale);
+        }
+    __m128i least_value = _mm_set1_epi16(32767), most_value = _mm_set1_epi16(-32767);
+    Eight is_raised = zero;
+    for (int n = 0; n < steps; ++n) {
+        const Eight rises_here = rises(n);
+        is_raised = _mm256_or_ps(is_raised, rises_here);
+        const EightInts raised = _mm256_blendv_epi8(before[n], value[n], _mm256_castps_si256(rises_here));
+        const __m128i after = _mm_packs_epi32(_mm256_castsi256_si128(raised), _mm256_extracti128_si256(raised, 1));
+        _mm_storeu_si128(step_at(n), after);
+        least_value = _mm_min_epi16(least_value, after);
+        most_value = _mm_max_epi16(most_value, after);
+    }
+    std::int16_t each[2][wide];
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), least_value);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), most_value);
+    lowest = each[0][0];
+    highest = each[1][0];
+    for (std::size_t lane = 1; lane < wide; ++lane) {
+        lowest = each[0][lane] < lowest ? each[0][lane] : lowest;
+        highest = each[1][lane] > highest ? each[1][lane] : highest;
+    }
+    return any(is_raised);
+}
+
+void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept {
+    const __m256i below = _mm256_set1_epi16(low), above = _mm256_set1_epi16(high);
+    const auto outside = [&](const std::int16_t* at) {
+        const __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
+        return _mm256_or_si256(_mm256_cmpgt_epi16(below, v), _mm256_cmpgt_epi16(v, above));
+    };
+    for (int layer = 0; layer < 3; ++layer) {
+        const std::int16_t* at = samples + layer * stored * stored;
+        // Sixteen of the 27, and from the twelfth on sixteen
+        const __m256i both = _mm256_packs_epi16(outside(at), outside(at + 11));
+        const auto bits = static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));
+        found[layer] = (bits & 0xffffu) | (bits >> 16) << 11;
+    }
 }
 
 }  // namespace
@@ -557,7 +716,9 @@ constinit const BlockKernel avx2_kernel_table{
     .answer = answer,
     .depths = depths,
     .tangents = tangents,
+    .deepest = deepest,
     .raise = raise,
+    .find = find,
 };
 
 }  // namespace kerf

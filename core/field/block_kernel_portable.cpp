@@ -314,42 +314,147 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     }
 }
 
-bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest) noexcept {
-    constexpr std::size_t rows = 9;
-    const auto first = static_cast<std::size_t>(cell.first_x), width = static_cast<std::size_t>(cell.last_x) - first + 1;
-    BlockValues x, y, z, depth;
-    std::array<std::int16_t, block_capacity> value;
-    const auto place = [&](std::size_t row) { return row / 3 * 9 + static_cast<std::size_t>(cell.first_y) + row % 3; };
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t n = first; n < first + width; ++n, ++count) {
-            x[count] = cell.row.x[place(row)] + cell.along.x[n];
-            y[count] = cell.row.y[place(row)] + cell.along.y[n];
-            z[count] = cell.row.z[place(row)] + cell.along.z[n];
-            value[count] = samples[place(row) * stored_edge + n];
-        }
-    depths(outline, count, {x.data(), y.data(), z.data()}, depth.data());
-    // Without jumps: quanta kept within their range and rounded, half away from zero.
-    const double per_quantum = 1.0 / quantum;
-    int raised = 0;
-    std::int16_t least = 32767, most = -32767;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double q = depth[i] * per_quantum;
-        const double kept = q >= 32767.0 ? 32767.0 : (q <= -32767.0 ? -32767.0 : q);
-        const auto rounded = static_cast<std::int32_t>(kept + (q >= 0.0 ? 0.5 : -0.5));
-        const auto cut = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
-        raised |= cut > value[i];
-        value[i] = cut > value[i] ? cut : value[i];
-        least = value[i] < least ? value[i] : least;
-        most = value[i] > most ? value[i] : most;
+inline float smaller(float a, float b) noexcept { return a < b ? a : b; }
+inline float larger(float a, float b) noexcept { return a > b ? a : b; }
+inline float to_face(const OutlineFace& f, float r, float z) noexcept { return f.offset - (f.normal_r * r + f.normal_z * z); }
+
+/// To the nearest point of the outline, squared.
+float squared_distance(const SingleOutline& o, float r, float z) noexcept {
+    float nearest2 = 1e30f;
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const float dr = r - f.radius, dz = z - f.z;
+        const float t = smaller(1.0f, larger(0.0f, (dr * f.along_r + dz * f.along_z) * f.inverse_length2));
+        const float off_r = dr - t * f.along_r, off_z = dz - t * f.along_z;
+        nearest2 = smaller(off_r * off_r + off_z * off_z, nearest2);
     }
-    lowest = least;
-    highest = most;
-    if (raised == 0) return false;
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t n = 0; n < width; ++n) samples[place(row) * stored_edge + first + n] = value[row * width + n];
+    const auto to_cap2 = [&](float radius, float at) {
+        const float dr = larger(r - radius, 0.0f), dz = z - at;
+        return dr * dr + dz * dz;
+    };
+    if (o.front_radius > 0.0f) nearest2 = smaller(to_cap2(o.front_radius, o.front_z), nearest2);
+    return smaller(to_cap2(o.back_radius, o.back_z), nearest2);
+}
+/// In a convex solid to the plane of the nearest face, in any other the depth itself.
+float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
+    if (o.is_convex) {
+        float depth = smaller(z - o.back_z, o.front_z - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = smaller(to_face(o.face[n], r, z), depth);
+        return depth;
+    }
+    float wall = o.back_radius;
+    for (std::size_t n = o.count; n > 0; --n) {
+        const OutlineFace& f = o.face[n - 1];
+        wall = z < (n < o.count ? o.face[n].z : o.back_z) ? wall : f.radius + f.slope * (f.z - z);
+    }
+    const float distance = std::sqrt(squared_distance(o, r, z));
+    return z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
+}
+/// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
+float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
+    if (!o.is_convex || !(depth < 0.0f)) return depth;
+    bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const float along = ((r - f.radius) * f.along_r + (z - f.z) * f.along_z) * f.inverse_length2;
+        is_beside = is_beside || (to_face(f, r, z) == depth && along >= 0.0f && 1.0f >= along);
+    }
+    return is_beside ? depth : smaller(-std::sqrt(squared_distance(o, r, z)), depth);
+}
+
+struct SinglePoint {
+    float x, y, z;
+};
+SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
+    const auto along = [&](int n) { return ((f.axis[0][n] * p.x + f.axis[1][n] * p.y) + f.axis[2][n] * p.z) + f.origin[n]; };
+    return {along(0), along(1), along(2)};
+}
+/// Pre: a rotation.
+SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
+    const auto along = [&](int n) { return (f.axis[n][0] * d.x + f.axis[n][1] * d.y) + f.axis[n][2] * d.z; };
+    return {along(0), along(1), along(2)};
+}
+
+/// The way in from a point inside, in the frame of the solid.
+SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
+    float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f, in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const float here = to_face(o.face[n], r, p.z);
+        const bool is_less = here < depth;
+        depth = is_less ? here : depth;
+        in_r = is_less ? o.face[n].normal_r : in_r;
+        in_z = is_less ? -o.face[n].normal_z : in_z;
+    }
+    const float inwards = r > 0.0f ? -in_r / r : 0.0f;
+    return {inwards * p.x, inwards * p.y, in_z};
+}
+
+void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+             const Vec3* points, Walls walls) noexcept {
+    for (std::size_t n = 0; n < solids; ++n) {
+        const SingleFrame& frame = solid_from_points[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec3 point = points[i];
+            const SinglePoint p = moved(frame, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+            const float r = std::sqrt(p.x * p.x + p.y * p.y);
+            float depth = depth_at_most(outline, r, p.z);
+            if (!(depth > walls.depth[i])) continue;
+            depth = depth_from(outline, r, p.z, depth);
+            if (!(depth > walls.depth[i])) continue;
+            const SinglePoint way = turned_back(frame, way_in(outline, p, r));
+            walls.depth[i] = depth;
+            walls.which[i] = static_cast<std::int32_t>(n);
+            walls.x[i] = way.x;
+            walls.y[i] = way.y;
+            walls.z[i] = way.z;
+        }
+    }
+}
+
+/// To the nearest quantum, of two the even one, kept within ± 32767.
+std::int32_t quantised(float depth, float per_quantum) noexcept {
+    return static_cast<std::int32_t>(std::lrint(larger(smaller(depth * per_quantum, 32767.0f), -32767.0f)));
+}
+
+bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    const auto& at = cell.along;
+    bool is_raised = false;
+    std::int32_t least = 32767, most = -32767;
+    for (int z = 0; z < 3; ++z)
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < stored_edge; ++x) {
+                const float i = cell.first[0] + static_cast<float>(x), j = cell.first[1] + static_cast<float>(y),
+                            k = cell.first[2] + static_cast<float>(z);
+                const auto place = [&](int n) { return ((cell.origin[n] + i * at[0][n]) + j * at[1][n]) + k * at[2][n]; };
+                const float px = place(0), py = place(1), pz = place(2), r = std::sqrt(px * px + py * py);
+                std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
+                const float at_most = depth_at_most(outline, r, pz);
+                if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
+                    const float depth = depth_from(outline, r, pz, at_most);
+                    const std::int32_t value = quantised(depth, per_quantum);
+                    if (depth >= -band && value > sample) {
+                        sample = static_cast<std::int16_t>(value);
+                        is_raised = true;
+                    }
+                }
+                least = std::min<std::int32_t>(least, sample);
+                most = std::max<std::int32_t>(most, sample);
+            }
+    if (!is_raised) return false;
+    lowest = static_cast<std::int16_t>(least);
+    highest = static_cast<std::int16_t>(most);
     return true;
+}
+
+void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept {
+    for (int layer = 0; layer < 3; ++layer) {
+        found[layer] = 0;
+        for (int n = 0; n < 3 * stored_edge; ++n) {
+            const std::int16_t v = samples[layer * stored_edge * stored_edge + n];
+            found[layer] |= static_cast<std::uint32_t>(v >= low && v <= high) << n;
+        }
+    }
 }
 
 constexpr BlockKernel table{
@@ -364,7 +469,9 @@ constexpr BlockKernel table{
     .answer = answer,
     .depths = depths,
     .tangents = tangents,
+    .deepest = deepest,
     .raise = raise,
+    .find = find,
 };
 
 }  // namespace

@@ -51,9 +51,15 @@ void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size
         return;
     }
 
-    // Those in air are asked about as well, where there are few: they share the steps of the others.
+    // The way to the front is told one by one and only of those in bone; tissues of all, in the same steps.
+    std::array<Vec3, block_capacity> engaged;
+    BlockValues gap_of_engaged;
+    std::size_t engaged_so_far = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (engagement[i] > 0.0f) engaged[engaged_so_far++] = points[i];
+    tracker_->gap(body_from_tool_, engaged.data(), engaged_count, direction, gap_of_engaged);
+
     std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
-    BlockValues gap;
     const std::size_t tissues = body_->materials.size();
     material_weights(*body_, places, weight);
     for (std::size_t m = 0; m < tissues; ++m) {
@@ -63,13 +69,14 @@ void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size
         else
             material.densities.at(places, material.density, density[m]);
     }
-    tracker_->gap(body_from_tool_, points, count, direction, gap);
+    engaged_so_far = 0;
     for (std::size_t i = 0; i < count; ++i) {
         kerf_bone_sample& s = out[i];
         put_air(s);
         if (engagement[i] <= 0.0f) continue;
+        const double gap = gap_of_engaged[engaged_so_far++];
         s.engagement = static_cast<double>(engagement[i]);
-        s.gap = grid.lattice().is_bounded && !can_be_cut(grid.lattice(), grid * points[i]) ? 0.0 : gap[i];
+        s.gap = grid.lattice().is_bounded && !can_be_cut(grid.lattice(), grid * points[i]) ? 0.0 : gap;
         for (std::size_t m = 0; m < tissues; ++m) {
             s.weight[m] = static_cast<double>(weight[m][i]);
             s.density[m] = static_cast<double>(density[m][i]);
@@ -88,7 +95,7 @@ double BoneView::present_distance(Vec3 p) const noexcept {
 void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
     const Frame f = frame_of(body_from_tool_);
     const GridFrame grid(body_->grid(), body_->region, f);
-    const PendingSurface pending(*tracker_, body_from_tool_);
+    PendingSurface pending(*tracker_, body_from_tool_);
     Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
     const double rows[3][3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -96,7 +103,7 @@ void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_poi
     in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(grid, pending, surface, points + first, n, out + first); });
 }
 
-void BoneView::nearest_block(const GridFrame& grid, const PendingSurface& pending, const Surface& surface, const Vec3* points,
+void BoneView::nearest_block(const GridFrame& grid, PendingSurface& pending, const Surface& surface, const Vec3* points,
                              std::size_t count, kerf_surface_point* out) const noexcept {
     PlaceBlock places;
     SlopeBlock slopes;

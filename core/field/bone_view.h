@@ -36,7 +36,7 @@ public:
 
 private:
     void sample_block(const GridFrame& grid, const Vec3* points, std::size_t count, Vec3 direction, kerf_bone_sample* out) const noexcept;
-    void nearest_block(const GridFrame& grid, const PendingSurface& pending, const Surface& surface, const Vec3* points,
+    void nearest_block(const GridFrame& grid, PendingSurface& pending, const Surface& surface, const Vec3* points,
                        std::size_t count, kerf_surface_point* out) const noexcept;
 
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction,

@@ -2,6 +2,7 @@
 #include "core/field/cut_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -151,8 +152,7 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.
     const Grid &g = grid();
-    const int lowest = -static_cast<int>(sweep.step() / quantum_) - 2;
-    const auto from_lowest = static_cast<unsigned>(-lowest);
+    const auto lowest = static_cast<std::int16_t>(-std::min(static_cast<int>(sweep.step() / quantum_) + 2, 32767));
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
@@ -182,26 +182,19 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
         for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
             if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
             const CellPlace at = CellPlace::of(cell);
-            for (int z = at.first_z; z < at.first_z + 3; ++z)
-                for (int y = at.first_y; y < at.first_y + 3; ++y) {
-                    const int row = (z * stored_edge + y) * stored_edge;
-                    unsigned candidates = 0;  // bits, without a jump for each
-                    for (int x = 0; x < 5; ++x) {
-                        const int value = samples[row + std::min(at.first_x + x, at.last_x)];
-                        candidates |= static_cast<unsigned>(static_cast<unsigned>(value - lowest) <= from_lowest) << x;
-                    }
-                    for (int x = at.first_x; candidates != 0 && x <= at.last_x; ++x, candidates >>= 1) {
-                        if ((candidates & 1u) == 0) continue;
-                        const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
-                        bool is_in_region = true;
-                        for (std::size_t axis = 0; axis < 3; ++axis)
-                            is_in_region =
-                                is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
-                        if (!is_in_region) continue;
-                        ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
-                                  static_cast<std::uint16_t>(row + x));
-                        if (ridge.is_full()) clear_block();
-                    }
+            std::uint32_t found[3];
+            block_kernel().find(samples + at.first_sample(), lowest, 0, found);
+            for (int layer = 0; layer < 3; ++layer)
+                for (std::uint32_t left = found[layer]; left != 0; left &= left - 1) {
+                    const int bit = std::countr_zero(left), x = bit % stored_edge, y = at.first_y + bit / stored_edge, z = at.first_z + layer;
+                    const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
+                    bool is_in_region = true;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        is_in_region = is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
+                    if (!is_in_region) continue;
+                    ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
+                              static_cast<std::uint16_t>((z * stored_edge + y) * stored_edge + x));
+                    if (ridge.is_full()) clear_block();
                 }
         }
     }

@@ -26,6 +26,12 @@ namespace kerf {
     return {dot(a_from_b.x, v), dot(a_from_b.y, v), dot(a_from_b.z, v)};
 }
 
+[[nodiscard]] inline SingleFrame single(const Frame& f) noexcept {
+    const auto of = [](double v) { return static_cast<float>(v); };
+    return {{{of(f.x.x), of(f.x.y), of(f.x.z)}, {of(f.y.x), of(f.y.y), of(f.y.z)}, {of(f.z.x), of(f.z.y), of(f.z.z)}},
+            {of(f.origin.x), of(f.origin.y), of(f.origin.z)}};
+}
+
 /// What the frame does, then a shift of the origin to `from` and a scaling.
 [[nodiscard]] constexpr Frame scaled_from(const Frame& f, Vec3 from, double scale) noexcept {
     return {scale * f.x, scale * f.y, scale * f.z, scale * (f.origin - from)};

@@ -8,14 +8,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // [m]
-
-void take(double depth, Vec3 normal, double clamp, kerf_surface_point& answer) noexcept {
-    const bool is_near = depth < clamp;
-    answer.distance = depth;
-    answer.normal = is_near ? normal : Vec3{0, 0, 0};
-    answer.body = is_near ? 0 : -1;
-}
+constexpr double rounding = 1e-8;  // [m] more than single precision leaves of a distance
+constexpr std::int32_t none = -1;
 
 double larger(double a, double b) noexcept { return a > b ? a : b; }
 Vec3 larger(Vec3 a, Vec3 b) noexcept { return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z)}; }
@@ -29,7 +23,7 @@ PendingSurface::PendingSurface(const CutTracker& tracker, const Pose& body_from_
 }
 
 void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
-                           kerf_surface_point* answers) const noexcept {
+                           kerf_surface_point* answers) noexcept {
     if (tracker_->pending_count() == 0) return;
     const RevolutionSolid& solid = tracker_->solid();
     const CutTracker::Spread& spread = tracker_->spread();
@@ -50,47 +44,35 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
                                      : length(half) + length(reach) - solid.distance(middle);
     if (deepest + turn <= least) return;  // not so where a number is NaN
 
-    // Each point in the newest. In a convex solid none is deeper than by a plane that touches it: neither there nor where
-    // another pose has it.
-    PointBlock in_newest, gradient;
-    BlockValues depth, at_most;
-    transform(f, points, count, in_newest);
-    if (is_convex) {
-        solid.tangents(in_newest, depth, gradient);
-        for (std::size_t p = 0; p < count; ++p)
-            at_most[p] = depth[p] + larger(gradient.x[p] * spread.low.x, gradient.x[p] * spread.high.x) +
-                         larger(gradient.y[p] * spread.low.y, gradient.y[p] * spread.high.y) +
-                         larger(gradient.z[p] * spread.low.z, gradient.z[p] * spread.high.z) + turn;
-    } else {
-        solid.depths(in_newest, depth);
-        for (std::size_t p = 0; p < count; ++p) at_most[p] = depth[p] + length(reach) + turn;
+    if (frame_count_ == 0) {
+        frames_[frame_count_++] = single(newest_from_tool_);
+        for (std::size_t i = 0; i + 1 < tracker_->pending_count(); ++i)
+            frames_[frame_count_++] = single(tracker_->solid_from_tool(i, body_from_tool_));
     }
-    const std::size_t newest = tracker_->pending_count() - 1;
-    std::array<Vec3, block_capacity> concerned;
-    std::array<std::uint8_t, block_capacity> lane;
-    std::size_t concerned_count = 0;
+    constexpr float never = 1e30f;
+    alignas(32) FloatBlock depth, x, y, z;
+    alignas(32) std::array<std::int32_t, block_capacity> which;
     for (std::size_t p = 0; p < count; ++p) {
-        kerf_surface_point& answer = answers[p];
-        if (!(at_most[p] > answer.distance) || answer.distance >= clamp_ || (may_rise != nullptr && !may_rise[p])) continue;
-        // Outside, a face may end before it comes so near as its plane.
-        const bool is_exact = !is_convex || depth[p] >= 0.0;
-        const double in_it = is_exact ? depth[p] : -solid.distance(in_newest[p]);
-        if (in_it > answer.distance + rounding)
-            take(in_it, turned_back(f, is_convex && is_exact ? gradient[p] : solid.way_in(in_newest[p])), clamp_, answer);
-        if (at_most[p] <= answer.distance + 1.5 * rounding) continue;  // `turn` has one in it
-        lane[concerned_count] = static_cast<std::uint8_t>(p);
-        concerned[concerned_count++] = points[p];
+        const bool may = answers[p].distance < clamp_ && (may_rise == nullptr || may_rise[p]);
+        depth[p] = may ? static_cast<float>(answers[p].distance) : never;
+        which[p] = none;
     }
-
-    for (std::size_t i = 0; i < newest && concerned_count > 0; ++i) {
-        const Frame solid_from = tracker_->solid_from_tool(i, body_from_tool_);
-        PointBlock in_solid;
-        transform(solid_from, concerned.data(), concerned_count, in_solid);
-        solid.depths(in_solid, depth);
-        for (std::size_t p = 0; p < concerned_count; ++p) {
-            kerf_surface_point& answer = answers[lane[p]];
-            if (depth[p] > answer.distance + rounding)
-                take(depth[p], turned_back(solid_from, solid.way_in(in_solid[p])), clamp_, answer);
+    block_kernel().deepest(solid.single(), frames_.data(), frame_count_, count, points,
+                           {depth.data(), which.data(), x.data(), y.data(), z.data()});
+    for (std::size_t p = 0; p < count; ++p) {
+        if (which[p] == none) continue;
+        kerf_surface_point& answer = answers[p];
+        answer.distance = static_cast<double>(depth[p]);
+        const bool is_near = answer.distance < clamp_;
+        answer.body = is_near ? 0 : -1;
+        answer.normal = {0, 0, 0};
+        if (!is_near) continue;
+        if (depth[p] >= 0.0f && is_convex) {
+            answer.normal = {static_cast<double>(x[p]), static_cast<double>(y[p]), static_cast<double>(z[p])};
+        } else {
+            const auto n = static_cast<std::size_t>(which[p]);
+            const Frame solid_from = tracker_->solid_from_tool(n == 0 ? frame_count_ - 1 : n - 1, body_from_tool_);
+            answer.normal = turned_back(solid_from, solid.way_in(solid_from * points[p]));
         }
     }
 }

@@ -31,11 +31,17 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         const double r = outline_[i].radius - outline_[i - 1].radius, z = outline_[i].z - outline_[i - 1].z;
         const double l = std::sqrt(r * r + z * z), nr = -z / l, nz = r / l;
         segments_.push_back({r, z, 1.0 / (r * r + z * z), -r / z, nr, nz, nr * outline_[i].radius + nz * outline_[i].z});
+        const OutlineSegment& s = segments_.back();
+        const auto single = [](double v) { return static_cast<float>(v); };
+        faces_.push_back({single(outline_[i - 1].radius), single(outline_[i - 1].z), single(s.along_r), single(s.along_z),
+                          single(s.inverse_length2), single(s.slope), single(s.normal_r), single(s.normal_z), single(s.offset)});
         if (i == 1) continue;
         // Backwards the outline may only bend towards the axis.
         const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
+        is_blunt_ = is_blunt_ && a.normal_r * b.normal_r + a.normal_z * b.normal_z > -0.5;
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
+    is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
 }
 
 double RevolutionSolid::distance(Vec3 p) const noexcept {
@@ -60,6 +66,14 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
         is_beside = is_beside || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
     }
     return is_beside ? -depth : std::sqrt(squared_distance(r, p.z));
+}
+
+bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
+    if (!is_blunt_) return true;
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
+        return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
+    });
 }
 
 double RevolutionSolid::squared_distance(double r, double z) const noexcept {

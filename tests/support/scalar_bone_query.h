@@ -26,18 +26,51 @@ struct ScalarBoneQuery {
         return s;
     }
 
-    [[nodiscard]] kerf_surface_point nearest(Vec3 point) const {
+    /// Without pending solids: those `deepest_pending` tells.
+    [[nodiscard]] kerf_surface_point nearest_committed(Vec3 point) const {
         const double clamp = body.grid().clamp();
         const BrickPlace place = place_of(point);
         const bool is_cut = body.surface.quanta_at(place) < committed.quanta_at(place);
         kerf_surface_point s{};
         s.body = -1;
         s.distance = is_cut ? committed.at(place) : body.surface.at(place);
-        Vec3 normal = committed_normal(point, place, is_cut);
-        if (s.distance < clamp && can_be_cut(point)) raise_to_pending(point, s.distance, normal);
         if (s.distance >= clamp || s.distance <= -clamp) return s;
         s.body = 0;
-        s.normal = normal;
+        s.normal = committed_normal(point, place, is_cut);
+        return s;
+    }
+    /// In double; nothing where no pending solid can change the answer.
+    [[nodiscard]] double deepest_pending(Vec3 point) const {
+        double deepest = -1.0;
+        if (!can_be_cut(point) || nearest_committed(point).distance >= body.grid().clamp()) return deepest;
+        for (std::size_t i = 0; i < tracker.pending_count(); ++i)
+            deepest = std::max(deepest, -tracker.solid().distance(tracker.solid_from_tool(i, body_from_tool) * point));
+        return deepest;
+    }
+    /// Whether a normal is that of a pending solid which is as deep, give or take `tolerance` [m].
+    [[nodiscard]] bool is_pending_normal(Vec3 point, Vec3 normal, double deepest, double tolerance) const {
+        for (std::size_t i = 0; i < tracker.pending_count(); ++i) {
+            const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
+            const Vec3 p = solid_from * point;
+            if (-tracker.solid().distance(p) < deepest - tolerance) continue;
+            if (length(turned_back(solid_from, tracker.solid().way_in(p)) - normal) < 1e-5) return true;
+        }
+        return false;
+    }
+    /// As all of the definition has it, in double.
+    [[nodiscard]] kerf_surface_point nearest(Vec3 point) const {
+        kerf_surface_point s = nearest_committed(point);
+        const double deepest = deepest_pending(point);
+        if (!(deepest > s.distance)) return s;
+        s.distance = deepest;
+        const bool is_near = deepest < body.grid().clamp();
+        s.body = is_near ? 0 : -1;
+        s.normal = {0, 0, 0};
+        for (std::size_t i = 0; is_near && i < tracker.pending_count(); ++i) {
+            const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
+            if (-tracker.solid().distance(solid_from * point) == deepest)
+                s.normal = turned_back(solid_from, tracker.solid().way_in(solid_from * point));
+        }
         return s;
     }
 
@@ -106,17 +139,6 @@ private:
                                        static_cast<float>(axis.z) * (slope[2] * to_unit));
         };
         return {along(f.x), along(f.y), along(f.z)};
-    }
-    void raise_to_pending(Vec3 point, double& distance, Vec3& normal) const {
-        const std::size_t count = tracker.pending_count();
-        for (std::size_t n = 0; n < count; ++n) {
-            const std::size_t i = n == 0 ? count - 1 : n - 1;
-            const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
-            const double depth = -tracker.solid().distance(solid_from * point);
-            if (!(depth > distance + 1e-9)) continue;
-            distance = depth;
-            normal = turned_back(solid_from, tracker.solid().way_in(solid_from * point));
-        }
     }
     static std::array<float, 3> trilinear_gradient(const std::int16_t* brick, const BrickPlace& at) {
         const std::int16_t* v = brick + at.offset;
