@@ -35,12 +35,11 @@ struct Ours {
     Vec3 by{};
 
     void ask() const {
-        PointBlock block;
         PlaceBlock places;
         BlockValues distance;
+        const GridFrame grid(field.grid(), {}, frame_of({by, {1, 0, 0, 0}}));
         for (std::size_t first = 0; first < points.size(); first += block_capacity) {
-            transform(Pose{by, {1, 0, 0, 0}}, points.data() + first, std::min(block_capacity, points.size() - first), block);
-            locate(field.grid(), block, places);
+            grid.locate(points.data() + first, std::min(block_capacity, points.size() - first), places);
             field.at(places, distance);
             sink += distance[7];
         }

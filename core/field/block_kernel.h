@@ -13,6 +13,21 @@
 /// file that is compiled for AVX2 could end up in a program for a machine without it.
 namespace kerf {
 
+/// A change of coordinates as nine factors and an offset; `frame.h` applies it to one point.
+struct Frame {
+    kerf_vec3 x, y, z;  ///< b's axes in a
+    kerf_vec3 origin;   ///< of b in a
+};
+
+/// The same in single precision.
+struct SingleFrame {
+    float axis[3][3], origin[3];
+};
+
+struct PointBox {
+    double low[3], high[3];
+};
+
 /// Where a kernel reads or writes, coordinate by coordinate. All arrays a kernel is given have `block_capacity` places,
 /// and it may write rubbish behind the last point.
 struct ConstCoordinates {
@@ -22,15 +37,41 @@ struct Coordinates {
     double *x, *y, *z;
 };
 
-/// What of a grid `locate` needs.
-struct LatticeShape {
-    double origin[3], spacing;  ///< [m]
-    double samples[3];          ///< per axis
-    std::int32_t row, column;   ///< bricks along x, along y
+/// What of a grid `place` needs. Coordinates: voxels times 2^bits, as `locate_fixed` has them.
+struct Lattice {
+    double low[3], high[3];      ///< points beyond are taken to the nearest between, if `is_bounded`
+    std::uint32_t end[3];        ///< samples per axis times 2^bits
+    int bits;
+    bool is_bounded;
+    std::int32_t row, layer;     ///< bricks along x, in a plane
+    std::int32_t brick_count;    ///< also the number of the brick outside the grid
 };
 struct Places {
     std::int32_t *brick, *offset;
-    Coordinates fraction;
+    float *x, *y, *z;  ///< [–] 0 … 1 from the low corner
+};
+struct ConstPlaces {
+    const std::int32_t *brick, *offset;
+    const float *x, *y, *z;
+};
+
+/// A field of distances as a kernel reads it: where each brick's 9³ samples begin, one entry more for what lies outside
+/// the grid. Bricks that begin before `first_stored` hold one value everywhere.
+struct FieldShape {
+    const std::int32_t* start;
+    const std::int16_t* samples;
+    std::int32_t first_stored;
+};
+struct Slopes {
+    float *value, *x, *y, *z;  ///< [quanta], and per voxel
+};
+struct ConstSlopes {
+    const float *value, *x, *y, *z;
+};
+/// What makes an answer of a slope.
+struct Surface {
+    double quantum, clamp;   ///< [m]
+    float in_tool[3][3];     ///< the grid's axes in the tool frame
 };
 
 /// From one outline point to the next, in the half plane (r, z).
@@ -48,15 +89,34 @@ struct OutlineShape {
     bool is_convex;
 };
 
-/// Some of a brick's samples in three layers, three neighbouring rows of each.
+/// The same in single precision, for samples and for many solids at once.
+struct OutlineFace {
+    float radius, z;                      ///< where it begins
+    float along_r, along_z, inverse_length2, slope;
+    float normal_r, normal_z, offset;
+};
+struct SingleOutline {
+    const OutlineFace* face;
+    std::size_t count;
+    float front_radius, front_z, back_radius, back_z;
+    bool is_convex;
+};
+
+/// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at
+///
+///     ((origin + (first[0] + x) along[0]) + (first[1] + y) along[1]) + (first[2] + z) along[2]
+///
+/// counted from one sample of the grid for all bricks, so that what two of them share lies at one place.
 struct SampleCell {
-    ConstCoordinates row;    ///< where the layers' nine rows each would begin at x = 0, tool frame [m]
-    ConstCoordinates along;  ///< from there to the nine samples of a row [m]
-    int first_x, last_x;     ///< 4 or 5 of each row
-    int first_y;
-    /// No sample of the cell is deeper than base + x per_x + y per_y + layer per_layer, x and y counted in the brick
-    /// [quanta], give or take one for rounding.
-    float base, per_x, per_y, per_layer;
+    float origin[3], along[3][3], first[3];
+    bool has_edges;  ///< whether any of them may be outside and nearer to an edge of the outline than to a face
+};
+
+/// What `deepest` finds.
+struct Walls {
+    float* depth;         ///< [m]
+    std::int32_t* which;  ///< of the solids
+    float *x, *y, *z;     ///< the way in, in the frame of the points; where the depth is not negative
 };
 
 struct BlockKernel {
@@ -64,28 +124,38 @@ struct BlockKernel {
 
     /// As pose · point.
     void (*transform)(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
-    /// As `locate` of one point.
-    void (*locate)(const LatticeShape& grid, std::size_t count, ConstCoordinates points, Places places) noexcept;
-    /// As `trilinear` of one point, times `quantum`. `corner`: each point's low corner among its brick's 9³ samples.
-    void (*trilinear_int16)(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction,
-                            double quantum, double* values) noexcept;
-    void (*trilinear_float)(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                            double* values) noexcept;
-    /// The same value, and its gradient per voxel, not scaled: from the same eight samples.
-    void (*gradient_int16)(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction,
-                           double quantum, double* values, Coordinates gradient) noexcept;
-    /// As rotate(a_from_b, normalized(v)).
-    void (*unit)(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
+    /// As frame · point.
+    void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, Coordinates in_a) noexcept;
+    /// As `locate_fixed` of frame · point. Tells the box the points lie in, as they were given; that of a NaN is anything.
+    void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
+                  Places places, PointBox& box) noexcept;
+    /// As `trilinear` [quanta].
+    void (*values)(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept;
+    /// The same in metres, those of uniform bricks ± `clamp` exactly.
+    void (*metres)(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp, double* values) noexcept;
+    /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
+    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+                      float* values) noexcept;
+    /// The larger of two fields, with its gradient. Returns the least of them.
+    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept;
+    /// What a contact is told: distance, and where a surface is in reach its normal.
+    void (*answer)(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept;
     /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
     /// A plane each that a convex solid does not cross: near a point nothing is deeper than
     /// depth + gradient · (from the point) [m], [–].
     void (*tangents)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
                      Coordinates gradients) noexcept;
-    /// As `sample = max(sample, quantised(depth))` where a sample is at most `band` [m] outside; `samples`: the layers'
-    /// 3 × 9 × 9. Tells whether any was raised, and in which range they are then.
-    bool (*raise)(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
+    /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them than
+    /// `walls.depth` has it, in which, and which way is in.
+    void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+                    const kerf_vec3* points, Walls walls) noexcept;
+    /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
+    /// cell's first. Tells whether any was raised, and if so in which range they are then.
+    bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
                   std::int16_t& lowest, std::int16_t& highest) noexcept;
+    /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
+    void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
 };
 
 /// For any machine.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four points at a time, each with the operations of the portable kernel in its order. Compiled with -mavx2 and entered
+// Four points at a time, in single precision eight, each with the operations of the portable kernel in its order. Compiled with -mavx2 and entered
 // only where the processor has it; without fused multiply-add, which would round differently.
 #include <immintrin.h>
 
+#include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include "core/field/block_kernel.h"
 
@@ -47,125 +49,320 @@ void transform(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in
     }
 }
 
-/// The four 64-bit masks as 32-bit ones.
-inline __m128i narrow(Four mask) noexcept {
-    const __m128 low = _mm_castpd_ps(_mm256_castpd256_pd128(mask));
-    const __m128 high = _mm_castpd_ps(_mm256_extractf128_pd(mask, 1));
-    return _mm_castps_si128(_mm_shuffle_ps(low, high, _MM_SHUFFLE(2, 0, 2, 0)));
+/// x, y and z of four points that follow one another.
+inline Four3 load_points(const double* p) noexcept {
+    const auto two = [p](int low, int high) {
+        return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(p + low)), _mm_loadu_pd(p + high), 1);
+    };
+    const Four a = two(0, 6), b = two(2, 8), c = two(4, 10);
+    return {_mm256_shuffle_pd(a, b, 0b1010), _mm256_shuffle_pd(a, c, 0b0101), _mm256_shuffle_pd(b, c, 0b1010)};
 }
 
-void locate(const LatticeShape& grid, std::size_t count, ConstCoordinates points, Places places) noexcept {
-    const Four zero = _mm256_setzero_pd(), per_metre = all(1.0 / grid.spacing);
-    const Four3 origin{all(grid.origin[0]), all(grid.origin[1]), all(grid.origin[2])};
-    const Four3 end{all(grid.samples[0]), all(grid.samples[1]), all(grid.samples[2])};
-    const __m128i row = _mm_set1_epi32(grid.row), column = _mm_set1_epi32(grid.column);
-    const __m128i within = _mm_set1_epi32((1 << brick_bits) - 1), edge = _mm_set1_epi32(stored);
-    for (std::size_t n = 0; n < count; n += lanes) {
-        const Four gx = (_mm256_loadu_pd(points.x + n) - origin.x) * per_metre;
-        const Four gy = (_mm256_loadu_pd(points.y + n) - origin.y) * per_metre;
-        const Four gz = (_mm256_loadu_pd(points.z + n) - origin.z) * per_metre;
-        const Four is_low = _mm256_and_pd(not_less(gx, zero), _mm256_and_pd(not_less(gy, zero), not_less(gz, zero)));
-        const Four is_high = _mm256_and_pd(less(gx, end.x), _mm256_and_pd(less(gy, end.y), less(gz, end.z)));
-        const Four is_inside = _mm256_and_pd(is_low, is_high);
-        const Four x = _mm256_and_pd(is_inside, gx), y = _mm256_and_pd(is_inside, gy), z = _mm256_and_pd(is_inside, gz);
-        const __m128i i = _mm256_cvttpd_epi32(x), j = _mm256_cvttpd_epi32(y), k = _mm256_cvttpd_epi32(z);
-        const __m128i bi = _mm_srli_epi32(i, brick_bits), bj = _mm_srli_epi32(j, brick_bits),
-                      bk = _mm_srli_epi32(k, brick_bits);
-        const __m128i brick = _mm_add_epi32(_mm_mullo_epi32(_mm_add_epi32(_mm_mullo_epi32(bk, column), bj), row), bi);
-        const __m128i outside = _mm_andnot_si128(narrow(is_inside), _mm_set1_epi32(-1));
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(places.brick + n), _mm_or_si128(brick, outside));
-        const __m128i oi = _mm_and_si128(i, within), oj = _mm_and_si128(j, within), ok = _mm_and_si128(k, within);
-        const __m128i offset = _mm_add_epi32(_mm_mullo_epi32(_mm_add_epi32(_mm_mullo_epi32(ok, edge), oj), edge), oi);
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(places.offset + n), offset);
-        _mm256_storeu_pd(places.fraction.x + n, x - _mm256_cvtepi32_pd(i));
-        _mm256_storeu_pd(places.fraction.y + n, y - _mm256_cvtepi32_pd(j));
-        _mm256_storeu_pd(places.fraction.z + n, z - _mm256_cvtepi32_pd(k));
+/// A frame's factors, each for four points.
+struct FourFrame {
+    Four3 x, y, z, origin;
+
+    explicit FourFrame(const Frame& f) noexcept {
+        double v[12];
+        std::memcpy(v, &f, sizeof v);
+        x = {all(v[0]), all(v[1]), all(v[2])};
+        y = {all(v[3]), all(v[4]), all(v[5])};
+        z = {all(v[6]), all(v[7]), all(v[8])};
+        origin = {all(v[9]), all(v[10]), all(v[11])};
     }
-}
-
-/// Two neighbours along x, for each of four points. Plain loads: a gather took 1.6 times as long where it was measured.
-struct Pairs {
-    Four low, high;
+    Four3 operator*(const Four3& p) const noexcept {
+        return {((x.x * p.x + y.x * p.y) + z.x * p.z) + origin.x, ((x.y * p.x + y.y * p.y) + z.y * p.z) + origin.y,
+                ((x.z * p.x + y.z * p.y) + z.z * p.z) + origin.z};
+    }
 };
-inline Pairs load(const std::int16_t* const (&corner)[lanes], int at) noexcept {
-    std::int32_t pair[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) std::memcpy(&pair[i], corner[i] + at, sizeof pair[i]);
-    const __m128i both = _mm_setr_epi32(pair[0], pair[1], pair[2], pair[3]);
-    return {_mm256_cvtepi32_pd(_mm_srai_epi32(_mm_slli_epi32(both, 16), 16)),
-            _mm256_cvtepi32_pd(_mm_srai_epi32(both, 16))};
-}
-inline Pairs load(const float* const (&corner)[lanes], int at) noexcept {
-    double pair[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) std::memcpy(&pair[i], corner[i] + at, sizeof pair[i]);
-    const __m128 first = _mm_castpd_ps(_mm_setr_pd(pair[0], pair[1]));
-    const __m128 second = _mm_castpd_ps(_mm_setr_pd(pair[2], pair[3]));
-    return {_mm256_cvtps_pd(_mm_shuffle_ps(first, second, _MM_SHUFFLE(2, 0, 2, 0))),
-            _mm256_cvtps_pd(_mm_shuffle_ps(first, second, _MM_SHUFFLE(3, 1, 3, 1)))};
+
+/// A question's points, `step` at a time; where the last do not fill a step, with the last of them repeated.
+template <std::size_t step>
+class Steps {
+public:
+    Steps(const kerf_vec3* points, std::size_t count) noexcept : points_(points), whole_(count / step * step) {
+        for (std::size_t n = 0; whole_ < count && n < step; ++n) tail_[n] = points[whole_ + n < count ? whole_ + n : count - 1];
+    }
+    const double* operator[](std::size_t i) const noexcept { return i < whole_ ? &points_[i].x : &tail_[0].x; }
+
+private:
+    const kerf_vec3* points_;
+    std::size_t whole_;
+    kerf_vec3 tail_[step];
+};
+
+void move(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, Coordinates in_a) noexcept {
+    const FourFrame frame(a_from_b);
+    const Steps<lanes> points(in_b, count);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four3 p = frame * load_points(points[i]);
+        _mm256_storeu_pd(in_a.x + i, p.x);
+        _mm256_storeu_pd(in_a.y + i, p.y);
+        _mm256_storeu_pd(in_a.z + i, p.z);
+    }
 }
 
-inline Four lerp(Four a, Four b, Four t) noexcept { return a + (b - a) * t; }
+using Eight = __m256;
+using EightInts = __m256i;
+constexpr std::size_t wide = 8;
 
+inline EightInts together(__m128i low, __m128i high) noexcept {
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
+}
+inline EightInts all_ints(std::int32_t v) noexcept { return _mm256_set1_epi32(v); }
+
+template <bool is_bounded, bool is_turned>
+void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
+              Places places, PointBox& box) noexcept {
+    const FourFrame frame(fixed_from_points);
+    const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])}, high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
+    // A number that is NaN, too large or negative ends beyond the last one that is inside, taken as unsigned.
+    const auto last = [&](int axis) { return all_ints(static_cast<std::int32_t>(grid.end[axis] - 1)); };
+    const EightInts last_x = last(0), last_y = last(1), last_z = last(2);
+    const EightInts behind = all_ints((1 << grid.bits) - 1), row = all_ints(grid.row), layer = all_ints(grid.layer), outside = all_ints(grid.brick_count);
+    const __m128i bits = _mm_cvtsi32_si128(grid.bits), brick_of = _mm_cvtsi32_si128(grid.bits + brick_bits);
+    const EightInts within = all_ints((1 << brick_bits) - 1), rows = all_ints(stored * stored | stored << 16);
+    const Eight unit = _mm256_set1_ps(1.0f / static_cast<float>(1 << grid.bits));
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Four3 least_point{all(far), all(far), all(far)}, most_point{all(-far), all(-far), all(-far)};
+
+    struct Fixed {
+        __m128i x, y, z;
+    };
+    const auto fixed = [&](const double* from) -> Fixed {
+        const Four3 p = load_points(from);
+        least_point = {least(p.x, least_point.x), least(p.y, least_point.y), least(p.z, least_point.z)};
+        most_point = {most(p.x, most_point.x), most(p.y, most_point.y), most(p.z, most_point.z)};
+        Four3 g;
+        if constexpr (is_turned)
+            g = frame * p;
+        else  // the products with zero left out change nothing
+            g = {frame.x.x * p.x + frame.origin.x, frame.y.y * p.y + frame.origin.y, frame.z.z * p.z + frame.origin.z};
+        if constexpr (is_bounded)
+            g = {least(high.x, most(low.x, g.x)), least(high.y, most(low.y, g.y)), least(high.z, most(low.z, g.z))};
+        return {_mm256_cvttpd_epi32(g.x), _mm256_cvttpd_epi32(g.y), _mm256_cvttpd_epi32(g.z)};
+    };
+    const Steps<wide> steps(points, count);
+    for (std::size_t n = 0; n < count; n += wide) {
+        const double* from = steps[n];
+        const Fixed a = fixed(from), b = fixed(from + 3 * lanes);
+        EightInts x = together(a.x, b.x), y = together(a.y, b.y), z = together(a.z, b.z);
+        const auto is_within = [](EightInts v, EightInts most) { return _mm256_cmpeq_epi32(_mm256_min_epu32(v, most), v); };
+        const EightInts is_inside = _mm256_and_si256(is_within(x, last_x), _mm256_and_si256(is_within(y, last_y), is_within(z, last_z)));
+        x = _mm256_and_si256(x, is_inside);
+        y = _mm256_and_si256(y, is_inside);
+        z = _mm256_and_si256(z, is_inside);
+        const EightInts bi = _mm256_srl_epi32(x, brick_of), bj = _mm256_srl_epi32(y, brick_of), bk = _mm256_srl_epi32(z, brick_of);
+        const EightInts brick = _mm256_add_epi32(_mm256_add_epi32(_mm256_mullo_epi32(bk, layer), _mm256_mullo_epi32(bj, row)), bi);
+        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.brick + n), _mm256_blendv_epi8(outside, brick, is_inside));
+        const EightInts oi = _mm256_and_si256(_mm256_srl_epi32(x, bits), within), oj = _mm256_and_si256(_mm256_srl_epi32(y, bits), within),
+                        ok = _mm256_and_si256(_mm256_srl_epi32(z, bits), within);
+        // (k · 9 + j) · 9 + i, the products and their sum in one step
+        const EightInts kj = _mm256_or_si256(ok, _mm256_slli_epi32(oj, 16));
+        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.offset + n), _mm256_add_epi32(_mm256_madd_epi16(kj, rows), oi));
+        const auto fraction = [&](EightInts v) { return _mm256_cvtepi32_ps(_mm256_and_si256(v, behind)) * unit; };
+        _mm256_storeu_ps(places.x + n, fraction(x));
+        _mm256_storeu_ps(places.y + n, fraction(y));
+        _mm256_storeu_ps(places.z + n, fraction(z));
+    }
+
+    const auto across = [](Four v, auto better) {
+        double each[lanes];
+        _mm256_storeu_pd(each, v);
+        return better(better(each[0], each[1]), better(each[2], each[3]));
+    };
+    const auto smaller = [](double a, double b) { return a < b ? a : b; };
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
+    box = {{across(least_point.x, smaller), across(least_point.y, smaller), across(least_point.z, smaller)},
+           {across(most_point.x, larger), across(most_point.y, larger), across(most_point.z, larger)}};
+}
+
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points, Places places,
+           PointBox& box) noexcept {
+    const Frame& f = fixed_from_points;
+    const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
+    // Taken to the region, an infinite coordinate would not be one any more: there the products with zero count.
+    const auto place_there = grid.is_bounded ? place_in<true, true> : is_turned ? place_in<false, true> : place_in<false, false>;
+    place_there(f, grid, count, points, places, box);
+}
+
+/// A gather keeps what its mask leaves out, so it waits for whatever was in its register before: a zero is put there. The
+/// compiler would see that the mask leaves nothing out, and save the zero.
+template <int scale>
+inline EightInts gathered(const void* from, EightInts at) noexcept {
+    EightInts everything = all_ints(-1);
+    __asm__("" : "+x"(everything));
+    return _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), static_cast<const int*>(from), at, everything, scale);
+}
+
+/// Two neighbours along x, for each of eight points: both in one step of a gather.
+struct Pairs {
+    Eight low, high;
+};
+inline Pairs gather(const std::int16_t* samples, EightInts at) noexcept {
+    const EightInts both = gathered<2>(samples, at);
+    return {_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(both, 16), 16)), _mm256_cvtepi32_ps(_mm256_srai_epi32(both, 16))};
+}
+inline Pairs gather(const float* samples, EightInts at) noexcept {
+    return {_mm256_castsi256_ps(gathered<4>(samples, at)), _mm256_castsi256_ps(gathered<4>(samples + 1, at))};
+}
+
+inline Eight lerp(Eight a, Eight b, Eight t) noexcept { return a + (b - a) * t; }
+
+struct EightFractions {
+    Eight x, y, z;
+
+    EightFractions(const ConstPlaces& places, std::size_t i) noexcept
+        : x(_mm256_loadu_ps(places.x + i)), y(_mm256_loadu_ps(places.y + i)), z(_mm256_loadu_ps(places.z + i)) {}
+};
 template <class Sample>
-inline void interpolate(const Sample* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                        double* values) noexcept {
+inline Eight interpolated(const Sample* samples, EightInts at, const EightFractions& f) noexcept {
     constexpr int y = stored, z = stored * stored;
-    const Four scale = all(quantum);
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const Sample* four[lanes];  // behind the last point, the last once more: nothing else may be read there
-        for (std::size_t n = 0; n < lanes; ++n) four[n] = corner[i + n < count ? i + n : count - 1];
-        const Four fx = _mm256_loadu_pd(fraction.x + i), fy = _mm256_loadu_pd(fraction.y + i),
-                   fz = _mm256_loadu_pd(fraction.z + i);
-        const Pairs v00 = load(four, 0), v10 = load(four, y), v01 = load(four, z), v11 = load(four, z + y);
-        const Four c00 = lerp(v00.low, v00.high, fx), c10 = lerp(v10.low, v10.high, fx);
-        const Four c01 = lerp(v01.low, v01.high, fx), c11 = lerp(v11.low, v11.high, fx);
-        _mm256_storeu_pd(values + i, scale * lerp(lerp(c00, c10, fy), lerp(c01, c11, fy), fz));
+    const Pairs v00 = gather(samples, at), v10 = gather(samples + y, at), v01 = gather(samples + z, at), v11 = gather(samples + z + y, at);
+    const Eight c00 = lerp(v00.low, v00.high, f.x), c10 = lerp(v10.low, v10.high, f.x);
+    const Eight c01 = lerp(v01.low, v01.high, f.x), c11 = lerp(v11.low, v11.high, f.x);
+    return lerp(lerp(c00, c10, f.y), lerp(c01, c11, f.y), f.z);
+}
+
+inline EightInts load_ints(const std::int32_t* from) noexcept { return _mm256_loadu_si256(reinterpret_cast<const EightInts*>(from)); }
+/// Where the bricks of eight points begin.
+inline EightInts starts_of(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
+    return gathered<4>(start, load_ints(places.brick + i));
+}
+inline bool are_uniform(const FieldShape& field, EightInts start) noexcept {
+    return _mm256_movemask_epi8(_mm256_cmpgt_epi32(all_ints(field.first_stored), start)) == -1;
+}
+/// The first sample of each of these bricks.
+inline Eight firsts_of(const FieldShape& field, EightInts start) noexcept { return gather(field.samples, start).low; }
+
+inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
+    const EightInts start = starts_of(field.start, places, i);
+    if (are_uniform(field, start)) return firsts_of(field, start);
+    return interpolated(field.samples, _mm256_add_epi32(start, load_ints(places.offset + i)), EightFractions(places, i));
+}
+
+void values(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept {
+    for (std::size_t i = 0; i < count; i += wide) _mm256_storeu_ps(values + i, values_of(field, places, i));
+}
+
+/// [quanta] to [m], the ends of the range exactly.
+struct Metres {
+    Four low, high;
+
+    Metres(Eight quanta, Four quantum, Four clamp) noexcept
+        : low(of(_mm256_castps256_ps128(quanta), quantum, clamp)), high(of(_mm256_extractf128_ps(quanta, 1), quantum, clamp)) {}
+
+private:
+    static Four of(__m128 quanta, Four quantum, Four clamp) noexcept {
+        const Four q = _mm256_cvtps_pd(quanta), sign = _mm256_and_pd(q, all(-0.0));
+        const Four is_end = not_less(_mm256_andnot_pd(all(-0.0), q), all(32767.0));
+        return _mm256_blendv_pd(quantum * q, _mm256_or_pd(clamp, sign), is_end);
+    }
+};
+
+void metres(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp, double* values) noexcept {
+    for (std::size_t i = 0; i < count; i += wide) {
+        const Metres m(values_of(field, places, i), all(quantum), all(clamp));
+        _mm256_storeu_pd(values + i, m.low);
+        _mm256_storeu_pd(values + i + lanes, m.high);
     }
 }
 
-void trilinear_int16(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                     double* values) noexcept {
-    interpolate(corner, count, fraction, quantum, values);
-}
-void trilinear_float(const float* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                     double* values) noexcept {
-    interpolate(corner, count, fraction, quantum, values);
-}
-
-void gradient_int16(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                    double* values, Coordinates gradient) noexcept {
-    constexpr int y = stored, z = stored * stored;
-    const Four scale = all(quantum);
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const std::int16_t* four[lanes];
-        for (std::size_t n = 0; n < lanes; ++n) four[n] = corner[i + n < count ? i + n : count - 1];
-        const Four fx = _mm256_loadu_pd(fraction.x + i), fy = _mm256_loadu_pd(fraction.y + i),
-                   fz = _mm256_loadu_pd(fraction.z + i);
-        const Pairs v00 = load(four, 0), v10 = load(four, y), v01 = load(four, z), v11 = load(four, z + y);
-        const Four x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
-        const Four c00 = v00.low + x00 * fx, c10 = v10.low + x10 * fx, c01 = v01.low + x01 * fx, c11 = v11.low + x11 * fx;
-        const Four y0 = c10 - c00, y1 = c11 - c01;
-        const Four c0 = c00 + y0 * fy, c1 = c01 + y1 * fy;
-        _mm256_storeu_pd(gradient.x + i, lerp(lerp(x00, x10, fy), lerp(x01, x11, fy), fz));
-        _mm256_storeu_pd(gradient.y + i, lerp(y0, y1, fz));
-        _mm256_storeu_pd(gradient.z + i, c1 - c0);
-        _mm256_storeu_pd(values + i, scale * (c0 + (c1 - c0) * fz));
+void densities(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+               float* values) noexcept {
+    for (std::size_t i = 0; i < count; i += wide) {
+        const EightInts from = starts_of(start, places, i), stored_from = _mm256_max_epi32(from, _mm256_setzero_si256());
+        const Eight v = interpolated(samples, _mm256_add_epi32(stored_from, load_ints(places.offset + i)), EightFractions(places, i));
+        _mm256_storeu_ps(values + i, _mm256_blendv_ps(v, _mm256_set1_ps(elsewhere), _mm256_castsi256_ps(from)));
     }
 }
 
-void unit(const kerf_quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
-    const Four3 u{all(a_from_b.x), all(a_from_b.y), all(a_from_b.z)};
-    const Four w = all(a_from_b.w), two = all(2.0);
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const Four x = _mm256_loadu_pd(in_b.x + i), y = _mm256_loadu_pd(in_b.y + i), z = _mm256_loadu_pd(in_b.z + i);
-        const Four l = _mm256_sqrt_pd(x * x + y * y + z * z);
-        const Four has_length = less(_mm256_setzero_pd(), l);
-        const Four3 v{_mm256_and_pd(has_length, x / l), _mm256_and_pd(has_length, y / l), _mm256_and_pd(has_length, z / l)};
-        Four3 t = cross(u, v);
-        t = {two * t.x, two * t.y, two * t.z};
-        const Four3 c = cross(u, t);
-        _mm256_storeu_pd(in_a.x + i, v.x + w * t.x + c.x);
-        _mm256_storeu_pd(in_a.y + i, v.y + w * t.y + c.y);
-        _mm256_storeu_pd(in_a.z + i, v.z + w * t.z + c.z);
+struct EightSlopes {
+    Eight value, x, y, z;
+};
+inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
+    constexpr int y = stored, z = stored * stored;
+    const EightInts start = starts_of(field.start, places, i);
+    if (are_uniform(field, start)) {
+        const Eight zero = _mm256_setzero_ps();
+        return {firsts_of(field, start), zero, zero, zero};
+    }
+    const EightInts at = _mm256_add_epi32(start, load_ints(places.offset + i));
+    const Pairs v00 = gather(field.samples, at), v10 = gather(field.samples + y, at), v01 = gather(field.samples + z, at),
+                v11 = gather(field.samples + z + y, at);
+    const Eight x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
+    const Eight c00 = v00.low + x00 * f.x, c10 = v10.low + x10 * f.x, c01 = v01.low + x01 * f.x, c11 = v11.low + x11 * f.x;
+    const Eight y0 = c10 - c00, y1 = c11 - c01;
+    const Eight c0 = c00 + y0 * f.y, c1 = c01 + y1 * f.y;
+    return {c0 + (c1 - c0) * f.z, lerp(lerp(x00, x10, f.y), lerp(x01, x11, f.y), f.z), lerp(y0, y1, f.z), c1 - c0};
+}
+
+float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept {
+    Eight least = _mm256_set1_ps(32767.0f);
+    for (std::size_t i = 0; i < count; i += wide) {
+        const EightFractions f(places, i);
+        const EightSlopes a = slopes_of(bone, places, i, f), b = slopes_of(cut, places, i, f);
+        const Eight is_cut = _mm256_cmp_ps(a.value, b.value, _CMP_LT_OQ), value = _mm256_blendv_ps(a.value, b.value, is_cut);
+        _mm256_storeu_ps(larger.value + i, value);
+        _mm256_storeu_ps(larger.x + i, _mm256_blendv_ps(a.x, b.x, is_cut));
+        _mm256_storeu_ps(larger.y + i, _mm256_blendv_ps(a.y, b.y, is_cut));
+        _mm256_storeu_ps(larger.z + i, _mm256_blendv_ps(a.z, b.z, is_cut));
+        least = _mm256_min_ps(value, least);
+    }
+    float each[wide], least_of_all = 32767.0f;
+    _mm256_storeu_ps(each, least);
+    for (const float v : each) least_of_all = v < least_of_all ? v : least_of_all;
+    return least_of_all;
+}
+
+/// Four answers from their distances, normals and bodies, each coordinate for all four.
+inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_near, kerf_surface_point* to) noexcept {
+    static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) && offsetof(kerf_surface_point, body) == 4 * sizeof(double));
+    const Four nx = _mm256_cvtps_pd(x), ny = _mm256_cvtps_pd(y), nz = _mm256_cvtps_pd(z);
+    const Four a = _mm256_unpacklo_pd(distance, nx), b = _mm256_unpackhi_pd(distance, nx);
+    const Four c = _mm256_unpacklo_pd(ny, nz), d = _mm256_unpackhi_pd(ny, nz);
+    // A body of −1 and behind it a zero
+    const __m256i body = _mm256_andnot_si256(_mm256_castpd_si256(is_near), _mm256_set1_epi64x(0xffffffff));
+    double* at = &to->distance;
+    _mm256_storeu_pd(at, _mm256_permute2f128_pd(a, c, 0x20));
+    _mm256_storeu_pd(at + 5, _mm256_permute2f128_pd(b, d, 0x20));
+    _mm256_storeu_pd(at + 10, _mm256_permute2f128_pd(a, c, 0x31));
+    _mm256_storeu_pd(at + 15, _mm256_permute2f128_pd(b, d, 0x31));
+    const __m128d first = _mm_castsi128_pd(_mm256_castsi256_si128(body)), second = _mm_castsi128_pd(_mm256_extracti128_si256(body, 1));
+    _mm_storel_pd(at + 4, first);
+    _mm_storeh_pd(at + 9, first);
+    _mm_storel_pd(at + 14, second);
+    _mm_storeh_pd(at + 19, second);
+}
+
+void answer(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept {
+    Eight in_tool[3][3];
+    for (int axis = 0; axis < 3; ++axis)
+        for (int n = 0; n < 3; ++n) in_tool[axis][n] = _mm256_set1_ps(surface.in_tool[axis][n]);
+    const Four quantum = all(surface.quantum), clamp = all(surface.clamp);
+    const Eight zero = _mm256_setzero_ps(), one = _mm256_set1_ps(1.0f), end = _mm256_set1_ps(32767.0f);
+    for (std::size_t i = 0; i < count; i += wide) {
+        const Eight v = _mm256_loadu_ps(slopes.value + i), x = _mm256_loadu_ps(slopes.x + i), y = _mm256_loadu_ps(slopes.y + i),
+                    z = _mm256_loadu_ps(slopes.z + i);
+        const Eight length = _mm256_sqrt_ps((x * x + y * y) + z * z);
+        const Eight is_near = _mm256_and_ps(_mm256_cmp_ps(v, end, _CMP_LT_OQ), _mm256_cmp_ps(v, zero - end, _CMP_GT_OQ));
+        const Eight has_normal = _mm256_and_ps(is_near, _mm256_cmp_ps(length, zero, _CMP_GT_OQ));
+        const Eight to_unit = _mm256_and_ps(one / length, has_normal);
+        const Eight nx = x * to_unit, ny = y * to_unit, nz = z * to_unit;
+        const auto along = [&](int n) { return (in_tool[0][n] * nx + in_tool[1][n] * ny) + in_tool[2][n] * nz; };
+        const Eight tx = along(0), ty = along(1), tz = along(2);
+        const Metres distance(v, quantum, clamp);
+        const __m256i near = _mm256_castps_si256(is_near);
+        const Four near_low = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_castsi256_si128(near)));
+        const Four near_high = _mm256_castsi256_pd(_mm256_cvtepi32_epi64(_mm256_extracti128_si256(near, 1)));
+        const auto low = [](Eight e) { return _mm256_castps256_ps128(e); };
+        const auto high = [](Eight e) { return _mm256_extractf128_ps(e, 1); };
+        kerf_surface_point last[wide];
+        const bool fits = i + wide <= count;
+        kerf_surface_point* to = fits ? answers + i : last;
+        put_answers(distance.low, low(tx), low(ty), low(tz), near_low, to);
+        put_answers(distance.high, high(tx), high(ty), high(tz), near_high, to + lanes);
+        if (!fits) std::memcpy(answers + i, last, (count - i) * sizeof last[0]);
     }
 }
 
@@ -278,73 +475,231 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     }
 }
 
-/// To the nearest quantum, kept within ± 32767.
-inline __m128i quantised(Four depth, Four per_quantum) noexcept {
-    const Four q = depth * per_quantum;
-    const Four kept = most(least(q, all(32767.0)), all(-32767.0));
-    const Four half = _mm256_blendv_pd(all(-0.5), all(0.5), not_less(q, _mm256_setzero_pd()));
-    return _mm256_cvttpd_epi32(kept + half);
+inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
+inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
+inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
+inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
+inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+inline Eight minus(Eight a) noexcept { return _mm256_xor_ps(a, eight(-0.0f)); }
+inline bool any(Eight mask) noexcept { return _mm256_movemask_ps(mask) != 0; }
+
+inline Eight to_face(const OutlineFace& f, Eight r, Eight z) noexcept {
+    return eight(f.offset) - (eight(f.normal_r) * r + eight(f.normal_z) * z);
+}
+inline Eight squared_distance(const SingleOutline& o, Eight r, Eight z) noexcept {
+    const Eight zero = _mm256_setzero_ps();
+    Eight nearest2 = eight(1e30f);
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius), dz = z - eight(f.z);
+        const Eight t = least(eight(1.0f), most(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
+        const Eight off_r = dr - t * along_r, off_z = dz - t * along_z;
+        nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
+    }
+    const auto to_cap2 = [&](float radius, float at) {
+        const Eight dr = most(r - eight(radius), zero), dz = z - eight(at);
+        return dr * dr + dz * dz;
+    };
+    if (o.front_radius > 0.0f) nearest2 = least(to_cap2(o.front_radius, o.front_z), nearest2);
+    return least(to_cap2(o.back_radius, o.back_z), nearest2);
+}
+inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight z) noexcept {
+    if (o.is_convex) {
+        Eight depth = least(z - eight(o.back_z), eight(o.front_z) - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = least(to_face(o.face[n], r, z), depth);
+        return depth;
+    }
+    Eight wall = eight(o.back_radius);
+    for (std::size_t n = o.count; n > 0; --n) {
+        const OutlineFace& f = o.face[n - 1];
+        const Eight is_behind = less(z, eight(n < o.count ? o.face[n].z : o.back_z));
+        wall = _mm256_blendv_ps(eight(f.radius) + eight(f.slope) * (eight(f.z) - z), wall, is_behind);
+    }
+    const Eight is_between = _mm256_and_ps(less(z, eight(o.front_z)), less(eight(o.back_z), z));
+    const Eight distance = _mm256_sqrt_ps(squared_distance(o, r, z));
+    return _mm256_blendv_ps(minus(distance), distance, _mm256_and_ps(is_between, less(r, wall)));
+}
+/// The depth in a convex solid from that.
+inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) noexcept {
+    const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
+    Eight is_beside = _mm256_or_ps(_mm256_and_ps(same(eight(o.front_z) - z, depth), not_less(eight(o.front_radius), r)),
+                                   _mm256_and_ps(same(z - eight(o.back_z), depth), not_less(eight(o.back_radius), r)));
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const Eight along = ((r - eight(f.radius)) * eight(f.along_r) + (z - eight(f.z)) * eight(f.along_z)) * eight(f.inverse_length2);
+        const Eight is_within = _mm256_and_ps(not_less(along, zero), not_less(eight(1.0f), along));
+        is_beside = _mm256_or_ps(is_beside, _mm256_and_ps(same(to_face(f, r, z), depth), is_within));
+    }
+    const Eight is_beyond = _mm256_andnot_ps(is_beside, is_outside);
+    if (!any(is_beyond)) return depth;
+    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(squared_distance(o, r, z))), depth), is_beyond);
 }
 
-bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest) noexcept {
-    const Four per_quantum = all(1.0 / quantum), farthest = all(-band);
-    const __m128 lowest_kept = _mm_set1_ps(static_cast<float>(-band / quantum) - 2.0f);
-    const ConstCoordinates start = cell.row, along = cell.along;
-    __m128i least_value = _mm_set1_epi32(32767), most_value = _mm_set1_epi32(-32767), raised = _mm_setzero_si128();
-    /// What four samples become; `at` makes their places, if one of them can rise.
-    const auto raise_four = [&](__m128i before, __m128 ceiling, const auto& at) {
-        const __m128 is_below = _mm_and_ps(_mm_cmplt_ps(_mm_cvtepi32_ps(before), ceiling), _mm_cmplt_ps(lowest_kept, ceiling));
-        __m128i after = before;
-        if (_mm_movemask_ps(is_below) != 0) {
-            const Four3 p = at();
-            const Four depth = depth_in(outline, _mm256_sqrt_pd(p.x * p.x + p.y * p.y), p.z);
-            const __m128i is_near = narrow(not_less(depth, farthest));
-            const __m128i cut = _mm_blendv_epi8(_mm_set1_epi32(-32767), quantised(depth, per_quantum), is_near);
-            after = _mm_max_epi32(before, cut);
-        }
-        raised = _mm_or_si128(raised, _mm_cmpgt_epi32(after, before));
-        least_value = _mm_min_epi32(least_value, after);
-        most_value = _mm_max_epi32(most_value, after);
-        return after;
+struct EightPoints {
+    Eight x, y, z;
+};
+inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
+    const auto along = [&](int n) {
+        return ((eight(f.axis[0][n]) * p.x + eight(f.axis[1][n]) * p.y) + eight(f.axis[2][n]) * p.z) + eight(f.origin[n]);
     };
-    const auto ceiling_at = [&](int x, int y, int layer) {
-        return cell.base + static_cast<float>(x) * cell.per_x + static_cast<float>(y) * cell.per_y +
-               static_cast<float>(layer) * cell.per_layer + 2.0f;
-    };
-    const __m128 along_x = _mm_mul_ps(_mm_set1_ps(cell.per_x), _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f));
-    const __m128 along_y = _mm_mul_ps(_mm_set1_ps(cell.per_y), _mm_setr_ps(0.0f, 1.0f, 2.0f, 2.0f));
-    for (int layer = 0; layer < 3; ++layer) {
-        for (int y = cell.first_y; y < cell.first_y + 3; ++y) {
-            const int row = layer * stored + y, x = cell.first_x;
-            std::int16_t* four = samples + row * stored + x;
-            const __m128i before = _mm_cvtepi16_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(four)));
-            const __m128i after = raise_four(before, _mm_add_ps(_mm_set1_ps(ceiling_at(x, y, layer)), along_x), [&] {
-                return Four3{all(start.x[row]) + _mm256_loadu_pd(along.x + x), all(start.y[row]) + _mm256_loadu_pd(along.y + x),
-                             all(start.z[row]) + _mm256_loadu_pd(along.z + x)};
-            });
-            _mm_storel_epi64(reinterpret_cast<__m128i*>(four), _mm_packs_epi32(after, after));
-        }
-        if (cell.last_x - cell.first_x < static_cast<int>(lanes)) continue;
-        // The fifth of each row, three rows at a time and the last of them twice.
-        const int row = layer * stored + cell.first_y, x = cell.last_x;
-        std::int16_t *a = samples + row * stored + x, *b = a + stored, *c = b + stored;
-        const __m128i after = raise_four(_mm_setr_epi32(*a, *b, *c, *c),
-                                         _mm_add_ps(_mm_set1_ps(ceiling_at(x, cell.first_y, layer)), along_y), [&] {
-            const auto rows = [&](const double* of) { return _mm256_setr_pd(of[row], of[row + 1], of[row + 2], of[row + 2]); };
-            return Four3{rows(start.x) + all(along.x[x]), rows(start.y) + all(along.y[x]), rows(start.z) + all(along.z[x])};
-        });
-        *a = static_cast<std::int16_t>(_mm_extract_epi32(after, 0));
-        *b = static_cast<std::int16_t>(_mm_extract_epi32(after, 1));
-        *c = static_cast<std::int16_t>(_mm_extract_epi32(after, 2));
+    return {along(0), along(1), along(2)};
+}
+inline EightPoints turned_back(const SingleFrame& f, const EightPoints& d) noexcept {
+    const auto along = [&](int n) { return (eight(f.axis[n][0]) * d.x + eight(f.axis[n][1]) * d.y) + eight(f.axis[n][2]) * d.z; };
+    return {along(0), along(1), along(2)};
+}
+
+inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r) noexcept {
+    const Eight to_back = p.z - eight(o.back_z), to_front = eight(o.front_z) - p.z;
+    Eight depth = least(to_back, to_front), in_r = _mm256_setzero_ps();
+    Eight in_z = _mm256_blendv_ps(eight(1.0f), eight(-1.0f), less(to_front, to_back));
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const Eight here = to_face(o.face[n], r, p.z), is_less = less(here, depth);
+        depth = _mm256_blendv_ps(depth, here, is_less);
+        in_r = _mm256_blendv_ps(in_r, eight(o.face[n].normal_r), is_less);
+        in_z = _mm256_blendv_ps(in_z, eight(-o.face[n].normal_z), is_less);
     }
-    const auto across = [](__m128i four, auto better) {
-        four = better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(1, 0, 3, 2)));
-        return static_cast<std::int16_t>(_mm_cvtsi128_si32(better(four, _mm_shuffle_epi32(four, _MM_SHUFFLE(2, 3, 0, 1)))));
+    const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
+    return {inwards * p.x, inwards * p.y, in_z};
+}
+
+void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+             const kerf_vec3* points, Walls walls) noexcept {
+    const Steps<wide> steps(points, count);
+    for (std::size_t i = 0; i < count; i += wide) {
+        const Four3 a = load_points(steps[i]), b = load_points(steps[i] + 3 * lanes);
+        const auto single = [](Four low, Four high) { return _mm256_set_m128(_mm256_cvtpd_ps(high), _mm256_cvtpd_ps(low)); };
+        const EightPoints at{single(a.x, b.x), single(a.y, b.y), single(a.z, b.z)};
+        Eight best = _mm256_loadu_ps(walls.depth + i), which = _mm256_loadu_ps(reinterpret_cast<const float*>(walls.which + i));
+        EightPoints way{_mm256_loadu_ps(walls.x + i), _mm256_loadu_ps(walls.y + i), _mm256_loadu_ps(walls.z + i)};
+        for (std::size_t n = 0; n < solids; ++n) {
+            const SingleFrame& frame = solid_from_points[n];
+            const EightPoints p = moved(frame, at);
+            const Eight r = _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
+            Eight depth = depth_at_most(outline, r, p.z);
+            Eight is_deeper = less(best, depth);
+            if (!any(is_deeper)) continue;
+            if (outline.is_convex && any(_mm256_and_ps(is_deeper, less(depth, _mm256_setzero_ps()))))
+                depth = depth_from(outline, r, p.z, depth);
+            is_deeper = less(best, depth);
+            if (!any(is_deeper)) continue;
+            const EightPoints way_here = turned_back(frame, way_in(outline, p, r));
+            best = _mm256_blendv_ps(best, depth, is_deeper);
+            which = _mm256_blendv_ps(which, _mm256_castsi256_ps(all_ints(static_cast<std::int32_t>(n))), is_deeper);
+            way = {_mm256_blendv_ps(way.x, way_here.x, is_deeper), _mm256_blendv_ps(way.y, way_here.y, is_deeper),
+                   _mm256_blendv_ps(way.z, way_here.z, is_deeper)};
+        }
+        _mm256_storeu_ps(walls.depth + i, best);
+        _mm256_storeu_ps(reinterpret_cast<float*>(walls.which + i), which);
+        _mm256_storeu_ps(walls.x + i, way.x);
+        _mm256_storeu_ps(walls.y + i, way.y);
+        _mm256_storeu_ps(walls.z + i, way.z);
+    }
+}
+
+/// To the nearest quantum, of two the even one, kept within ± 32767.
+inline EightInts quantised(Eight depth, Eight per_quantum) noexcept {
+    const Eight q = depth * per_quantum;
+    return _mm256_cvtps_epi32(most(least(q, eight(32767.0f)), eight(-32767.0f)));
+}
+
+// The 27 samples of a cell's layer lie one after the other: in four steps, of which the last goes over five once more.
+constexpr int steps_of_layer = 4, step_start[steps_of_layer] = {0, 8, 16, 19};
+struct LanePlaces {
+    float x[steps_of_layer][wide], y[steps_of_layer][wide];
+
+    constexpr LanePlaces() noexcept : x{}, y{} {
+        for (int n = 0; n < steps_of_layer; ++n)
+            for (int lane = 0; lane < static_cast<int>(wide); ++lane) {
+                x[n][lane] = static_cast<float>((step_start[n] + lane) % stored);
+                y[n][lane] = static_cast<float>((step_start[n] + lane) / stored);
+            }
+    }
+};
+alignas(32) constexpr LanePlaces lane_places;
+
+bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong too
+    // often.
+    constexpr int steps = 3 * steps_of_layer;
+    const Eight farthest = eight(-band), scale = eight(per_quantum), zero = _mm256_setzero_ps();
+    const auto& along = cell.along;
+    const auto step_at = [&](int n) {
+        return reinterpret_cast<__m128i*>(samples + n / steps_of_layer * stored * stored + step_start[n % steps_of_layer]);
     };
-    lowest = across(least_value, [](__m128i a, __m128i b) { return _mm_min_epi32(a, b); });
-    highest = across(most_value, [](__m128i a, __m128i b) { return _mm_max_epi32(a, b); });
-    return _mm_movemask_epi8(raised) != 0;
+    Eight radius[steps], height[steps], depth[steps], may_rise = zero, may_rise_outside = zero;
+    EightInts before[steps], value[steps];
+    EightPoints up[3];
+    for (int layer = 0; layer < 3; ++layer) {
+        const Eight k = eight(cell.first[2] + static_cast<float>(layer));
+        up[layer] = {k * eight(along[2][0]), k * eight(along[2][1]), k * eight(along[2][2])};
+    }
+    for (int n = 0; n < steps_of_layer; ++n) {
+        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_places.x[n]), j = eight(cell.first[1]) + _mm256_loadu_ps(lane_places.y[n]);
+        const auto row = [&](int axis) { return (eight(cell.origin[axis]) + i * eight(along[0][axis])) + j * eight(along[1][axis]); };
+        const EightPoints start{row(0), row(1), row(2)};
+        for (int layer = 0; layer < 3; ++layer) {
+            const int at = layer * steps_of_layer + n;
+            const Eight x = start.x + up[layer].x, y = start.y + up[layer].y, z = start.z + up[layer].z;
+            radius[at] = _mm256_sqrt_ps(x * x + y * y);
+            height[at] = z;
+        }
+    }
+    const auto rises = [&](int n) {
+        return _mm256_and_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(value[n], before[n])), not_less(depth[n], farthest));
+    };
+    for (int n = 0; n < steps; ++n) {
+        before[n] = _mm256_cvtepi16_epi32(_mm_loadu_si128(step_at(n)));
+        depth[n] = depth_at_most(outline, radius[n], height[n]);
+        value[n] = quantised(depth[n], scale);
+        const Eight rises_here = rises(n);
+        may_rise = _mm256_or_ps(may_rise, rises_here);
+        may_rise_outside = _mm256_or_ps(may_rise_outside, _mm256_and_ps(rises_here, less(depth[n], zero)));
+    }
+    if (!any(may_rise)) return false;
+    if (outline.is_convex && cell.has_edges && any(may_rise_outside))
+        for (int n = 0; n < steps; ++n) {
+            depth[n] = depth_from(outline, radius[n], height[n], depth[n]);
+            value[n] = quantised(depth[n], scale);
+        }
+    __m128i least_value = _mm_set1_epi16(32767), most_value = _mm_set1_epi16(-32767);
+    Eight is_raised = zero;
+    for (int n = 0; n < steps; ++n) {
+        const Eight rises_here = rises(n);
+        is_raised = _mm256_or_ps(is_raised, rises_here);
+        const EightInts raised = _mm256_blendv_epi8(before[n], value[n], _mm256_castps_si256(rises_here));
+        const __m128i after = _mm_packs_epi32(_mm256_castsi256_si128(raised), _mm256_extracti128_si256(raised, 1));
+        _mm_storeu_si128(step_at(n), after);
+        least_value = _mm_min_epi16(least_value, after);
+        most_value = _mm_max_epi16(most_value, after);
+    }
+    std::int16_t each[2][wide];
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[0]), least_value);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(each[1]), most_value);
+    lowest = each[0][0];
+    highest = each[1][0];
+    for (std::size_t lane = 1; lane < wide; ++lane) {
+        lowest = each[0][lane] < lowest ? each[0][lane] : lowest;
+        highest = each[1][lane] > highest ? each[1][lane] : highest;
+    }
+    return any(is_raised);
+}
+
+void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept {
+    const __m256i below = _mm256_set1_epi16(low), above = _mm256_set1_epi16(high);
+    const auto outside = [&](const std::int16_t* at) {
+        const __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at));
+        return _mm256_or_si256(_mm256_cmpgt_epi16(below, v), _mm256_cmpgt_epi16(v, above));
+    };
+    for (int layer = 0; layer < 3; ++layer) {
+        const std::int16_t* at = samples + layer * stored * stored;
+        // Sixteen of the 27, and from the twelfth on sixteen
+        const __m256i both = _mm256_packs_epi16(outside(at), outside(at + 11));
+        const auto bits = static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));
+        found[layer] = (bits & 0xffffu) | (bits >> 16) << 11;
+    }
 }
 
 }  // namespace
@@ -352,14 +707,18 @@ bool raise(const OutlineShape& outline, const SampleCell& cell, double band, dou
 constinit const BlockKernel avx2_kernel_table{
     .name = "avx2",
     .transform = transform,
-    .locate = locate,
-    .trilinear_int16 = trilinear_int16,
-    .trilinear_float = trilinear_float,
-    .gradient_int16 = gradient_int16,
-    .unit = unit,
+    .move = move,
+    .place = place,
+    .values = values,
+    .metres = metres,
+    .densities = densities,
+    .slopes = slopes,
+    .answer = answer,
     .depths = depths,
     .tangents = tangents,
+    .deepest = deepest,
     .raise = raise,
+    .find = find,
 };
 
 }  // namespace kerf

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference: stage by stage, in loops that a compiler takes for several points at a time.
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/field/block_kernel.h"
 #include "core/field/point_block.h"
@@ -21,95 +23,164 @@ void transform(const Pose &a_from_b, std::size_t count, ConstCoordinates in_b, C
     }
 }
 
-void locate(const LatticeShape &shape, std::size_t count, ConstCoordinates points, Places places) noexcept {
-    const LatticeShape grid = shape;
-    const double *__restrict px = points.x, *__restrict py = points.y, *__restrict pz = points.z;
-    std::int32_t *__restrict bricks = places.brick, *__restrict offsets = places.offset;
-    double *__restrict fx = places.fraction.x, *__restrict fy = places.fraction.y, *__restrict fz = places.fraction.z;
-    const double per_metre = 1.0 / grid.spacing;
-    const double nx = grid.samples[0], ny = grid.samples[1], nz = grid.samples[2];
+void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, Coordinates in_a) noexcept {
+    const Frame frame = a_from_b;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 p = frame * in_b[i];
+        in_a.x[i] = p.x;
+        in_a.y[i] = p.y;
+        in_a.z[i] = p.z;
+    }
+}
+
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points, Places places,
+           PointBox& box) noexcept {
+    const Frame frame = fixed_from_points;
+    const double one = static_cast<double>(std::int64_t{1} << grid.bits);
+    const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
+    const std::int32_t behind = (1 << grid.bits) - 1;
+    const float unit = static_cast<float>(1.0 / one);
+    constexpr double far = std::numeric_limits<double>::infinity();
+    box = {{far, far, far}, {-far, -far, -far}};
     for (std::size_t n = 0; n < count; ++n) {
-        const double gx = (px[n] - grid.origin[0]) * per_metre;
-        const double gy = (py[n] - grid.origin[1]) * per_metre;
-        const double gz = (pz[n] - grid.origin[2]) * per_metre;
-        // Written so that NaN is outside; `&` because a jump would stop the others.
-        const bool is_inside = (gx >= 0.0) & (gy >= 0.0) & (gz >= 0.0) & (gx < nx) & (gy < ny) & (gz < nz);
-        const double x = is_inside ? gx : 0.0, y = is_inside ? gy : 0.0, z = is_inside ? gz : 0.0;
-        const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y), k = static_cast<std::int32_t>(z);
-        const std::int32_t brick = (k / brick_edge * grid.column + j / brick_edge) * grid.row + i / brick_edge;
-        bricks[n] = is_inside ? brick : PlaceBlock::outside;
-        offsets[n] = ((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge;
-        fx[n] = x - i;
-        fy[n] = y - j;
-        fz[n] = z - k;
+        const double p[3] = {points[n].x, points[n].y, points[n].z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.low[axis] = p[axis] < box.low[axis] ? p[axis] : box.low[axis];
+            box.high[axis] = p[axis] > box.high[axis] ? p[axis] : box.high[axis];
+        }
+        Vec3 g = frame * points[n];
+        if (grid.is_bounded) {
+            g = {kept(g.x, grid.low[0], grid.high[0]), kept(g.y, grid.low[1], grid.high[1]),
+                 kept(g.z, grid.low[2], grid.high[2])};
+        }
+        // Written so that NaN is outside.
+        const bool is_inside = (g.x > -1.0) & (g.y > -1.0) & (g.z > -1.0) & (g.x < grid.end[0]) & (g.y < grid.end[1]) & (g.z < grid.end[2]);
+        const auto x = static_cast<std::int32_t>(is_inside ? g.x : 0.0), y = static_cast<std::int32_t>(is_inside ? g.y : 0.0),
+                   z = static_cast<std::int32_t>(is_inside ? g.z : 0.0);
+        const std::int32_t i = x >> grid.bits, j = y >> grid.bits, k = z >> grid.bits;
+        const std::int32_t brick = k / brick_edge * grid.layer + j / brick_edge * grid.row + i / brick_edge;
+        places.brick[n] = is_inside ? brick : grid.brick_count;
+        places.offset[n] = ((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge;
+        places.x[n] = static_cast<float>(x & behind) * unit;
+        places.y[n] = static_cast<float>(y & behind) * unit;
+        places.z[n] = static_cast<float>(z & behind) * unit;
     }
 }
 
 /// The samples at the eight corners of each point's cell, x fastest.
-template <class Sample, class Value>
-void gather(const Sample* const* corner, std::size_t count, std::array<std::array<Value, block_capacity>, 8>& c) noexcept {
-    constexpr int y = stored_edge, z = stored_edge * stored_edge;
+class Corners {
+public:
+    /// `first(i)`: the low corner of point i.
+    template <class First>
+    Corners(std::size_t count, const First& first) noexcept {
+        constexpr int y = stored_edge, z = stored_edge * stored_edge;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto* v = first(i);
+            at_[0][i] = static_cast<float>(v[0]);
+            at_[1][i] = static_cast<float>(v[1]);
+            at_[2][i] = static_cast<float>(v[y]);
+            at_[3][i] = static_cast<float>(v[y + 1]);
+            at_[4][i] = static_cast<float>(v[z]);
+            at_[5][i] = static_cast<float>(v[z + 1]);
+            at_[6][i] = static_cast<float>(v[z + y]);
+            at_[7][i] = static_cast<float>(v[z + y + 1]);
+        }
+    }
+    const FloatBlock& operator[](std::size_t n) const noexcept { return at_[n]; }
+
+private:
+    std::array<FloatBlock, 8> at_;
+};
+Corners corners_in(const FieldShape& field, std::size_t count, ConstPlaces places) noexcept {
+    return Corners(count, [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
+}
+
+/// Where nothing is stored, of whatever is stored first.
+Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places) noexcept {
+    return Corners(count, [&](std::size_t i) { return samples + std::max(start[places.brick[i]], 0) + places.offset[i]; });
+}
+
+inline float lerp(float a, float b, float t) noexcept { return a + (b - a) * t; }
+
+void interpolate(const Corners& c, std::size_t count, ConstPlaces places, float* __restrict values) noexcept {
+    const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
-        const Sample* v = corner[i];
-        c[0][i] = v[0];
-        c[1][i] = v[1];
-        c[2][i] = v[y];
-        c[3][i] = v[y + 1];
-        c[4][i] = v[z];
-        c[5][i] = v[z + 1];
-        c[6][i] = v[z + y];
-        c[7][i] = v[z + y + 1];
+        const float c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
+        const float c01 = lerp(c[4][i], c[5][i], fx[i]), c11 = lerp(c[6][i], c[7][i], fx[i]);
+        values[i] = lerp(lerp(c00, c10, fy[i]), lerp(c01, c11, fy[i]), fz[i]);
     }
 }
 
-template <class Sample>
-void interpolate(const Sample *const *corner, std::size_t count, ConstCoordinates fraction, double quantum,
-                 double *values) noexcept {
-    std::array<std::array<Sample, block_capacity>, 8> c;
-    gather(corner, count, c);
-    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
-    const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
-    double *__restrict to = values;
+void values(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept {
+    interpolate(corners_in(field, count, places), count, places, values);
+}
+
+/// [quanta] to [m], the ends of the range exactly.
+inline double metres_of(float value, double quantum, double clamp) noexcept {
+    return value >= 32767.0f ? clamp : (value <= -32767.0f ? -clamp : quantum * static_cast<double>(value));
+}
+
+void metres(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp,
+            double* __restrict values) noexcept {
+    FloatBlock quanta;
+    kerf::portable_kernel().values(field, count, places, quanta.data());
+    for (std::size_t i = 0; i < count; ++i) values[i] = metres_of(quanta[i], quantum, clamp);
+}
+
+void densities(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+               float* values) noexcept {
+    interpolate(corners_in(start, samples, count, places), count, places, values);
+    for (std::size_t i = 0; i < count; ++i) values[i] = start[places.brick[i]] < 0 ? elsewhere : values[i];
+}
+
+void slopes_of(const FieldShape& field, std::size_t count, ConstPlaces places, SlopeBlock& slopes) noexcept {
+    const Corners c = corners_in(field, count, places);
+    const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
-        const double c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
-        const double c01 = lerp(c[4][i], c[5][i], fx[i]), c11 = lerp(c[6][i], c[7][i], fx[i]);
-        to[i] = quantum * lerp(lerp(c00, c10, fy[i]), lerp(c01, c11, fy[i]), fz[i]);
+        const float x00 = c[1][i] - c[0][i], x10 = c[3][i] - c[2][i];
+        const float x01 = c[5][i] - c[4][i], x11 = c[7][i] - c[6][i];
+        const float c00 = c[0][i] + x00 * fx[i], c10 = c[2][i] + x10 * fx[i];
+        const float c01 = c[4][i] + x01 * fx[i], c11 = c[6][i] + x11 * fx[i];
+        const float y0 = c10 - c00, y1 = c11 - c01;
+        const float c0 = c00 + y0 * fy[i], c1 = c01 + y1 * fy[i];
+        slopes.x[i] = lerp(lerp(x00, x10, fy[i]), lerp(x01, x11, fy[i]), fz[i]);
+        slopes.y[i] = lerp(y0, y1, fz[i]);
+        slopes.z[i] = c1 - c0;
+        slopes.value[i] = c0 + (c1 - c0) * fz[i];
     }
 }
 
-void gradient(const std::int16_t* const* corner, std::size_t count, ConstCoordinates fraction, double quantum,
-              double* values, Coordinates gradient) noexcept {
-    std::array<std::array<double, block_capacity>, 8> c;
-    gather(corner, count, c);
-    const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
-    const double *__restrict fx = fraction.x, *__restrict fy = fraction.y, *__restrict fz = fraction.z;
-    double *__restrict to = values, *__restrict gx = gradient.x, *__restrict gy = gradient.y, *__restrict gz = gradient.z;
+float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept {
+    SlopeBlock a, b;
+    slopes_of(bone, count, places, a);
+    slopes_of(cut, count, places, b);
+    float least = 32767.0f;
     for (std::size_t i = 0; i < count; ++i) {
-        const double x00 = c[1][i] - c[0][i], x10 = c[3][i] - c[2][i];
-        const double x01 = c[5][i] - c[4][i], x11 = c[7][i] - c[6][i];
-        const double c00 = c[0][i] + x00 * fx[i], c10 = c[2][i] + x10 * fx[i];
-        const double c01 = c[4][i] + x01 * fx[i], c11 = c[6][i] + x11 * fx[i];
-        const double y0 = c10 - c00, y1 = c11 - c01;
-        const double c0 = c00 + y0 * fy[i], c1 = c01 + y1 * fy[i];
-        gx[i] = lerp(lerp(x00, x10, fy[i]), lerp(x01, x11, fy[i]), fz[i]);
-        gy[i] = lerp(y0, y1, fz[i]);
-        gz[i] = c1 - c0;
-        to[i] = quantum * (c0 + (c1 - c0) * fz[i]);
+        const bool is_cut = a.value[i] < b.value[i];
+        larger.value[i] = is_cut ? b.value[i] : a.value[i];
+        larger.x[i] = is_cut ? b.x[i] : a.x[i];
+        larger.y[i] = is_cut ? b.y[i] : a.y[i];
+        larger.z[i] = is_cut ? b.z[i] : a.z[i];
+        least = larger.value[i] < least ? larger.value[i] : least;
     }
+    return least;
 }
 
-void unit(const Quat& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
-    const Quat q = a_from_b;
-    const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
-    double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
+void answer(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept {
+    const auto& in_tool = surface.in_tool;
     for (std::size_t i = 0; i < count; ++i) {
-        const double l = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-        const double nx = x[i] / l, ny = y[i] / l, nz = z[i] / l;
-        const bool has_length = l > 0.0;
-        const Vec3 n = rotate(q, {has_length ? nx : 0.0, has_length ? ny : 0.0, has_length ? nz : 0.0});
-        to_x[i] = n.x;
-        to_y[i] = n.y;
-        to_z[i] = n.z;
+        const float v = slopes.value[i], x = slopes.x[i], y = slopes.y[i], z = slopes.z[i];
+        const float length = std::sqrt((x * x + y * y) + z * z), per_length = length > 0.0f ? 1.0f / length : 0.0f;
+        const bool is_near = v < 32767.0f && v > -32767.0f;
+        const float to_unit = is_near ? per_length : 0.0f;
+        const float nx = x * to_unit, ny = y * to_unit, nz = z * to_unit;
+        kerf_surface_point& a = answers[i];
+        a.distance = metres_of(v, surface.quantum, surface.clamp);
+        a.normal = {static_cast<double>((in_tool[0][0] * nx + in_tool[1][0] * ny) + in_tool[2][0] * nz),
+                    static_cast<double>((in_tool[0][1] * nx + in_tool[1][1] * ny) + in_tool[2][1] * nz),
+                    static_cast<double>((in_tool[0][2] * nx + in_tool[1][2] * ny) + in_tool[2][2] * nz)};
+        a.body = is_near ? 0 : -1;
+        a.reserved = 0;
     }
 }
 
@@ -243,55 +314,164 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     }
 }
 
-bool raise(const OutlineShape& outline, const SampleCell& cell, double band, double quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest) noexcept {
-    constexpr std::size_t rows = 9;
-    const auto first = static_cast<std::size_t>(cell.first_x), width = static_cast<std::size_t>(cell.last_x) - first + 1;
-    BlockValues x, y, z, depth;
-    std::array<std::int16_t, block_capacity> value;
-    const auto place = [&](std::size_t row) { return row / 3 * 9 + static_cast<std::size_t>(cell.first_y) + row % 3; };
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t n = first; n < first + width; ++n, ++count) {
-            x[count] = cell.row.x[place(row)] + cell.along.x[n];
-            y[count] = cell.row.y[place(row)] + cell.along.y[n];
-            z[count] = cell.row.z[place(row)] + cell.along.z[n];
-            value[count] = samples[place(row) * stored_edge + n];
-        }
-    depths(outline, count, {x.data(), y.data(), z.data()}, depth.data());
-    // Without jumps: quanta kept within their range and rounded, half away from zero.
-    const double per_quantum = 1.0 / quantum;
-    int raised = 0;
-    std::int16_t least = 32767, most = -32767;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double q = depth[i] * per_quantum;
-        const double kept = q >= 32767.0 ? 32767.0 : (q <= -32767.0 ? -32767.0 : q);
-        const auto rounded = static_cast<std::int32_t>(kept + (q >= 0.0 ? 0.5 : -0.5));
-        const auto cut = static_cast<std::int16_t>(-depth[i] > band ? -32767 : rounded);
-        raised |= cut > value[i];
-        value[i] = cut > value[i] ? cut : value[i];
-        least = value[i] < least ? value[i] : least;
-        most = value[i] > most ? value[i] : most;
+inline float smaller(float a, float b) noexcept { return a < b ? a : b; }
+inline float larger(float a, float b) noexcept { return a > b ? a : b; }
+inline float to_face(const OutlineFace& f, float r, float z) noexcept { return f.offset - (f.normal_r * r + f.normal_z * z); }
+
+/// To the nearest point of the outline, squared.
+float squared_distance(const SingleOutline& o, float r, float z) noexcept {
+    float nearest2 = 1e30f;
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const float dr = r - f.radius, dz = z - f.z;
+        const float t = smaller(1.0f, larger(0.0f, (dr * f.along_r + dz * f.along_z) * f.inverse_length2));
+        const float off_r = dr - t * f.along_r, off_z = dz - t * f.along_z;
+        nearest2 = smaller(off_r * off_r + off_z * off_z, nearest2);
     }
-    lowest = least;
-    highest = most;
-    if (raised == 0) return false;
-    for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t n = 0; n < width; ++n) samples[place(row) * stored_edge + first + n] = value[row * width + n];
+    const auto to_cap2 = [&](float radius, float at) {
+        const float dr = larger(r - radius, 0.0f), dz = z - at;
+        return dr * dr + dz * dz;
+    };
+    if (o.front_radius > 0.0f) nearest2 = smaller(to_cap2(o.front_radius, o.front_z), nearest2);
+    return smaller(to_cap2(o.back_radius, o.back_z), nearest2);
+}
+/// In a convex solid to the plane of the nearest face, in any other the depth itself.
+float depth_at_most(const SingleOutline& o, float r, float z) noexcept {
+    if (o.is_convex) {
+        float depth = smaller(z - o.back_z, o.front_z - z);
+        for (std::size_t n = 0; n < o.count; ++n) depth = smaller(to_face(o.face[n], r, z), depth);
+        return depth;
+    }
+    float wall = o.back_radius;
+    for (std::size_t n = o.count; n > 0; --n) {
+        const OutlineFace& f = o.face[n - 1];
+        wall = z < (n < o.count ? o.face[n].z : o.back_z) ? wall : f.radius + f.slope * (f.z - z);
+    }
+    const float distance = std::sqrt(squared_distance(o, r, z));
+    return z < o.front_z && o.back_z < z && r < wall ? distance : -distance;
+}
+/// The depth from that: in a convex solid less where a point is outside and beyond the edges of its nearest face.
+float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept {
+    if (!o.is_convex || !(depth < 0.0f)) return depth;
+    bool is_beside = (o.front_z - z == depth && o.front_radius >= r) || (z - o.back_z == depth && o.back_radius >= r);
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const OutlineFace& f = o.face[n];
+        const float along = ((r - f.radius) * f.along_r + (z - f.z) * f.along_z) * f.inverse_length2;
+        is_beside = is_beside || (to_face(f, r, z) == depth && along >= 0.0f && 1.0f >= along);
+    }
+    return is_beside ? depth : smaller(-std::sqrt(squared_distance(o, r, z)), depth);
+}
+
+struct SinglePoint {
+    float x, y, z;
+};
+SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
+    const auto along = [&](int n) { return ((f.axis[0][n] * p.x + f.axis[1][n] * p.y) + f.axis[2][n] * p.z) + f.origin[n]; };
+    return {along(0), along(1), along(2)};
+}
+/// Pre: a rotation.
+SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
+    const auto along = [&](int n) { return (f.axis[n][0] * d.x + f.axis[n][1] * d.y) + f.axis[n][2] * d.z; };
+    return {along(0), along(1), along(2)};
+}
+
+/// The way in from a point inside, in the frame of the solid.
+SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
+    float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f, in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
+    for (std::size_t n = 0; n < o.count; ++n) {
+        const float here = to_face(o.face[n], r, p.z);
+        const bool is_less = here < depth;
+        depth = is_less ? here : depth;
+        in_r = is_less ? o.face[n].normal_r : in_r;
+        in_z = is_less ? -o.face[n].normal_z : in_z;
+    }
+    const float inwards = r > 0.0f ? -in_r / r : 0.0f;
+    return {inwards * p.x, inwards * p.y, in_z};
+}
+
+void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
+             const Vec3* points, Walls walls) noexcept {
+    for (std::size_t n = 0; n < solids; ++n) {
+        const SingleFrame& frame = solid_from_points[n];
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec3 point = points[i];
+            const SinglePoint p = moved(frame, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+            const float r = std::sqrt(p.x * p.x + p.y * p.y);
+            float depth = depth_at_most(outline, r, p.z);
+            if (!(depth > walls.depth[i])) continue;
+            depth = depth_from(outline, r, p.z, depth);
+            if (!(depth > walls.depth[i])) continue;
+            const SinglePoint way = turned_back(frame, way_in(outline, p, r));
+            walls.depth[i] = depth;
+            walls.which[i] = static_cast<std::int32_t>(n);
+            walls.x[i] = way.x;
+            walls.y[i] = way.y;
+            walls.z[i] = way.z;
+        }
+    }
+}
+
+/// To the nearest quantum, of two the even one, kept within ± 32767.
+std::int32_t quantised(float depth, float per_quantum) noexcept {
+    return static_cast<std::int32_t>(std::lrint(larger(smaller(depth * per_quantum, 32767.0f), -32767.0f)));
+}
+
+bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
+           std::int16_t& lowest, std::int16_t& highest) noexcept {
+    const auto& at = cell.along;
+    bool is_raised = false;
+    std::int32_t least = 32767, most = -32767;
+    for (int z = 0; z < 3; ++z)
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < stored_edge; ++x) {
+                const float i = cell.first[0] + static_cast<float>(x), j = cell.first[1] + static_cast<float>(y),
+                            k = cell.first[2] + static_cast<float>(z);
+                const auto place = [&](int n) { return ((cell.origin[n] + i * at[0][n]) + j * at[1][n]) + k * at[2][n]; };
+                const float px = place(0), py = place(1), pz = place(2), r = std::sqrt(px * px + py * py);
+                std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
+                const float at_most = depth_at_most(outline, r, pz);
+                if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
+                    const float depth = depth_from(outline, r, pz, at_most);
+                    const std::int32_t value = quantised(depth, per_quantum);
+                    if (depth >= -band && value > sample) {
+                        sample = static_cast<std::int16_t>(value);
+                        is_raised = true;
+                    }
+                }
+                least = std::min<std::int32_t>(least, sample);
+                most = std::max<std::int32_t>(most, sample);
+            }
+    if (!is_raised) return false;
+    lowest = static_cast<std::int16_t>(least);
+    highest = static_cast<std::int16_t>(most);
     return true;
+}
+
+void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept {
+    for (int layer = 0; layer < 3; ++layer) {
+        found[layer] = 0;
+        for (int n = 0; n < 3 * stored_edge; ++n) {
+            const std::int16_t v = samples[layer * stored_edge * stored_edge + n];
+            found[layer] |= static_cast<std::uint32_t>(v >= low && v <= high) << n;
+        }
+    }
 }
 
 constexpr BlockKernel table{
     .name = "portable",
     .transform = transform,
-    .locate = locate,
-    .trilinear_int16 = interpolate<std::int16_t>,
-    .trilinear_float = interpolate<float>,
-    .gradient_int16 = gradient,
-    .unit = unit,
+    .move = move,
+    .place = place,
+    .values = values,
+    .metres = metres,
+    .densities = densities,
+    .slopes = slopes,
+    .answer = answer,
     .depths = depths,
     .tangents = tangents,
+    .deepest = deepest,
     .raise = raise,
+    .find = find,
 };
 
 }  // namespace

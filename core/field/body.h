@@ -42,11 +42,13 @@ struct Body {
 [[nodiscard]] inline BrickPlace locate(const Body& body, Vec3 point_in_body) noexcept {
     return locate(body.grid(), body.region.nearest(point_in_body));
 }
-inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBlock& places) noexcept {
-    if (body.region.is_everywhere()) return locate(body.grid(), points_in_body, places);
-    PointBlock within;
-    clamp(points_in_body, body.region.low, body.region.high, within);
-    locate(body.grid(), within, places);
+
+inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 32767.0);
+
+/// Share of a level set's inside at distance `d` [quanta], over a ramp of `ramp` voxels: 1 inside, ½ on the border.
+[[nodiscard]] inline float coverage(float d, float ramp = 0.25f) noexcept {
+    const float c = 0.5f - d * (quantum_in_voxels / ramp);
+    return c < 0.0f ? 0.0f : (c > 1.0f ? 1.0f : c);
 }
 
 /// Distance to the bone before any cut [m].   [any] pure, nonblocking.
@@ -55,46 +57,41 @@ inline void locate(const Body& body, const PointBlock& points_in_body, PlaceBloc
     return body.hollow.is_empty() ? distance : std::max(distance, -body.hollow.at(place));
 }
 
-/// Share of a level set's inside at distance `d`, over a ramp of a quarter voxel: 1 inside, ½ on the border.
-[[nodiscard]] inline double coverage(double d, double spacing) noexcept {
-    const double c = 0.5 - d * (4.0 / spacing);
-    return c < 0.0 ? 0.0 : (c > 1.0 ? 1.0 : c);
-}
-
-/// Share of an edge that is in bone, `uncut` and `cut` [m] the distances to the bone before any cut and to what was
+/// Share of an edge that is in bone, `uncut` and `cut` [quanta] the distances to the bone before any cut and to what was
 /// removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a ramp of
-/// no more: the end of a lip runs along the wall of its own hole and must not feel it.
-[[nodiscard]] inline double engagement(double uncut, double cut, double spacing) noexcept {
-    const double there = coverage(uncut, spacing), left = coverage(cut, 0.4 * spacing);
+/// little more: the end of a lip runs along the wall of its own hole and must not feel it.
+[[nodiscard]] inline float engagement(float uncut, float cut) noexcept {
+    const float there = coverage(uncut), left = coverage(cut, 0.1f);
     return there < left ? there : left;
 }
 
 /// Weights of the materials at a place: front to back, a partition of unity (resolutions B2).
 inline void material_weights(const Body& body, const BrickPlace& place, double (&weight)[KERF_MAX_TISSUES]) noexcept {
-    double left = 1.0;
+    float left = 1.0f;
     const std::size_t last = body.materials.size() - 1;
     for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) weight[m] = 0.0;
     for (std::size_t m = 0; m < last; ++m) {
-        weight[m] = left * coverage(body.materials[m].border.at(place), body.grid().spacing);
-        left -= weight[m];
+        const float share = left * coverage(body.materials[m].border.quanta_at(place));
+        weight[m] = static_cast<double>(share);
+        left -= share;
     }
-    weight[last] = left;
+    weight[last] = static_cast<double>(left);
 }
 
 /// The same for a block, material by material.
 inline void material_weights(const Body& body, const PlaceBlock& places,
-                             std::array<BlockValues, KERF_MAX_TISSUES>& weight) noexcept {
-    BlockValues left, border;
-    for (std::size_t i = 0; i < places.count; ++i) left[i] = 1.0;
+                             std::array<FloatBlock, KERF_MAX_TISSUES>& weight) noexcept {
     const std::size_t last = body.materials.size() - 1;
+    FloatBlock& left = weight[last];
+    left.fill(1.0f);
+    FloatBlock border;
     for (std::size_t m = 0; m < last; ++m) {
-        body.materials[m].border.at(places, border);
+        body.materials[m].border.quanta_at(places, border);
         for (std::size_t i = 0; i < places.count; ++i) {
-            weight[m][i] = left[i] * coverage(border[i], body.grid().spacing);
+            weight[m][i] = left[i] * coverage(border[i]);
             left[i] -= weight[m][i];
         }
     }
-    for (std::size_t i = 0; i < places.count; ++i) weight[last][i] = left[i];
 }
 
 }  // namespace kerf

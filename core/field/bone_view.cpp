@@ -7,83 +7,81 @@ namespace kerf {
 
 namespace {
 
+/// Calls `ask(first, count)` for blocks of the points.
+template <class Ask>
+void in_blocks(std::uint32_t count, const Ask& ask) noexcept {
+    for (std::size_t first = 0; first < count; first += block_capacity) ask(first, std::min(block_capacity, count - first));
+}
+
 /// Member by member: to clear the whole struct at once took longer than all other stages of a question.
-void put_air(kerf_bone_sample& s, double engagement) noexcept {
-    s.engagement = engagement;
-    s.gap = 0.0;
+void put_air(kerf_bone_sample& s) noexcept {
+    s.engagement = s.gap = 0.0;
     for (double& weight : s.weight) weight = 0.0;
     for (double& density : s.density) density = 0.0;
     s.body = -1;
     s.reserved = 0;
 }
 
+/// Whether a point lies beyond the region's faces across an axis.
+bool is_beyond(const Lattice& grid, std::size_t axis, double at) noexcept { return at < grid.low[axis] || at > grid.high[axis]; }
+/// On a face nothing is cut any more.
+bool can_be_cut(const Lattice& grid, Vec3 p) noexcept {
+    return p.x > grid.low[0] && p.y > grid.low[1] && p.z > grid.low[2] && p.x < grid.high[0] && p.y < grid.high[1] && p.z < grid.high[2];
+}
+
 }  // namespace
 
 void BoneView::sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
-    const Vec3 direction_in_body = rotate(body_from_tool_.rotation, direction);
-    PointBlock block;
-    for (std::size_t first = 0; first < count; first += block_capacity) {
-        transform(body_from_tool_, points + first, std::min(block_capacity, count - first), block);
-        sample_block(block, direction_in_body, out + first);
-    }
+    const GridFrame grid(body_->grid(), body_->region, frame_of(body_from_tool_));
+    in_blocks(count, [&](std::size_t first, std::size_t n) { sample_block(grid, points + first, n, direction, out + first); });
 }
 
-void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
-    PointBlock block;
-    for (std::size_t first = 0; first < count; first += block_capacity) {
-        transform(body_from_tool_, points + first, std::min(block_capacity, count - first), block);
-        nearest_block(block, out + first);
-    }
-}
-
-void BoneView::committed_distance(const PlaceBlock& places, BlockValues& distances) const noexcept {
-    BlockValues cut;
-    body_->surface.at(places, distances);
-    committed_->at(places, cut);
-    for (std::size_t i = 0; i < places.count; ++i) distances[i] = distances[i] < cut[i] ? cut[i] : distances[i];
-}
-
-void BoneView::sample_block(const PointBlock& points, Vec3 direction, kerf_bone_sample* out) const noexcept {
+void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size_t count, Vec3 direction,
+                            kerf_bone_sample* out) const noexcept {
     PlaceBlock places;
-    BlockValues uncut, cut, engagement;
-    locate(*body_, points, places);
-    body_->surface.at(places, uncut);
-    committed_->at(places, cut);
-    const double h = body_->grid().spacing;
-    for (std::size_t i = 0; i < points.count; ++i) engagement[i] = kerf::engagement(uncut[i], cut[i], h);
-
-    // Whatever lies in air is answered; the others go on.
-    std::array<std::uint8_t, block_capacity> lane;
-    PointBlock engaged;
-    PlaceBlock engaged_places;
-    for (std::size_t i = 0; i < points.count; ++i) {
-        put_air(out[i], engagement[i]);
-        if (engagement[i] <= 0.0) continue;
-        lane[engaged.count] = static_cast<std::uint8_t>(i);
-        engaged.add(points[i]);
-        engaged_places.add(places, i);
+    FloatBlock uncut, cut, engagement;
+    grid.locate(points, count, places);
+    body_->surface.quanta_at(places, uncut);
+    committed_->quanta_at(places, cut);
+    std::size_t engaged_count = 0;
+    for (std::size_t i = 0; i < count; ++i) engagement[i] = kerf::engagement(uncut[i], cut[i]);
+    for (std::size_t i = 0; i < count; ++i) engaged_count += engagement[i] > 0.0f;
+    if (engaged_count == 0) {
+        std::for_each(out, out + count, put_air);
+        return;
     }
-    if (engaged.count == 0) return;
 
-    BlockValues gap;
-    std::array<BlockValues, KERF_MAX_TISSUES> weight;
-    tracker_->gap(engaged, direction, gap);
-    material_weights(*body_, engaged_places, weight);
-    for (std::size_t i = 0; i < engaged.count; ++i) {
-        kerf_bone_sample& s = out[lane[i]];
-        s.body = 0;
-        s.gap = body_->region.contains(engaged[i]) ? gap[i] : 0.0;
-        for (std::size_t m = 0; m < body_->materials.size(); ++m) {
-            s.weight[m] = weight[m][i];
-            s.density[m] = body_->materials[m].density;
-        }
-    }
-    for (std::size_t m = 0; m < body_->materials.size(); ++m) {
+    // The way to the front is told one by one and only of those in bone; tissues of all, in the same steps.
+    std::array<Vec3, block_capacity> engaged;
+    BlockValues gap_of_engaged;
+    std::size_t engaged_so_far = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (engagement[i] > 0.0f) engaged[engaged_so_far++] = points[i];
+    tracker_->gap(body_from_tool_, engaged.data(), engaged_count, direction, gap_of_engaged);
+
+    std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
+    const std::size_t tissues = body_->materials.size();
+    material_weights(*body_, places, weight);
+    for (std::size_t m = 0; m < tissues; ++m) {
         const Material& material = body_->materials[m];
-        if (material.densities.is_empty()) continue;
-        BlockValues density;
-        material.densities.at(engaged_places, material.density, density);
-        for (std::size_t i = 0; i < engaged.count; ++i) out[lane[i]].density[m] = density[i];
+        if (material.densities.is_empty())
+            density[m].fill(static_cast<float>(material.density));
+        else
+            material.densities.at(places, material.density, density[m]);
+    }
+    engaged_so_far = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        kerf_bone_sample& s = out[i];
+        put_air(s);
+        if (engagement[i] <= 0.0f) continue;
+        const double gap = gap_of_engaged[engaged_so_far++];
+        s.engagement = static_cast<double>(engagement[i]);
+        s.gap = grid.lattice().is_bounded && !can_be_cut(grid.lattice(), grid * points[i]) ? 0.0 : gap;
+        for (std::size_t m = 0; m < tissues; ++m) {
+            s.weight[m] = static_cast<double>(weight[m][i]);
+            s.density[m] = static_cast<double>(density[m][i]);
+        }
+        s.body = 0;
     }
 }
 
@@ -94,74 +92,34 @@ double BoneView::present_distance(Vec3 p) const noexcept {
     return std::max(bone, body_->region.contains(p) ? tracker_->depth_in_pending(p) : -body_->grid().clamp());
 }
 
-void BoneView::committed_distance(const PlaceBlock& places, SlopeBlock& distances) const noexcept {
-    SlopeBlock cut;
-    body_->surface.at(places, distances);
-    if (!committed_->at(places, cut)) return;  // nowhere more than the surface's least
-    const auto take_larger = [&](const BlockValues& more, BlockValues& of) {
-        for (std::size_t i = 0; i < places.count; ++i) of[i] = distances.value[i] < cut.value[i] ? more[i] : of[i];
-    };
-    take_larger(cut.x, distances.x);
-    take_larger(cut.y, distances.y);
-    take_larger(cut.z, distances.z);
-    take_larger(cut.value, distances.value);
+void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
+    const Frame f = frame_of(body_from_tool_);
+    const GridFrame grid(body_->grid(), body_->region, f);
+    PendingSurface pending(*tracker_, body_from_tool_);
+    Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
+    const double rows[3][3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t n = 0; n < 3; ++n) surface.in_tool[axis][n] = static_cast<float>(rows[axis][n]);
+    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(grid, pending, surface, points + first, n, out + first); });
 }
 
-void BoneView::level_beyond_region(const PointBlock& points, SlopeBlock& distances) const noexcept {
-    // Beyond a face everything is as at the face.
-    const Region& region = body_->region;
-    for (std::size_t i = 0; i < points.count; ++i) {
-        if (points.x[i] < region.low.x || points.x[i] > region.high.x) distances.x[i] = 0.0;
-        if (points.y[i] < region.low.y || points.y[i] > region.high.y) distances.y[i] = 0.0;
-        if (points.z[i] < region.low.z || points.z[i] > region.high.z) distances.z[i] = 0.0;
-    }
-}
-
-void BoneView::nearest_block(const PointBlock& points, kerf_surface_point* out) const noexcept {
-    const double clamp = body_->grid().clamp();
+void BoneView::nearest_block(const GridFrame& grid, PendingSurface& pending, const Surface& surface, const Vec3* points,
+                             std::size_t count, kerf_surface_point* out) const noexcept {
     PlaceBlock places;
-    SlopeBlock committed;
-    locate(*body_, points, places);
-    committed_distance(places, committed);
-    const bool has_region = !body_->region.is_everywhere();
-    if (has_region) level_beyond_region(points, committed);
-
-    // Far outside, and beyond the region, there is nothing to raise.
-    std::array<std::uint8_t, block_capacity> lane;
-    PointBlock uncut;
-    BlockValues distance;
-    for (std::size_t i = 0; i < points.count; ++i) {
-        out[i] = kerf_surface_point{};
-        out[i].body = -1;
-        out[i].distance = committed.value[i];
-        if (committed.value[i] >= clamp) continue;
-        out[i].distance = std::max(committed.value[i], -clamp);
-        if (has_region && !body_->region.contains(points[i])) continue;
-        lane[uncut.count] = static_cast<std::uint8_t>(i);
-        distance[uncut.count] = out[i].distance;
-        uncut.add(points[i]);
+    SlopeBlock slopes;
+    const PointBox box = grid.locate(points, count, places);
+    const float least = block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
+    const bool is_bounded = grid.lattice().is_bounded;
+    std::array<bool, block_capacity> can_rise;
+    for (std::size_t i = 0; is_bounded && i < count; ++i) {  // beyond a face everything is as at the face
+        const Vec3 at = grid * points[i];
+        can_rise[i] = can_be_cut(grid.lattice(), at);
+        if (is_beyond(grid.lattice(), 0, at.x)) slopes.x[i] = 0.0f;
+        if (is_beyond(grid.lattice(), 1, at.y)) slopes.y[i] = 0.0f;
+        if (is_beyond(grid.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
     }
-    CutTracker::PendingWalls wall;
-    tracker_->raise_to_present(uncut, distance, wall);
-    for (std::size_t i = 0; i < uncut.count; ++i) {
-        if (wall[i] == CutTracker::none) continue;
-        out[lane[i]].distance = distance[i];
-        const Vec3 normal = tracker_->normal_of(wall[i], uncut[i]);
-        committed.x[lane[i]] = normal.x;
-        committed.y[lane[i]] = normal.y;
-        committed.z[lane[i]] = normal.z;
-    }
-
-    // Only where there is a surface near, it has a normal: the gradient of whichever field the surface is.
-    PointBlock normals;
-    normals.count = points.count;
-    block_kernel().unit(conjugate(body_from_tool_.rotation), points.count,
-                        {committed.x.data(), committed.y.data(), committed.z.data()}, normals.writable());
-    for (std::size_t i = 0; i < points.count; ++i) {
-        if (out[i].distance >= clamp || out[i].distance <= -clamp) continue;
-        out[i].body = 0;
-        out[i].normal = normals[i];
-    }
+    block_kernel().answer(surface, count, slopes.slopes(), out);
+    pending.raise(points, count, box, surface.quantum * static_cast<double>(least), is_bounded ? can_rise.data() : nullptr, out);
 }
 
 }  // namespace kerf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/cut_log.h"
+#include "core/field/pending_surface.h"
 
 /// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
 ///
-/// Questions are answered in blocks, stage by stage: transform, locate, interpolate surface and cut, then tissues or
-/// pending cuts only for those points whom they concern. Every point gets the bits it would get alone.
+/// Questions are answered in blocks, stage by stage: places in the grid, surface and cut there, then tissues, or pending
+/// cuts only where they may concern a point. Every point gets the bits it would get alone.
 namespace kerf {
 
 class BoneView {
@@ -35,12 +35,9 @@ public:
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:
-    void sample_block(const PointBlock& points, Vec3 direction_in_body, kerf_bone_sample* out) const noexcept;
-    void nearest_block(const PointBlock& points, kerf_surface_point* out) const noexcept;
-    /// Surface and committed cut.
-    void committed_distance(const PlaceBlock& places, BlockValues& distances) const noexcept;
-    void committed_distance(const PlaceBlock& places, SlopeBlock& distances) const noexcept;
-    void level_beyond_region(const PointBlock& points, SlopeBlock& distances) const noexcept;
+    void sample_block(const GridFrame& grid, const Vec3* points, std::size_t count, Vec3 direction, kerf_bone_sample* out) const noexcept;
+    void nearest_block(const GridFrame& grid, PendingSurface& pending, const Surface& surface, const Vec3* points,
+                       std::size_t count, kerf_surface_point* out) const noexcept;
 
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction,
                              kerf_bone_sample* out) {

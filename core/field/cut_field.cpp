@@ -2,6 +2,7 @@
 #include "core/field/cut_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -48,10 +49,13 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
       quantum_(body.grid().quantum()),
-      table_(body.grid().brick_count(), -1),
+      start_(body.grid().brick_count() + 1, uncut),
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
-    chunks_.reserve(body.grid().brick_count() / chunk_bricks + 2);
+    for (std::size_t b = 0; b < body.grid().brick_count(); ++b) most_ += !body.surface.is_all_air(b);
+    samples_.reserve((most_ + 1) * stored_samples);
+    ranges_.reserve(most_);
+    samples_.assign(stored_samples, -32767);
     if (!body.hollow.is_empty()) begin_with(body.hollow);
     reserve(reserve_bricks);
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
@@ -70,15 +74,13 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
 
 std::int16_t *CutField::open_brick(std::size_t index) {
     if (free_bricks() == 0) reserve(1);
-    table_[index] = static_cast<std::int32_t>(used_++);
-    std::int16_t *samples = brick(table_[index]);
-    std::fill_n(samples, stored_samples, std::int16_t{-32767});
+    start_[index] = static_cast<std::int32_t>(++used_) * stored_samples;
     ranges_of(index).fill(-32767);
-    return samples;
+    return brick(start_[index]);
 }
 
 void CutField::begin_with(const LevelSet &hollow) {
-    for (std::size_t index = 0; index < table_.size(); ++index) {
+    for (std::size_t index = 0; index < body_->grid().brick_count(); ++index) {
         if (hollow.is_all_air(index) || body_->surface.is_all_air(index)) continue;
         std::int16_t *samples = open_brick(index);
         const std::int16_t *room = hollow.stored(index);
@@ -86,12 +88,12 @@ void CutField::begin_with(const LevelSet &hollow) {
             samples[s] = static_cast<std::int16_t>(room ? -room[s] : 32767);
         CellRanges &ranges = ranges_of(index);
         for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
-            const CellPlace at = CellPlace::of(cell);
+            const std::int16_t *first = samples + CellPlace::of(cell).first_sample();
             std::int16_t lowest = 32767, highest = -32767;
-            for (int z = at.first_z; z < at.first_z + 3; ++z)
-                for (int y = at.first_y; y < at.first_y + 3; ++y)
-                    for (int x = at.first_x; x <= at.last_x; ++x) {
-                        const std::int16_t value = samples[(z * stored_edge + y) * stored_edge + x];
+            for (int z = 0; z < 3; ++z)
+                for (int y = 0; y < 3; ++y)
+                    for (int x = 0; x < stored_edge; ++x) {
+                        const std::int16_t value = first[(z * stored_edge + y) * stored_edge + x];
                         lowest = std::min(lowest, value);
                         highest = std::max(highest, value);
                     }
@@ -104,11 +106,12 @@ void CutField::begin_with(const LevelSet &hollow) {
 }
 
 void CutField::reserve(std::size_t count) {
-    while (free_bricks() < count) {
-        chunks_.push_back(std::make_unique<std::int16_t[]>(chunk_bricks * stored_samples));
-        capacity_ += chunk_bricks;
-        ranges_.resize(capacity_);
-    }
+    const std::size_t wanted = std::min(used_ + count, most_);
+    if (wanted <= capacity_) return;
+    constexpr std::size_t some = 256;  // at a time
+    capacity_ = std::min((wanted + some - 1) / some * some, most_);
+    samples_.resize((capacity_ + 1) * stored_samples, -32767);
+    ranges_.resize(capacity_);
 }
 
 int CutField::stamp(const CutRecord &record, const RevolutionSolid &solid) {
@@ -183,13 +186,12 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.
     const Grid &g = grid();
-    const int lowest = -static_cast<int>(sweep.step() / quantum_) - 2;
-    const auto from_lowest = static_cast<unsigned>(-lowest);
+    const auto lowest = static_cast<std::int16_t>(-std::min(static_cast<int>(sweep.step() / quantum_) + 2, 32767));
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
         ridge.for_each_held([&](std::size_t index, std::uint16_t place) {
-            brick(table_[index])[place] = 1;
+            brick(start_[index])[place] = 1;
             changed_[index] = 1;
         });
     };
@@ -207,33 +209,26 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &so
         }
         const auto [i, j, k] = box[n];
         const std::size_t index = g.brick_index(i, j, k);
-        if (table_[index] < 0 || is_full_[index] != 0) continue;
+        if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;
-        const std::int16_t *samples = brick(table_[index]);
+        const std::int16_t *samples = brick(start_[index]);
         const CellRanges &ranges = ranges_of(index);
         for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
             if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
             const CellPlace at = CellPlace::of(cell);
-            for (int z = at.first_z; z < at.first_z + 3; ++z)
-                for (int y = at.first_y; y < at.first_y + 3; ++y) {
-                    const int row = (z * stored_edge + y) * stored_edge;
-                    unsigned candidates = 0;  // bits, without a jump for each
-                    for (int x = 0; x < 5; ++x) {
-                        const int value = samples[row + std::min(at.first_x + x, at.last_x)];
-                        candidates |= static_cast<unsigned>(static_cast<unsigned>(value - lowest) <= from_lowest) << x;
-                    }
-                    for (int x = at.first_x; candidates != 0 && x <= at.last_x; ++x, candidates >>= 1) {
-                        if ((candidates & 1u) == 0) continue;
-                        const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
-                        bool is_in_region = true;
-                        for (std::size_t axis = 0; axis < 3; ++axis)
-                            is_in_region =
-                                is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
-                        if (!is_in_region) continue;
-                        ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
-                                  static_cast<std::uint16_t>(row + x));
-                        if (ridge.is_full()) clear_block();
-                    }
+            std::uint32_t found[3];
+            block_kernel().find(samples + at.first_sample(), lowest, 0, found);
+            for (int layer = 0; layer < 3; ++layer)
+                for (std::uint32_t left = found[layer]; left != 0; left &= left - 1) {
+                    const int bit = std::countr_zero(left), x = bit % stored_edge, y = at.first_y + bit / stored_edge, z = at.first_z + layer;
+                    const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
+                    bool is_in_region = true;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        is_in_region = is_in_region && in_grid[axis] >= first_[axis] && in_grid[axis] <= last_[axis];
+                    if (!is_in_region) continue;
+                    ridge.add(g.sample_position(in_grid[0], in_grid[1], in_grid[2]), index,
+                              static_cast<std::uint16_t>((z * stored_edge + y) * stored_edge + x));
+                    if (ridge.is_full()) clear_block();
                 }
         }
     }
@@ -252,11 +247,11 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
         if (touched >= most) return n;
         const auto [i, j, k] = places[n];
         const std::size_t index = grid().brick_index(i, j, k);
-        if (table_[index] < 0) open_brick(index);
+        if (start_[index] == uncut) open_brick(index);
         ++touched;  // so that what a tick may stamp does not depend on what was cut
                     // before
         if (is_full_[index] != 0) continue;
-        std::int16_t *samples = brick(table_[index]);
+        std::int16_t *samples = brick(start_[index]);
         CellRanges &ranges = ranges_of(index);
         if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
@@ -266,39 +261,10 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
     return centres.count;
 }
 
-void CutField::at(const PlaceBlock &places, BlockValues &cut) const noexcept {
-    CornerBlock<std::int16_t> corners(places);
-    for (std::size_t i = 0; i < places.count; ++i) {
-        const std::int32_t slot =
-            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
-        if (slot < 0)
-            cut[i] = -clamp_;
-        else
-            corners.add(brick(slot), i);
-    }
-    corners.interpolate(quantum_, cut);
-}
-
-bool CutField::at(const PlaceBlock &places, SlopeBlock &cut) const noexcept {
-    CornerBlock<std::int16_t> corners(places);
-    for (std::size_t i = 0; i < places.count; ++i) {
-        const std::int32_t slot =
-            places.brick[i] == PlaceBlock::outside ? -1 : table_[static_cast<std::size_t>(places.brick[i])];
-        if (slot < 0)
-            cut.set(i, -clamp_);
-        else
-            corners.add(brick(slot), i);
-    }
-    corners.interpolate(quantum_, cut);
-    return !corners.is_empty();
-}
-
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {
     const Grid &g = grid();
     if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;
-    const std::int32_t slot = table_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)];
-    if (slot < 0) return -32767;
-    return brick(slot)[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
+    return brick(start_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)])[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
 }
 
 std::vector<std::size_t> CutField::take_changed() {
@@ -313,9 +279,9 @@ std::vector<std::size_t> CutField::take_changed() {
 
 std::uint64_t CutField::hash() const noexcept {
     Fnv1a hash;
-    for (std::size_t b = 0; b < table_.size(); ++b) {
-        if (table_[b] < 0) continue;
-        const std::int16_t *v = brick(table_[b]);
+    for (std::size_t b = 0; b < start_.size(); ++b) {
+        const std::int16_t *v = stored(b);
+        if (v == nullptr) continue;
         for (int s = 0; s < stored_samples; ++s)
             if (v[s] != -32767) {
                 hash.add_bytes(b, 8);
@@ -327,11 +293,11 @@ std::uint64_t CutField::hash() const noexcept {
 }
 
 bool CutField::same_bits(const CutField &other) const noexcept {
-    if (table_.size() != other.table_.size()) return false;
+    if (start_.size() != other.start_.size()) return false;
     const auto is_default = [](const std::int16_t *v) {
         return std::all_of(v, v + stored_samples, [](std::int16_t s) { return s == -32767; });
     };
-    for (std::size_t b = 0; b < table_.size(); ++b) {
+    for (std::size_t b = 0; b < start_.size(); ++b) {
         const std::int16_t *mine = stored(b), *theirs = other.stored(b);
         if (mine == nullptr && theirs == nullptr) continue;
         if (mine == nullptr || theirs == nullptr) {

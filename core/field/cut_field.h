@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/field/body.h"
+#include "core/field/brick_memory.h"
 #include "core/field/pose_stamp.h"
 #include "core/field/sweep.h"
 
@@ -45,23 +46,28 @@ public:
     /// the record is done; true then. `touched` counts them.   [haptic, nonblocking] as above.
     bool stamp_on(const CutRecord& record, const RevolutionSolid& solid, int most, StampProgress& progress, int& touched);
 
-    /// Makes room for at least `count` further bricks.   [main, worker]
+    /// Makes room for `count` further bricks, or for as many as hold bone.   [main, worker]
     void reserve(std::size_t count);
     [[nodiscard]] std::size_t free_bricks() const noexcept { return capacity_ - used_; }
 
     /// Trilinear cut [m]: positive where removed; −clamp where never cut.   [any] pure, nonblocking.
     [[nodiscard]] double at(const BrickPlace& place) const noexcept {
-        if (!place.is_inside) return -clamp_;
-        const std::int32_t slot = table_[place.brick];
-        return slot < 0 ? -clamp_ : quantum_ * trilinear(brick(slot), place);
+        const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
+        return start == uncut ? -clamp_ : quantum_ * static_cast<double>(trilinear(brick(start), place));
+    }
+    /// The same [quanta].
+    [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
+        const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
+        return start == uncut ? -32767.0f : trilinear(brick(start), place);
     }
     /// The same for a block.   [any] pure, nonblocking.
-    void at(const PlaceBlock& places, BlockValues& cut) const noexcept;
-    /// The same with gradients, zero where nothing was cut in the brick. False where that is so everywhere.
-    bool at(const PlaceBlock& places, SlopeBlock& cut) const noexcept;
+    void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
+        block_kernel().values(shape(), places.count, places.places(), quanta.data());
+    }
+    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored}; }
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
-        return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);
+        return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);
     }
     /// Bricks whose values changed since the last call, ascending.   [worker]
     std::vector<std::size_t> take_changed();
@@ -73,17 +79,12 @@ public:
     [[nodiscard]] const Grid& grid() const noexcept { return body_->grid(); }
 
 private:
-    static constexpr std::size_t chunk_bricks = 256;
-    [[nodiscard]] std::int16_t* brick(std::int32_t slot) noexcept {
-        const auto s = static_cast<std::size_t>(slot);
-        return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
-    }
-    [[nodiscard]] const std::int16_t* brick(std::int32_t slot) const noexcept {
-        const auto s = static_cast<std::size_t>(slot);
-        return chunks_[s / chunk_bricks].get() + (s % chunk_bricks) * stored_samples;
-    }
+    // A brick that was never cut has samples too, one for all: who interpolates need not tell it apart.
+    static constexpr std::int32_t uncut = 0, first_stored = stored_samples;
+    [[nodiscard]] std::int16_t* brick(std::int32_t start) noexcept { return samples_.data() + start; }
+    [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
     [[nodiscard]] CellRanges& ranges_of(std::size_t brick_index) noexcept {
-        return ranges_[static_cast<std::size_t>(table_[brick_index])];
+        return ranges_[static_cast<std::size_t>(start_[brick_index] / stored_samples) - 1];
     }
     struct BrickBox {
         std::array<int, 3> first, last;
@@ -121,12 +122,12 @@ private:
     const Body* body_;
     double clamp_ = 0.0, quantum_ = 0.0;
     std::array<int, 3> first_ = {}, last_ = {};  ///< samples that may be cut: those within the body's region
-    std::vector<std::int32_t> table_;
+    std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
     std::vector<std::uint8_t> changed_;
     std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
-    std::vector<std::unique_ptr<std::int16_t[]>> chunks_;
+    BrickSamples<std::int16_t> samples_;  ///< has room for every brick that can be cut, so stamping never moves it
     std::vector<CellRanges> ranges_;  ///< of the bricks in use
-    std::size_t used_ = 0, capacity_ = 0;
+    std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is how many hold bone
 };
 
 }  // namespace kerf

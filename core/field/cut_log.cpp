@@ -75,12 +75,14 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
 }
 
 void CutTracker::compare_with_newest() noexcept {
-    farthest_pending_ = largest_turn_ = 0.0;
+    spread_ = {};
     for (std::size_t i = 0; i + 1 < pending_count_; ++i) {
-        const Pose newest_from_older = tool_from_body(pending_count_ - 1) * pending(i).to;
-        const Quat& q = newest_from_older.rotation;
-        farthest_pending_ = std::max(farthest_pending_, length(newest_from_older.position));
-        largest_turn_ = std::max(largest_turn_, 2.0 * length({q.x, q.y, q.z}));
+        const Pose older_from_newest = tool_from_body(i) * pending(pending_count_ - 1).to;
+        const Vec3 p = older_from_newest.position;
+        const Quat& q = older_from_newest.rotation;
+        spread_.low = {std::min(spread_.low.x, p.x), std::min(spread_.low.y, p.y), std::min(spread_.low.z, p.z)};
+        spread_.high = {std::max(spread_.high.x, p.x), std::max(spread_.high.y, p.y), std::max(spread_.high.z, p.z)};
+        spread_.turn = std::max(spread_.turn, 2.0 * length({q.x, q.y, q.z}));  // 2 sin(θ/2)
     }
 }
 
@@ -143,74 +145,30 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
     return depth;
 }
 
-void CutTracker::gap(const PointBlock& points, Vec3 direction, BlockValues& gaps) const noexcept {
-    for (std::size_t p = 0; p < points.count; ++p) gaps[p] = 0.0;
+void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Vec3 direction,
+                     BlockValues& gaps) const noexcept {
+    std::fill_n(gaps.begin(), count, 0.0);
     // A point that is outside a convex solid after the gap found so far leaves it earlier, by far more than rounding.
-    constexpr double outside = -1e-9;  // [m]
-    const double known = solid_->is_convex() ? 1.0 : 0.0;
-    PointBlock ahead;
+    PointBlock in_solid, ahead;
     BlockValues depth;
-    ahead.count = points.count;
     for (std::size_t i = pending_count_, first = first_that_matters(); i-- > first;) {
-        for (std::size_t p = 0; p < points.count; ++p) {
-            ahead.x[p] = points.x[p] + known * gaps[p] * direction.x;
-            ahead.y[p] = points.y[p] + known * gaps[p] * direction.y;
-            ahead.z[p] = points.z[p] + known * gaps[p] * direction.z;
+        const Frame solid_from = solid_from_tool(i, body_from_tool);
+        const Vec3 along = turned(solid_from, direction);
+        transform(solid_from, points, count, in_solid);
+        const bool knows_more = solid_->is_convex() && i + 1 < pending_count_;
+        if (knows_more) {
+            ahead.count = count;
+            for (std::size_t p = 0; p < count; ++p) {
+                ahead.x[p] = in_solid.x[p] + gaps[p] * along.x;
+                ahead.y[p] = in_solid.y[p] + gaps[p] * along.y;
+                ahead.z[p] = in_solid.z[p] + gaps[p] * along.z;
+            }
         }
-        const Pose& tool_from = tool_from_body(i);
-        solid_->depths(tool_from, ahead, depth);
-        const Vec3 direction_in_tool = rotate(tool_from.rotation, direction);
-        for (std::size_t p = 0; p < points.count; ++p)
-            if (depth[p] >= outside)
-                gaps[p] = std::max(gaps[p], solid_->travel_to_leave(tool_from * points[p], direction_in_tool));
+        solid_->depths(knows_more ? ahead : in_solid, depth);
+        const double inside = knows_more ? -rounding : rounding;
+        for (std::size_t p = 0; p < count; ++p)
+            if (depth[p] > inside) gaps[p] = std::max(gaps[p], solid_->travel_to_leave(in_solid[p], along, rounding));
     }
-}
-
-void CutTracker::raise_to_present(const PointBlock& points, BlockValues& distances, PendingWalls& walls) const noexcept {
-    walls.fill(none);
-    if (pending_count_ == 0 || points.count == 0) return;
-    const std::size_t newest = pending_count_ - 1;
-
-    // The distance is 1-Lipschitz. One point in the middle of all bounds how deep any of them can be in the newest, and
-    // by as much as the older ones lie elsewhere, in those.
-    Vec3 low = points[0], high = low;
-    double least = distances[0];
-    for (std::size_t p = 1; p < points.count; ++p) {
-        low = {std::min(low.x, points.x[p]), std::min(low.y, points.y[p]), std::min(low.z, points.z[p])};
-        high = {std::max(high.x, points.x[p]), std::max(high.y, points.y[p]), std::max(high.z, points.z[p])};
-        least = std::min(least, distances[p]);
-    }
-    const double radius = 0.5 * length(high - low);
-    const Vec3 middle = tool_from_body(newest) * (0.5 * (low + high));
-    const double elsewhere = farthest_pending_ + largest_turn_ * (length(middle) + radius) + rounding;
-    if (-solid_->distance(middle) + radius + elsewhere < least) return;
-
-    BlockValues depth;
-    std::array<std::uint8_t, block_capacity> lane;
-    PointBlock concerned;
-    solid_->depths(tool_from_body(newest), points, depth);
-    for (std::size_t p = 0; p < points.count; ++p) {
-        const bool may_be_deeper = depth[p] + elsewhere >= distances[p];
-        if (depth[p] > distances[p]) {
-            distances[p] = depth[p];
-            walls[p] = static_cast<std::uint8_t>(newest);
-        }
-        if (!may_be_deeper) continue;
-        lane[concerned.count] = static_cast<std::uint8_t>(p);
-        concerned.add(points[p]);
-    }
-    for (std::size_t i = 0; i < newest && concerned.count > 0; ++i) {
-        solid_->depths(tool_from_body(i), concerned, depth);
-        for (std::size_t p = 0; p < concerned.count; ++p) {
-            if (!(depth[p] > distances[lane[p]])) continue;
-            distances[lane[p]] = depth[p];
-            walls[lane[p]] = static_cast<std::uint8_t>(i);
-        }
-    }
-}
-
-Vec3 CutTracker::normal_of(std::uint8_t wall, Vec3 point) const noexcept {
-    return rotate(pending(wall).to.rotation, solid_->way_in(tool_from_body(wall) * point));
 }
 
 bool CutTracker::removes_bone(const Pose& at) const noexcept {

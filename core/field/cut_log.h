@@ -46,16 +46,24 @@ public:
         return -solid_->distance(tool_from_body(i) * point_in_body);
     }
 
-    /// The same for a block.   [haptic, nonblocking]
-    void gap(const PointBlock& points_in_body, Vec3 direction_in_body, BlockValues& gaps) const noexcept;
+    /// The same for `count` ≤ `block_capacity` points of the tool at a pose, and a direction in its frame.
+    /// [haptic, nonblocking]
+    void gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Vec3 direction, BlockValues& gaps) const noexcept;
+    /// From the tool at a pose to the frame of a pending solid.
+    [[nodiscard]] Frame solid_from_tool(std::size_t i, const Pose& body_from_tool) const noexcept {
+        return frame_of(tool_from_body(i) * body_from_tool);
+    }
+    [[nodiscard]] const Body& body() const noexcept { return *body_; }
+    [[nodiscard]] const RevolutionSolid& solid() const noexcept { return *solid_; }
+    /// Those before it lie behind it and make no gap.
+    [[nodiscard]] std::size_t first_that_matters() const noexcept;
 
-    /// For each point of a block the pending solid whose wall is nearest to it, or `none`.
-    static constexpr std::uint8_t none = 255;
-    using PendingWalls = std::array<std::uint8_t, block_capacity>;
-    /// Raises `distances` to each point's depth in the pending solids, where that is more.   [haptic, nonblocking]
-    void raise_to_present(const PointBlock& points_in_body, BlockValues& distances, PendingWalls& walls) const noexcept;
-    /// Outward normal of the bone that a pending solid leaves standing, body frame: into the solid.
-    [[nodiscard]] Vec3 normal_of(std::uint8_t wall, Vec3 point_in_body) const noexcept;
+    /// How the frames of the pending solids differ: what a point moves by, on its way from the newest's to another's.
+    struct Spread {
+        Vec3 low{}, high{};  ///< [m] of the origin
+        double turn = 0.0;   ///< [–] and no more than this of its distance from there
+    };
+    [[nodiscard]] const Spread& spread() const noexcept { return spread_; }
 
     [[nodiscard]] std::size_t pending_count() const noexcept { return pending_count_; }
     /// How many bricks the last `commit_passed` stamped.
@@ -77,7 +85,6 @@ private:
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
     /// nothing is logged, and nobody stamps it.
     [[nodiscard]] bool removes_bone(const Pose& body_from_tool) const noexcept;
-    [[nodiscard]] std::size_t first_that_matters() const noexcept;
 
     const Body* body_;
     const RevolutionSolid* solid_;
@@ -95,8 +102,7 @@ private:
 
     std::array<CutRecord, pending_capacity> pending_{};
     std::array<Pose, pending_capacity> pending_inverse_{};
-    double farthest_pending_ = 0.0;  ///< [m] of a pending tip from the newest, at most
-    double largest_turn_ = 0.0;      ///< [–] 2 sin(θ/2) of a pending pose from the newest, at most
+    Spread spread_;
     std::size_t pending_first_ = 0, pending_count_ = 0;
     StampProgress progress_;  ///< of the oldest
     int last_bricks_ = 0;

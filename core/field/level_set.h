@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/field/brick_memory.h"
 #include "core/field/grid.h"
 #include "core/field/point_block.h"
 
@@ -19,45 +20,51 @@ public:
 
     /// Trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.
     [[nodiscard]] double at(const BrickPlace& place) const noexcept {
-        if (!place.is_inside) return clamp_;
-        const std::int32_t slot = table_[place.brick];
-        if (slot < 0) return slot == air ? clamp_ : -clamp_;
-        return quantum_ * trilinear(brick(slot), place);
+        const std::int32_t start = place.is_inside ? start_[place.brick] : air;
+        if (start < first_stored) return start == air ? clamp_ : -clamp_;
+        return quantum_ * static_cast<double>(trilinear(brick(start), place));
+    }
+    /// The same [quanta].
+    [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
+        const std::int32_t start = place.is_inside ? start_[place.brick] : air;
+        return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
     /// The same for a block.   [any] pure, nonblocking.
-    void at(const PlaceBlock& places, BlockValues& distances) const noexcept;
-    /// The same with gradients, zero where the brick is uniform. False where they all are.
-    bool at(const PlaceBlock& places, SlopeBlock& distances) const noexcept;
+    void at(const PlaceBlock& places, BlockValues& distances) const noexcept {
+        block_kernel().metres(shape(), places.count, places.places(), quantum_, clamp_, distances.data());
+    }
+    void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
+        block_kernel().values(shape(), places.count, places.places(), quanta.data());
+    }
+    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored}; }
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
-    [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return table_[brick_index] == air; }
-    [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return table_[brick_index] == solid; }
-    [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept { return table_[brick_index] >= 0; }
+    [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return start_[brick_index] == air; }
+    [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return start_[brick_index] == solid; }
+    [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept { return start_[brick_index] >= first_stored; }
     /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
-        return table_[brick_index] < 0 ? nullptr : brick(table_[brick_index]);
+        return has_border(brick_index) ? brick(start_[brick_index]) : nullptr;
     }
     [[nodiscard]] std::int16_t uniform_value(std::size_t brick_index) const noexcept {
-        return table_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
+        return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
     [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return table_.size() * sizeof(std::int32_t) + pool_.size() * sizeof(std::int16_t);
+        return start_.size() * sizeof(std::int32_t) + samples_.size() * sizeof(std::int16_t);
     }
 
 private:
-    static constexpr std::int32_t air = -1;
-    static constexpr std::int32_t solid = -2;
-    [[nodiscard]] const std::int16_t* brick(std::int32_t slot) const noexcept {
-        return pool_.data() + static_cast<std::size_t>(slot) * stored_samples;
-    }
+    // Uniform bricks have samples too, one brick of each kind: who interpolates need not tell them apart.
+    static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;
+    [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
 
     Grid grid_;
     double clamp_ = 0.0, quantum_ = 0.0;
-    std::vector<std::int32_t> table_;
-    std::vector<std::int16_t> pool_;
+    std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
+    BrickSamples<std::int16_t> samples_;
 };
 
 /// Metres to the nearest quantum, clamped.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/field/block_kernel.h"
+#include "core/field/frame.h"
 #include "core/field/grid.h"
+#include "core/field/region.h"
 
 /// Points asked about together. Coordinate by coordinate, so that the same step is taken for many of them at once.
 ///
@@ -11,6 +13,7 @@ namespace kerf {
 
 inline constexpr std::size_t block_capacity = 64;
 using BlockValues = std::array<double, block_capacity>;
+using FloatBlock = std::array<float, block_capacity>;
 
 /// At most `block_capacity` points. Frame: as the function that takes it says; any double, also NaN.
 struct PointBlock {
@@ -28,67 +31,43 @@ struct PointBlock {
     [[nodiscard]] Coordinates writable() noexcept { return {x.data(), y.data(), z.data()}; }
 };
 
-/// `count` ≤ `block_capacity` points, taken from frame b to frame a.   [any] pure, nonblocking.
-void transform(const Pose& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
+/// Taken from frame b to frame a.   [any] pure, nonblocking.
 void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& points_in_a) noexcept;
+/// The same of `count` ≤ `block_capacity` points.
+void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count, PointBlock& points_in_a) noexcept;
 
-/// All points moved by the same vector.   [any] pure, nonblocking.
-void shift(const PointBlock& points, Vec3 by, PointBlock& shifted) noexcept;
-
-/// Every coordinate kept between `low` and `high`; NaN stays.   [any] pure, nonblocking.
-void clamp(const PointBlock& points, Vec3 low, Vec3 high, PointBlock& clamped) noexcept;
-
-/// As `BrickPlace`, for a block.
+/// As `BrickPlace`, for a block. Behind the last point the last once more, up to a multiple of eight.
 struct PlaceBlock {
-    static constexpr std::int32_t outside = -1;
     std::size_t count = 0;
-    std::array<std::int32_t, block_capacity> brick, offset;
-    BlockValues fx, fy, fz;
+    alignas(32) std::array<std::int32_t, block_capacity> brick, offset;  ///< outside the grid: Grid::brick_count()
+    alignas(32) FloatBlock fx, fy, fz;
 
-    void add(const PlaceBlock& from, std::size_t i) noexcept {
-        brick[count] = from.brick[i];
-        offset[count] = from.offset[i];
-        fx[count] = from.fx[i];
-        fy[count] = from.fy[i];
-        fz[count] = from.fz[i];
-        ++count;
+    [[nodiscard]] ConstPlaces places() const noexcept {
+        return {brick.data(), offset.data(), fx.data(), fy.data(), fz.data()};
     }
 };
-/// As `locate` of one point.   [any] pure, nonblocking.
-void locate(const Grid& grid, const PointBlock& points, PlaceBlock& places) noexcept;
+/// From points of a frame to places in a grid: made once for all points asked about.
+class GridFrame {
+public:
+    GridFrame(const Grid& grid, const Region& region, const Frame& body_from_points) noexcept;
+
+    /// `count` ≤ `block_capacity`. Beyond the region, where it ends.   [any] pure, nonblocking.
+    PointBox locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept;
+    /// In voxels times 2^bits, not taken to the region.
+    [[nodiscard]] Vec3 operator*(Vec3 point) const noexcept { return fixed_from_points_ * point; }
+    [[nodiscard]] const Lattice& lattice() const noexcept { return lattice_; }
+
+private:
+    Frame fixed_from_points_;
+    Lattice lattice_;
+};
 
 /// Values of a field and their gradients [quanta per voxel], as the interpolation between eight samples has them.
 struct SlopeBlock {
-    BlockValues value, x, y, z;
+    alignas(32) FloatBlock value, x, y, z;
 
-    void set(std::size_t i, double v) noexcept {
-        value[i] = v;
-        x[i] = y[i] = z[i] = 0.0;
-    }
-};
-
-/// The eight samples around those points of a block that lie in a stored brick; the others cost nothing more.
-template <class Sample>
-class CornerBlock {
-public:
-    explicit CornerBlock(const PlaceBlock& places) noexcept : places_(&places) {}
-
-    /// `brick`: its 9³ samples. Points in ascending order.
-    void add(const Sample* brick, std::size_t i) noexcept {
-        corner_[count_] = brick + places_->offset[i];
-        lane_[count_++] = static_cast<std::uint8_t>(i);
-    }
-    /// Trilinear values times `quantum`, each to where its point stood in the block.
-    void interpolate(double quantum, BlockValues& values) const noexcept;
-    /// The same with gradients.
-    void interpolate(double quantum, SlopeBlock& slopes) const noexcept;
-    [[nodiscard]] bool is_empty() const noexcept { return count_ == 0; }
-
-private:
-    const PlaceBlock* places_;
-    std::size_t count_ = 0;
-    std::array<const Sample*, block_capacity> corner_;
-    std::array<std::uint8_t, block_capacity> lane_;
+    [[nodiscard]] Slopes writable() noexcept { return {value.data(), x.data(), y.data(), z.data()}; }
+    [[nodiscard]] ConstSlopes slopes() const noexcept { return {value.data(), x.data(), y.data(), z.data()}; }
 };
 
 }  // namespace kerf

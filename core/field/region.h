@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/field/point_block.h"
+#include "kerf/math.hpp"
 
 namespace kerf {
 

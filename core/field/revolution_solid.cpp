@@ -31,11 +31,17 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         const double r = outline_[i].radius - outline_[i - 1].radius, z = outline_[i].z - outline_[i - 1].z;
         const double l = std::sqrt(r * r + z * z), nr = -z / l, nz = r / l;
         segments_.push_back({r, z, 1.0 / (r * r + z * z), -r / z, nr, nz, nr * outline_[i].radius + nz * outline_[i].z});
+        const OutlineSegment& s = segments_.back();
+        const auto single = [](double v) { return static_cast<float>(v); };
+        faces_.push_back({single(outline_[i - 1].radius), single(outline_[i - 1].z), single(s.along_r), single(s.along_z),
+                          single(s.inverse_length2), single(s.slope), single(s.normal_r), single(s.normal_z), single(s.offset)});
         if (i == 1) continue;
         // Backwards the outline may only bend towards the axis.
         const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
+        is_blunt_ = is_blunt_ && a.normal_r * b.normal_r + a.normal_z * b.normal_z > -0.5;
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
+    is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
 }
 
 double RevolutionSolid::distance(Vec3 p) const noexcept {
@@ -62,6 +68,14 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
     return is_beside ? -depth : std::sqrt(squared_distance(r, p.z));
 }
 
+bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
+    if (!is_blunt_) return true;
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
+        return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
+    });
+}
+
 double RevolutionSolid::squared_distance(double r, double z) const noexcept {
     double nearest2 = 1e300;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -78,8 +92,31 @@ double RevolutionSolid::squared_distance(double r, double z) const noexcept {
     return std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(z - back.z));
 }
 
+double RevolutionSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
+    const double low = middle.z - half.z, high = middle.z + half.z;
+    const double beside = std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
+    const double r = std::max(0.0, beside);
+    double depth = std::min(tip_z() - low, high - end_z());
+    for (const OutlineSegment& s : segments_)
+        depth = std::min(depth, s.offset - s.normal_r * r - std::min(s.normal_z * low, s.normal_z * high));
+    return depth;
+}
+
 Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    if (is_convex_) {  // inside, away from the plane of the nearest face
+        const double to_front = tip_z() - p.z, to_back = p.z - end_z();
+        double depth = std::min(to_front, to_back), in_r = 0.0, in_z = to_front < to_back ? -1.0 : 1.0;
+        for (const OutlineSegment& s : segments_) {
+            const double to_face = s.offset - (s.normal_r * r + s.normal_z * p.z);
+            if (!(to_face < depth)) continue;
+            depth = to_face;
+            in_r = s.normal_r;
+            in_z = -s.normal_z;
+        }
+        const double inwards = -in_r / r;
+        if (depth >= 0.0) return r > 0.0 ? Vec3{inwards * p.x, inwards * p.y, in_z} : Vec3{in_r, 0.0, in_z};
+    }
 
     // From the nearest point of the outline to the point, and inwards where there is no such way.
     double nearest2 = 1e300, off_r = 0.0, off_z = 0.0, in_r = 0.0, in_z = 0.0;

@@ -26,11 +26,11 @@ public:
     /// The same with the points given in another frame.
     void depths(const Pose& tool_from_other, const PointBlock& points_in_other, BlockValues& depths) const noexcept;
 
-    /// Raises the samples of a cell [quanta] to their depths, rounded to the nearest quantum; those farther than `band` [m]
-    /// outside raise nothing. True if any was raised; tells in which range they are then.   [any] nonblocking.
-    bool raise(const SampleCell& cell, double band, double quantum, std::int16_t* samples, std::int16_t& lowest,
-               std::int16_t& highest) const noexcept {
-        return block_kernel().raise(shape(), cell, band, quantum, samples, lowest, highest);
+    /// For kernels in single precision.
+    [[nodiscard]] SingleOutline single() const noexcept {
+        const auto &front = outline_.front(), &back = outline_.back();
+        return {faces_.data(), faces_.size(), static_cast<float>(front.radius), static_cast<float>(front.z),
+                static_cast<float>(back.radius), static_cast<float>(back.z), is_convex_};
     }
 
     /// A plane for each point of a block that the solid does not cross: around it nothing is deeper than the plane,
@@ -40,6 +40,13 @@ public:
         block_kernel().tangents(shape(), points_in_tool.count, points_in_tool.coordinates(), depths.data(),
                                 gradients.writable());
     }
+
+    /// No point of the box is deeper [m]. Pre: is_convex().   [any] pure.
+    [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
+
+    /// Whether an edge of the outline, or of the solid's ends, may be so near to a point. If none is, then what lies outside a
+    /// convex solid about there, by half of `distance` at most less its way from the point, lies beside a face.   [any] pure.
+    [[nodiscard]] bool has_edge_within(Vec3 point_in_tool, double distance) const noexcept;
 
     /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
     /// outside; on the surface inwards.   [any] pure.
@@ -65,8 +72,10 @@ private:
 
     std::vector<kerf_profile_point> outline_;
     std::vector<OutlineSegment> segments_;
+    std::vector<OutlineFace> faces_;
     double largest_radius_ = 0.0;
     bool is_convex_ = true;
+    bool is_blunt_ = true;  ///< its faces meet at 60° or more
 };
 
 }  // namespace kerf

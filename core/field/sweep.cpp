@@ -55,11 +55,27 @@ void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool
     if (count_ > 1 || points.count == 0) return;
     constexpr double rounding = 1e-12;  // [m]
     BlockValues before, after;
-    solid_->depths(inverse(from_), points, before);
-    solid_->depths(inverse(to_), points, after);
-    const double least = tolerance - rounding, way = slack * motion_;
-    for (std::size_t p = 0; p < points.count; ++p)
-        may[p] = before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
+    const double least = tolerance - rounding;
+    if (!solid_->is_convex()) {
+        const double way = slack * motion_;
+        solid_->depths(inverse(from_), points, before);
+        solid_->depths(inverse(to_), points, after);
+        for (std::size_t p = 0; p < points.count; ++p)
+            may[p] = before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
+        return;
+    }
+    // A point's way past the solid is all but straight, and none of it deeper than the plane that touches at its end.
+    PointBlock at_start, at_end, gradient;
+    transform(inverse(from_), points, at_start);
+    transform(inverse(to_), points, at_end);
+    solid_->tangents(at_end, after, gradient);
+    const Quat turn = conjugate(from_.rotation) * to_.rotation;
+    const double bend = 2.0 * length({turn.x, turn.y, turn.z}) * motion_;
+    for (std::size_t p = 0; p < points.count; ++p) {
+        const double back = gradient.x[p] * (at_start.x[p] - at_end.x[p]) + gradient.y[p] * (at_start.y[p] - at_end.y[p]) +
+                            gradient.z[p] * (at_start.z[p] - at_end.z[p]);
+        may[p] = after[p] + (back > 0.0 ? back : 0.0) + bend > least;
+    }
 }
 
 bool Sweep::holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept {

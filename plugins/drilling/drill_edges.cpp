@@ -61,6 +61,9 @@ Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
     const LipShare share = share_of_lips(e.lag, feed_rate / n);
     const double on_chisel = force_per_width(per_lip, k.chisel);
+    const bool are_alike = share.chip[0] == share.chip[1];
+    std::array<double, largest_element_count> of_first_lip;  // built up there, by element; of the second the same where lips are alike
+    of_first_lip.fill(-1.0);
     Side sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = resistance(e.sample[i], tissues, reference);
@@ -72,7 +75,10 @@ Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double
         const LipElement& el = e.element(i);
         const double t = share.chip[e.lip_of(i)] * per_lip * el.normal_axial;
         const double width = share.edge[e.lip_of(i)] * e.rake_factor[i % e.lip.count] * m * el.width;
-        const double built_up = built_up_at(t, k.thrust.edge_depth), chip = std::max(t, 0.0);  // all have one edge depth
+        double& known = of_first_lip[i % e.lip.count];
+        const double built_up = are_alike && known >= 0.0 ? known : built_up_at(t, k.thrust.edge_depth);  // all have one edge depth
+        known = built_up;
+        const double chip = std::max(t, 0.0);
         const double normal = width * force_per_width(chip, k.thrust, built_up);
         const double cutting = width * force_per_width(chip, k.cutting, built_up);
         const Vec3 outwards = normalized(Vec3{e.point[i].x, e.point[i].y, 0.0});

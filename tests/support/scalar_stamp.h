@@ -8,7 +8,7 @@
 
 namespace kerf::test {
 
-/// What `CutField` stamps, sample by sample and leaving none out: the reference for all that it skips.
+/// What `CutField` stamps, every sample of every brick by the portable kernel: the reference for all that it skips.
 struct ScalarStamp {
     const Body& body;
     const RevolutionSolid& solid;
@@ -18,22 +18,33 @@ struct ScalarStamp {
         const Grid& g = body.grid();
         const Sweep sweep(solid, record.from, record.to, 0.25 * g.spacing);
         for (int n = 1; n <= sweep.sub_poses(); ++n) {
-            const Pose tool_from_body = inverse(sweep.sub_pose(n));
-            const Vec3 step = rotate(tool_from_body.rotation, Vec3{g.spacing, 0, 0});
-            for_each_sample([&](int x, int y, int z, std::int16_t& v) {
-                const Vec3 row = tool_from_body * g.sample_position(0, y, z);
-                const double d = solid.distance(row + static_cast<double>(x) * step);
-                if (d <= 2.0 * g.spacing) v = std::max(v, quantised(-d, g.quantum()));
+            const PoseStamp pose(g, solid, sweep.sub_pose(n));
+            for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
+                std::array<std::int16_t, stored_samples> raised;
+                std::copy_n(samples, stored_samples, raised.data());
+                for (std::size_t c = 0; c < CellRanges::count; ++c) {
+                    const CellPlace at = CellPlace::of(c);
+                    SampleCell cell = pose.cell_at(i, j, k);
+                    cell.first[1] += static_cast<float>(at.first_y);
+                    cell.first[2] += static_cast<float>(at.first_z);
+                    std::int16_t lowest, highest;
+                    portable_kernel().raise(solid.single(), cell, static_cast<float>(PoseStamp::band_voxels * g.spacing),
+                                            static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(), lowest, highest);
+                }
+                const std::int16_t* to = raised.data();
+                for_each_sample(i, j, k, samples, [&](int, int, int, std::int16_t& v) { v = to[&v - samples]; });
             });
         }
-        for_each_sample([&](int x, int y, int z, std::int16_t& v) {
-            if (v <= 0 && v > -16384 && sweep.holds(g.sample_position(x, y, z), 0.5 * g.quantum())) v = 1;
+        for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
+            for_each_sample(i, j, k, samples, [&](int x, int y, int z, std::int16_t& v) {
+                if (v <= 0 && v > -16384 && sweep.holds(g.sample_position(x, y, z), 0.5 * g.quantum())) v = 1;
+            });
         });
     }
 
 private:
     template <class Do>
-    void for_each_sample(Do&& what) {
+    void for_each_brick(Do&& what) {
         const Grid& g = body.grid();
         for (int k = 0; k < g.bricks[2]; ++k)
             for (int j = 0; j < g.bricks[1]; ++j)
@@ -42,13 +53,17 @@ private:
                     if (body.surface.is_all_air(index)) continue;
                     auto& samples = bricks[index];
                     samples.resize(stored_samples, -32767);
-                    std::int16_t* v = samples.data();
-                    for (int z = k * brick_edge; z <= (k + 1) * brick_edge; ++z)
-                        for (int y = j * brick_edge; y <= (j + 1) * brick_edge; ++y)
-                            for (int x = i * brick_edge; x <= (i + 1) * brick_edge; ++x, ++v)
-                                if (!body.region.is_bounded() || body.region.contains(g.sample_position(x, y, z)))
-                                    what(x, y, z, *v);
+                    what(i, j, k, samples.data());
                 }
+    }
+    /// Those that may be cut.
+    template <class Do>
+    void for_each_sample(int i, int j, int k, std::int16_t* v, Do&& what) const {
+        const Grid& g = body.grid();
+        for (int z = k * brick_edge; z <= (k + 1) * brick_edge; ++z)
+            for (int y = j * brick_edge; y <= (j + 1) * brick_edge; ++y)
+                for (int x = i * brick_edge; x <= (i + 1) * brick_edge; ++x, ++v)
+                    if (!body.region.is_bounded() || body.region.contains(g.sample_position(x, y, z))) what(x, y, z, *v);
     }
 };
 

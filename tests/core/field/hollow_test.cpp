@@ -32,7 +32,7 @@ double felt_thickness(const Body& body, double sheet) {
     double sum = 0.0;
     for (double z = half_edge - sheet - 2.0 * h; z < half_edge + 2.0 * h; z += step) {
         const BrickPlace place = locate(body, {0.1_mm, 0.2_mm, z});
-        sum += step * engagement(body.surface.at(place), cut.at(place), h);
+        sum += step * static_cast<double>(engagement(body.surface.quanta_at(place), cut.quanta_at(place)));
     }
     return sum;
 }

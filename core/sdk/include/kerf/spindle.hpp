@@ -50,7 +50,9 @@ struct Spindle {
         torque = std::clamp(wasted + load * fading(now), -motor.torque, motor.torque);
         speed = sense * now;
 
-        held = wanted > 0.0 && now < crawling && now <= old ? held + dt : 0.0;
+        // What it stands in is known to a rounding or two: by so much it may seem to gain speed.
+        const bool is_held = wanted > 0.0 && now < crawling && now <= old + 1e-4 * crawling;
+        held = is_held ? held + dt : 0.0;
         if (held > stalling_time - 0.5 * dt) {
             phase = Phase::stalled;
             speed = held = 0.0;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// Memory for the samples of bricks.
+namespace kerf {
+
+/// Address room of at least `bytes`; if it is large, on the machine only where it has been touched, and in huge pages where
+/// the system has them. Throws std::bad_alloc.   [main, worker]
+[[nodiscard]] void* map_brick_memory(std::size_t bytes);
+void unmap_brick_memory(void* memory, std::size_t bytes) noexcept;
+
+/// For std::vector: what it reserves costs nothing before it is used, so a vector that reserves all it can ever need grows
+/// without moving.
+template <class Sample>
+struct BrickAllocator {
+    using value_type = Sample;
+    BrickAllocator() = default;
+    template <class Other>
+    explicit BrickAllocator(const BrickAllocator<Other>&) noexcept {}
+
+    [[nodiscard]] Sample* allocate(std::size_t n) { return static_cast<Sample*>(map_brick_memory(n * sizeof(Sample))); }
+    void deallocate(Sample* p, std::size_t n) noexcept { unmap_brick_memory(p, n * sizeof(Sample)); }
+    friend bool operator==(const BrickAllocator&, const BrickAllocator&) noexcept { return true; }
+};
+
+template <class Sample>
+using BrickSamples = std::vector<Sample, BrickAllocator<Sample>>;
+
+}  // namespace kerf
