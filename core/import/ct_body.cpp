@@ -21,6 +21,7 @@ namespace {
 
 constexpr double hounsfield_step = 50.0;  // [HU] by which a border's threshold is doubted
 constexpr double grey_step = 0.05;        // [–] the same, of the threshold
+constexpr double around_border = 12e-3;   // [m] of distance on both sides, beyond all shells
 constexpr float metal = 2800.0f;          // [HU] above enamel and cortex
 constexpr double least_metal = 5e-9;      // [m³] worth a word
 
@@ -216,7 +217,7 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     std::vector<std::string> ignored;
     const auto with = [&](double threshold) -> std::optional<VoxelImage> {
         try {
-            return distance_in_voxels(mask_at(threshold, blank, anatomy, ignored), threshold).distance;
+            return distance_in_voxels(mask_at(threshold, blank, anatomy, ignored), threshold, around_border).distance;
         } catch (const Refusal&) {
             return std::nullopt;
         }
@@ -295,13 +296,13 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     if (sources.has_labels && !mark_labels(blank, ct, sources, notes)) return std::nullopt;
     const BoneMask mask = mask_at(ct.threshold, blank, anatomy, notes);
     bone.voxels = mask.count();
-    VoxelDistance found = distance_in_voxels(mask, ct.threshold);
+    double cortex = 0.0;
+    for (const auto& tissue : anatomy.tissues) cortex += tissue.thickness;
+    VoxelDistance found = distance_in_voxels(mask, ct.threshold, cortex + around_border);
     bone.distance = std::move(found.distance);
     notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +
                     rounded(100.0 * found.crossing_share, 0) + " % of it; half way between them at the rest.");
 
-    double cortex = 0.0;
-    for (const auto& tissue : anatomy.tissues) cortex += tissue.thickness;
     double sum = 0.0;
     std::size_t deep = 0;
     for (std::size_t at = 0; at < part->values.size(); ++at)

@@ -39,7 +39,7 @@ double solved(std::array<double, 3> near, std::array<double, 3> spacing) {
 
 }  // namespace
 
-VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold) {
+VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double farthest) {
     std::size_t faces = 0, crossings = 0;
     const VoxelImage& image = mask.image;
     VoxelImage result = image;
@@ -69,25 +69,38 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold) {
         is_fixed[at] = 1;
     });
 
-    // All others, in the eight directions in which the nearest border can lie; twice, for winding bone.
-    for (int sweep = 0; sweep < 16; ++sweep) {
-        const auto along = [&](std::size_t axis, int n) { return sweep >> axis & 1 ? image.size[axis] - 1 - n : n; };
-        for (int c = 0; c < image.size[2]; ++c)
-            for (int b = 0; b < image.size[1]; ++b)
-                for (int a = 0; a < image.size[0]; ++a) {
-                    const std::array<int, 3> v{along(0, a), along(1, b), along(2, c)};
-                    const std::size_t at = image.offset(v[0], v[1], v[2]);
-                    if (is_fixed[at] != 0) continue;
-                    std::array<double, 3> near{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-                    for (std::size_t n = 0; n < face_neighbours.size(); ++n) {
-                        const int x = v[0] + face_neighbours[n][0], y = v[1] + face_neighbours[n][1], z = v[2] + face_neighbours[n][2];
-                        if (image.has(x, y, z)) near[n / 2] = std::min(near[n / 2], distance[image.offset(x, y, z)]);
+    // All others, in the eight directions in which the nearest border can lie; again, for winding bone, until nothing
+    // comes nearer.
+    const std::array<std::ptrdiff_t, 3> stride{1, image.size[0],
+                                               static_cast<std::ptrdiff_t>(image.size[0]) * image.size[1]};
+    for (int round = 0; round < 2; ++round) {
+        bool has_changed = false;
+        for (int sweep = 0; sweep < 8; ++sweep) {
+            const auto along = [&](std::size_t axis, int n) { return sweep >> axis & 1 ? image.size[axis] - 1 - n : n; };
+            for (int c = 0; c < image.size[2]; ++c)
+                for (int b = 0; b < image.size[1]; ++b)
+                    for (int a = 0; a < image.size[0]; ++a) {
+                        const std::array<int, 3> v{along(0, a), along(1, b), along(2, c)};
+                        const std::size_t at = image.offset(v[0], v[1], v[2]);
+                        if (is_fixed[at] != 0) continue;
+                        std::array<double, 3> near;
+                        for (std::size_t axis = 0; axis < 3; ++axis) {
+                            const double* here = distance.data() + at;
+                            const double before = v[axis] > 0 ? here[-stride[axis]] : HUGE_VAL;
+                            const double behind = v[axis] + 1 < image.size[axis] ? here[stride[axis]] : HUGE_VAL;
+                            near[axis] = std::min(before, behind);
+                        }
+                        if (std::min({near[0], near[1], near[2]}) >= std::min(distance[at], farthest)) continue;
+                        const double found = solved(near, spacing);
+                        if (found >= distance[at]) continue;
+                        distance[at] = found;
+                        has_changed = true;
                     }
-                    distance[at] = std::min(distance[at], solved(near, spacing));
-                }
+        }
+        if (!has_changed) break;
     }
     for (std::size_t at = 0; at < distance.size(); ++at) {
-        const double capped = std::min(distance[at], 1.0);  // [m]
+        const double capped = std::min(distance[at], farthest);
         result.values[at] = static_cast<float>(mask.is_bone[at] != 0 ? -capped : capped);
     }
     return {std::move(result), faces > 0 ? static_cast<double>(crossings) / static_cast<double>(faces) : 0.0};

@@ -15,7 +15,8 @@ struct VoxelDistance {
 ///
 ///     t = (v_a − threshold) / (v_a − v_b)   of the way, ½ where the values do not cross
 ///
-/// and the distance follows from |∇d| = 1 (fast sweeping). Pre: the image is not sheared.   [main]
-[[nodiscard]] VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold);
+/// and the distance follows from |∇d| = 1 (fast sweeping), up to `farthest` [m]; beyond it is that. Pre: the image is not
+/// sheared.   [main]
+[[nodiscard]] VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double farthest);
 
 }  // namespace kerf

@@ -158,7 +158,9 @@ private:
                                         [&](const ParameterInfo& p) { return p.id == node.key; });
         if (found == parameters.end()) return false;
         const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
-        Reason declared{{component.plugin + "/" + component.id}, found->id + " is declared there from " + quantity_text(need.min, need.unit) +
+        SourcePlace where;
+        where.file = component.plugin + "/" + component.id;
+        Reason declared{std::move(where), found->id + " is declared there from " + quantity_text(need.min, need.unit) +
                             " to " + quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) + " if not given.", {}};
         if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
             values[static_cast<std::size_t>(found - parameters.begin())] = *value;
