@@ -236,12 +236,6 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              write_anatomy(folder, 626, plain_ct);
          }},
         {627, scan_with(627, "ElementSpacing", "1 1 0")},
-        {628, [](const std::string& folder) {
-             Scan scan;
-             std::swap(scan.header[0], scan.header[4]);  // sizes before their number: our reader of headers does not mind
-             scan.write_to(folder + "/scan.mha");
-             write_anatomy(folder, 628, plain_ct);
-         }},
         {629, [](const std::string& folder) {
              Scan scan;
              scan.odd = std::numeric_limits<float>::quiet_NaN();

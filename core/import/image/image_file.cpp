@@ -239,22 +239,37 @@ Number nifti_field(const std::string& header, std::size_t at, bool is_swapped) {
     return value;
 }
 
-int bytes_of_nifti_type(int type) {
-    switch (type) {
+struct VoxelType {
+    int bytes = 0;
+    bool is_signed = true, is_real = false;
+};
+
+void take(ImageFile& image, VoxelType type) {
+    image.bytes_per_voxel = type.bytes;
+    image.is_signed = type.is_signed;
+    image.is_real = type.is_real;
+}
+
+VoxelType nifti_type(int code) {
+    switch (code) {
         case 2:
+            return {1, false, false};
         case 256:
-            return 1;  // (u)int8
+            return {1, true, false};
         case 4:
+            return {2, true, false};
         case 512:
-            return 2;  // (u)int16
+            return {2, false, false};
         case 8:
+            return {4, true, false};
         case 768:
+            return {4, false, false};
         case 16:
-            return 4;  // (u)int32, float32
+            return {4, true, true};
         case 64:
-            return 8;  // float64
+            return {8, true, true};
         default:
-            return 0;
+            return {};
     }
 }
 
@@ -352,7 +367,7 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     check_size(size, image);
 
     const int type = word(70);
-    image.bytes_per_voxel = bytes_of_nifti_type(type);
+    take(image, nifti_type(type));
     if (image.bytes_per_voxel == 0)
         refuse("E0625",
                "the header names voxel type " + std::to_string(type) + ", must be an integer or float of 1 to 8 bytes.",
@@ -366,9 +381,15 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     if (!(offset >= 352.0 && offset <= 16.0 * 1024 * 1024) || offset != std::floor(offset))
         refuse("E0622", "`vox_offset` is " + number_text(offset) + ", must be 352 or more.", "Export the image again.");
     image.data_offset = static_cast<std::uint64_t>(offset);
-    for (const std::size_t at : {std::size_t{112}, std::size_t{116}})
-        if (!std::isfinite(nifti_field<float>(header, at, is_swapped)))
-            refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
+    const auto slope = static_cast<double>(nifti_field<float>(header, 112, is_swapped));
+    const auto intercept = static_cast<double>(nifti_field<float>(header, 116, is_swapped));
+    if (!std::isfinite(slope) || !std::isfinite(intercept))
+        refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
+    if (slope != 0.0) {  // 0 means: as stored
+        image.slope = slope;
+        image.intercept = intercept;
+    }
+    image.is_big_endian = is_swapped;
     place_nifti(header, is_swapped, image);
     return image;
 }
@@ -397,7 +418,7 @@ void add(Fields& fields, std::string_view name, std::string_view value) {
         refuse("E0622", "the header has `" + shown(trimmed(name)) + "` twice.", "Export the image again.");
 }
 
-int bytes_of_named_type(const std::string& type) {
+VoxelType named_type(const std::string& type) {
     static const std::map<std::string, int> known{{"signed char", 1},
                                                   {"int8", 1},
                                                   {"int8_t", 1},
@@ -439,7 +460,10 @@ int bytes_of_named_type(const std::string& type) {
         refuse("E0625",
                "the header names voxel type `" + shown(type) + "`, must be an integer or float of 1 to 8 bytes.",
                "Export the image as 16-bit integers.");
-    return found->second;
+    const std::string& name = found->first;
+    const bool is_real = name.ends_with("float") || name.ends_with("double");
+    const bool is_unsigned = name.starts_with("u") || name.starts_with("met_u");
+    return {found->second, !is_unsigned, is_real};
 }
 
 // ---- NRRD -----------------------------------------------------------------------------------------------------------
@@ -517,10 +541,13 @@ ImageFile check_nrrd(const std::string& file) {
         sizes.erase(sizes.begin());
     }
     check_size(sizes, image);
-    image.bytes_per_voxel = bytes_of_named_type(need(fields, {"type"}));
-    if (image.bytes_per_voxel > 1)
-        if (const std::string endian = lower(need(fields, {"endian"})); endian != "little" && endian != "big")
+    take(image, named_type(need(fields, {"type"})));
+    if (image.bytes_per_voxel > 1) {
+        const std::string endian = lower(need(fields, {"endian"}));
+        if (endian != "little" && endian != "big")
             refuse("E0622", "`endian` is \"" + shown(endian) + "\", must be little or big.", "Export the image again.");
+        image.is_big_endian = endian == "big";
+    }
 
     const std::string encoding = lower(need(fields, {"encoding"}));
     if (encoding == "gzip" || encoding == "gz")
@@ -587,12 +614,12 @@ ImageFile check_meta(const std::string& file) {
     if (dimensions.size() != 1 || dimensions[0] != static_cast<long long>(sizes.size()))
         refuse("E0622", "`NDims` and the number of sizes in `DimSize` differ.", "Export the image again.");
     check_size(sizes, image);
-    image.bytes_per_voxel = bytes_of_named_type(need(fields, {"elementtype"}));
+    take(image, named_type(need(fields, {"elementtype"})));
     if (const std::string* channels = find(fields, {"elementnumberofchannels"}); channels && *channels != "1")
         refuse("E0623", "there are " + shown(*channels) + " numbers per voxel, must be 1.", "Export a single channel.");
     if (!is_true(fields, {"binarydata"}, true))
         refuse("E0625", "the voxels are written as text.", "Export the image with binary data.");
-    is_true(fields, {"binarydatabyteordermsb", "elementbyteordermsb"}, false);
+    image.is_big_endian = is_true(fields, {"binarydatabyteordermsb", "elementbyteordermsb"}, false);
     if (is_true(fields, {"compresseddata"}, false)) image.packing = ImageFile::Packing::deflated;
     if (const std::string* skip = find(fields, {"headersize"}); skip && *skip != "0")
         refuse("E0622", "the header has `HeaderSize`.", "Export the image again.");
@@ -654,20 +681,57 @@ ImageFile checked(const std::string& file) {
 
 }  // namespace
 
-std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
+namespace {
+
+/// What `work` gives, or nothing and why.
+template <class Work>
+auto or_refused(const std::string& file, Diagnostics& diagnostics, const Work& work)
+    -> std::optional<decltype(work())> {
     Diagnostic wrong;
     wrong.place.file = file;
     try {
-        return checked(file);
+        return work();
     } catch (const Refusal& refusal) {
         wrong.code = refusal.code;
         wrong.message = refusal.message + " " + refusal.advice;
     } catch (const std::exception& error) {  // no memory, or a name that is no path
         wrong.code = "E0620";
-        wrong.message = std::string("the file cannot be checked: ") + error.what() + ".";
+        wrong.message = std::string("the file cannot be read: ") + error.what() + ". Check its name, and free some memory.";
     }
     diagnostics.push_back(std::move(wrong));
     return std::nullopt;
+}
+
+std::string voxel_bytes(const ImageFile& image) {
+    const auto size = static_cast<std::size_t>(image.data_bytes());
+    std::string bytes;
+    if (image.packing == ImageFile::Packing::raw) {
+        bytes.resize(size);
+        std::ifstream in = opened(image.data_file);
+        in.seekg(static_cast<std::streamoff>(image.data_offset));
+        in.read(bytes.data(), static_cast<std::streamsize>(size));
+        bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
+    } else if (image.packing == ImageFile::Packing::gzip_file) {
+        const auto whole = static_cast<std::size_t>(image.data_offset) + size;
+        bytes.reserve(whole);
+        unpack(image.data_file, 0, whole, whole, bytes);
+        bytes.erase(0, static_cast<std::size_t>(image.data_offset));
+    } else {
+        bytes.reserve(size);
+        unpack(image.data_file, image.data_offset, size, size, bytes);
+    }
+    if (bytes.size() != size) refuse_truncated(bytes.size(), size, "the block of voxels");  // it has changed since
+    return bytes;
+}
+
+}  // namespace
+
+std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
+    return or_refused(file, diagnostics, [&] { return checked(file); });
+}
+
+std::optional<std::string> read_voxel_bytes(const std::string& file, const ImageFile& header, Diagnostics& diagnostics) {
+    return or_refused(file, diagnostics, [&] { return voxel_bytes(header); });
 }
 
 }  // namespace kerf

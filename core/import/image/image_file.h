@@ -19,7 +19,6 @@
 ///     E0625  a type of voxel, or an encoding, that is not read
 ///     E0626  fewer bytes than the header promises, or damaged compressed data
 ///     E0627  no usable spacing, orientation or frame
-///     E0628  the reader refused the file, or read something else than its header says
 ///     E0629  a voxel that is no finite number
 namespace kerf {
 
@@ -38,6 +37,8 @@ struct ImageFile {
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m], as the header places the voxels; may be sheared
     int layers = 1;           ///< numbers per voxel: of a segmentation whose structures overlap; else 1
     int bytes_per_voxel = 0;  ///< in one layer
+    bool is_signed = true, is_real = false, is_big_endian = false;
+    double slope = 1.0, intercept = 0.0;  ///< value = slope × stored + intercept
     std::vector<Segment> segments;  ///< named ones; empty: only numbers
     Packing packing = Packing::raw;
     std::string data_file;          ///< beside or the same as the header
@@ -56,5 +57,9 @@ struct ImageFile {
 /// Reads the header and counts the bytes behind it; compressed ones are unpacked into a small buffer and dropped.
 /// Empty, with one error, when anything does not fit. Never throws.   [main]
 [[nodiscard]] std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics);
+
+/// The bytes of all voxels, unpacked, as the file orders them. Error (E0620, E0626).   [main]
+[[nodiscard]] std::optional<std::string> read_voxel_bytes(const std::string& file, const ImageFile& header,
+                                                          Diagnostics& diagnostics);
 
 }  // namespace kerf

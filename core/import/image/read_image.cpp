@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/image/read_image.h"
 
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <exception>
 #include <vector>
 
 #include "core/import/image/image_file.h"
 
 namespace kerf {
 namespace {
-
-itk::ImageIOBase::Pointer reader_for(ImageFile::Format format) {
-    switch (format) {
-        case ImageFile::Format::nrrd:
-            return itk::NrrdImageIO::New().GetPointer();
-        case ImageFile::Format::meta:
-            return itk::MetaImageIO::New().GetPointer();
-        default:
-            return itk::NiftiImageIO::New().GetPointer();
-    }
-}
 
 Diagnostic refused(const std::string& file, const char* code, std::string message) {
     Diagnostic wrong;
@@ -36,104 +21,43 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
     return wrong;
 }
 
-/// Whether ITK understood the header as we did: it must not take more memory than was checked for.
-bool agrees(itk::ImageIOBase& io, const ImageFile& header) {
-    // What NIfTI scales comes as a float.
-    const bool is_scaled =
-        header.format == ImageFile::Format::nifti && io.GetComponentType() == itk::IOComponentEnum::FLOAT;
-    const bool has_type = is_scaled || io.GetComponentSize() == static_cast<unsigned>(header.bytes_per_voxel);
-    if (io.GetNumberOfComponents() != static_cast<unsigned>(header.layers) || !has_type) return false;
-    for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
-        if (io.GetDimensions(axis) != static_cast<std::size_t>(axis < 3 ? header.size[axis] : 1)) return false;
-    return io.GetNumberOfDimensions() >= 3;
-}
-
-/// The voxels of a range and one layer, as floats.
+/// The voxels of a range and one layer, as the file scales them.
 template <class Stored>
-std::vector<float> taken(const std::vector<char>& buffer, const VoxelGrid& grid, const VoxelRange& range, int layers,
-                         int layer) {
+std::vector<float> taken(const std::string& bytes, const ImageFile& header, const VoxelGrid& grid,
+                         const VoxelRange& range, int layer) {
     std::vector<float> values;
     values.reserve(range.voxels());
+    const auto layers = static_cast<std::size_t>(header.layers);
+    std::array<char, sizeof(Stored)> one;
     for (int k = 0; k < range.size[2]; ++k)
         for (int j = 0; j < range.size[1]; ++j) {
             const std::size_t row = grid.offset(range.first[0], range.first[1] + j, range.first[2] + k);
             for (std::size_t i = 0; i < static_cast<std::size_t>(range.size[0]); ++i) {
-                Stored value;
-                std::memcpy(&value,
-                            buffer.data() + ((row + i) * static_cast<std::size_t>(layers) +
-                                             static_cast<std::size_t>(layer)) * sizeof value,
-                            sizeof value);
-                values.push_back(static_cast<float>(value));
+                const std::size_t at = (row + i) * layers + static_cast<std::size_t>(layer);
+                std::memcpy(one.data(), bytes.data() + at * sizeof(Stored), sizeof(Stored));
+                if (header.is_big_endian) std::reverse(one.begin(), one.end());
+                Stored stored;
+                std::memcpy(&stored, one.data(), sizeof stored);
+                values.push_back(static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept));
             }
         }
     return values;
 }
 
-std::vector<float> taken(itk::IOComponentEnum type, const std::vector<char>& buffer, const VoxelGrid& grid,
-                         const VoxelRange& range, int layers, int layer) {
-    using Type = itk::IOComponentEnum;
-    const auto as = [&]<class Stored>(Stored) { return taken<Stored>(buffer, grid, range, layers, layer); };
-    switch (type) {
-        case Type::UCHAR:
-            return as(std::uint8_t{});
-        case Type::CHAR:
-            return as(std::int8_t{});
-        case Type::USHORT:
-            return as(std::uint16_t{});
-        case Type::SHORT:
-            return as(std::int16_t{});
-        case Type::UINT:
-            return as(std::uint32_t{});
-        case Type::INT:
-            return as(std::int32_t{});
-        case Type::ULONG:
-        case Type::ULONGLONG:
-            return as(std::uint64_t{});
-        case Type::LONG:
-        case Type::LONGLONG:
-            return as(std::int64_t{});
-        case Type::FLOAT:
-            return as(float{});
-        case Type::DOUBLE:
-            return as(double{});
+std::vector<float> taken(const std::string& bytes, const ImageFile& header, const VoxelGrid& grid,
+                         const VoxelRange& range, int layer) {
+    const auto as = [&]<class Stored>(Stored) { return taken<Stored>(bytes, header, grid, range, layer); };
+    switch (header.bytes_per_voxel) {
+        case 1:
+            return header.is_signed ? as(std::int8_t{}) : as(std::uint8_t{});
+        case 2:
+            return header.is_signed ? as(std::int16_t{}) : as(std::uint16_t{});
+        case 4:
+            if (header.is_real) return as(float{});
+            return header.is_signed ? as(std::int32_t{}) : as(std::uint32_t{});
         default:
-            return {};
+            return as(double{});
     }
-}
-
-std::optional<VoxelImage> read_with_itk(const std::string& file, const ImageFile& header, const VoxelRange& range,
-                                        int layer, Diagnostics& diagnostics) {
-    const itk::ImageIOBase::Pointer io = reader_for(header.format);
-    io->SetFileName(file);
-    io->ReadImageInformation();
-    if (!agrees(*io, header)) {
-        diagnostics.push_back(refused(file, "E0628", "the header can be understood in two ways."));
-        return std::nullopt;
-    }
-    VoxelGrid grid;
-    grid.size = header.size;
-    if (!grid.place(header.lps_from_index)) {
-        diagnostics.push_back(refused(file, "E0627", "the image's axes have no usable directions."));
-        return std::nullopt;
-    }
-    itk::ImageIORegion all(io->GetNumberOfDimensions());
-    for (unsigned axis = 0; axis < io->GetNumberOfDimensions(); ++axis) all.SetSize(axis, io->GetDimensions(axis));
-    io->SetIORegion(all);
-    std::vector<char> buffer(io->GetImageSizeInBytes());
-    io->Read(buffer.data());
-
-    VoxelImage image;
-    static_cast<VoxelGrid&>(image) = grid.part(range);
-    image.values = taken(io->GetComponentType(), buffer, grid, range, header.layers, layer);
-    if (image.values.empty()) {
-        diagnostics.push_back(refused(file, "E0625", "its type of voxel is not read."));
-        return std::nullopt;
-    }
-    if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); })) {
-        diagnostics.push_back(refused(file, "E0629", "a voxel is no finite number."));
-        return std::nullopt;
-    }
-    return image;
 }
 
 }  // namespace
@@ -151,13 +75,22 @@ std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagn
 
 std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range,
                                      int layer, Diagnostics& diagnostics) {
-    itk::Object::GlobalWarningDisplayOff();  // what matters was checked, and is said in our words
-    try {
-        return read_with_itk(file, header, range, layer, diagnostics);
-    } catch (const std::exception&) {  // ITK's own, too: its words are for programmers, and hold addresses
-        diagnostics.push_back(refused(file, "E0628", "the library that reads images cannot make sense of it."));
+    VoxelGrid grid;
+    grid.size = header.size;
+    if (!grid.place(header.lps_from_index)) {
+        diagnostics.push_back(refused(file, "E0627", "the image's axes have no usable directions."));
+        return std::nullopt;
     }
-    return std::nullopt;
+    const std::optional<std::string> bytes = read_voxel_bytes(file, header, diagnostics);
+    if (!bytes) return std::nullopt;
+    VoxelImage image;
+    static_cast<VoxelGrid&>(image) = grid.part(range);
+    image.values = taken(*bytes, header, grid, range, layer);
+    if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); })) {
+        diagnostics.push_back(refused(file, "E0629", "a voxel is no finite number."));
+        return std::nullopt;
+    }
+    return image;
 }
 
 }  // namespace kerf
