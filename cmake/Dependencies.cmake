@@ -6,9 +6,7 @@ find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 find_package(CLI11 2.1 CONFIG REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
-# Only what reads three formats. Here, not where it is used: its targets must be seen by whoever links in the end.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)   # its packages list all that Debian keeps in other ones
-find_package(ITK 5 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta)
 find_package(GDCM 3 REQUIRED)          # codecs of compressed DICOM, nothing else
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 
@@ -29,10 +27,6 @@ dep_wrap(json nlohmann_json::nlohmann_json)
 dep_wrap(cli11 CLI11::CLI11)
 dep_wrap(sqlite SQLite::SQLite3)
 dep_wrap(zlib ZLIB::ZLIB)
-add_library(dep_itk INTERFACE)   # without its use-file, which changes flags for everybody
-target_link_libraries(dep_itk INTERFACE ${ITK_LIBRARIES})
-target_include_directories(dep_itk SYSTEM INTERFACE ${ITK_INCLUDE_DIRS})
-add_library(dep::itk ALIAS dep_itk)
 add_library(dep_gdcm INTERFACE)
 target_link_libraries(dep_gdcm INTERFACE gdcmMSFF gdcmDSED gdcmDICT gdcmCommon)
 target_include_directories(dep_gdcm SYSTEM INTERFACE ${GDCM_INCLUDE_DIRS})

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/import/image/read_image.h"
 #include "core/import/make_body.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
@@ -236,12 +237,6 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              write_anatomy(folder, 626, plain_ct);
          }},
         {627, scan_with(627, "ElementSpacing", "1 1 0")},
-        {628, [](const std::string& folder) {
-             Scan scan;
-             std::swap(scan.header[0], scan.header[4]);  // sizes before their number: our reader of headers does not mind
-             scan.write_to(folder + "/scan.mha");
-             write_anatomy(folder, 628, plain_ct);
-         }},
         {629, [](const std::string& folder) {
              Scan scan;
              scan.odd = std::numeric_limits<float>::quiet_NaN();
@@ -352,6 +347,20 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
         {602, [] {
              Diagnostics found;
              (void)make_body(block_of(2.0), 0.05e-3, found);
+             return found;
+         }},
+        {628, [] {
+             Diagnostics found;
+             const TemporaryFolder folder;
+             const std::filesystem::path before = std::filesystem::current_path();
+             std::filesystem::current_path(folder.path());
+             Scan scan;
+             scan.write_to("scan.mha");
+             const auto header = check_image_file("scan.mha", found);
+             scan.missing = 1000;
+             scan.write_to("scan.mha");
+             if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0, found);
+             std::filesystem::current_path(before);
              return found;
          }},
     };

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/image/read_image.h"
 
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -13,20 +10,18 @@
 #include <vector>
 
 #include "core/import/image/image_file.h"
+#include "core/import/image/packed_bytes.h"
 
 namespace kerf {
 namespace {
 
-itk::ImageIOBase::Pointer reader_for(ImageFile::Format format) {
-    switch (format) {
-        case ImageFile::Format::nrrd:
-            return itk::NrrdImageIO::New().GetPointer();
-        case ImageFile::Format::meta:
-            return itk::MetaImageIO::New().GetPointer();
-        default:
-            return itk::NiftiImageIO::New().GetPointer();
-    }
-}
+static_assert(std::endian::native == std::endian::little, "turn the other files' numbers round");
+
+/// What ends reading; becomes a Diagnostic at the only way out.
+struct Refusal {
+    const char* code;
+    std::string message;
+};
 
 Diagnostic refused(const std::string& file, const char* code, std::string message) {
     Diagnostic wrong;
@@ -36,104 +31,57 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
     return wrong;
 }
 
-/// Whether ITK understood the header as we did: it must not take more memory than was checked for.
-bool agrees(itk::ImageIOBase& io, const ImageFile& header) {
-    // What NIfTI scales comes as a float.
-    const bool is_scaled =
-        header.format == ImageFile::Format::nifti && io.GetComponentType() == itk::IOComponentEnum::FLOAT;
-    const bool has_type = is_scaled || io.GetComponentSize() == static_cast<unsigned>(header.bytes_per_voxel);
-    if (io.GetNumberOfComponents() != static_cast<unsigned>(header.layers) || !has_type) return false;
-    for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis)
-        if (io.GetDimensions(axis) != static_cast<std::size_t>(axis < 3 ? header.size[axis] : 1)) return false;
-    return io.GetNumberOfDimensions() >= 3;
+/// One layer's numbers out of `bytes`, `count` voxels of `layers` numbers each.
+template <class Stored>
+void append(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header, int layer) {
+    for (std::size_t n = 0; n < count; ++n) {
+        char one[sizeof(Stored)];
+        std::memcpy(one, bytes.data() + (n * static_cast<std::size_t>(header.layers) + static_cast<std::size_t>(layer)) * sizeof one, sizeof one);
+        if (header.is_big_endian) std::reverse(std::begin(one), std::end(one));
+        Stored stored;
+        std::memcpy(&stored, one, sizeof stored);
+        values.push_back(static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept));
+    }
 }
 
-/// The voxels of a range and one layer, as floats.
-template <class Stored>
-std::vector<float> taken(const std::vector<char>& buffer, const VoxelGrid& grid, const VoxelRange& range, int layers,
-                         int layer) {
+void append_row(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header, int layer) {
+    using Number = ImageFile::Number;
+    const auto as = [&]<class Stored>(Stored) { append<Stored>(values, bytes, count, header, layer); };
+    switch (header.number) {
+        case Number::int8: return as(std::int8_t{});
+        case Number::uint8: return as(std::uint8_t{});
+        case Number::int16: return as(std::int16_t{});
+        case Number::uint16: return as(std::uint16_t{});
+        case Number::int32: return as(std::int32_t{});
+        case Number::uint32: return as(std::uint32_t{});
+        case Number::float32: return as(float{});
+        case Number::float64: return as(double{});
+    }
+}
+
+/// Row by row; what lies between the rows of the range is passed over.
+std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, const VoxelRange& range, int layer) {
+    const bool is_packed = header.packing != ImageFile::Packing::raw, is_all = header.packing == ImageFile::Packing::gzip_file;
+    PackedBytes bytes(header.data_file, is_all ? 0 : header.data_offset,
+                      is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
+    const Refusal changed{"E0628", "the file is another one than when it was looked at: voxels are missing now."};
+    std::uint64_t at = 0;  // of the voxels' bytes
+    if (is_all && bytes.take(nullptr, header.data_offset) != header.data_offset) throw changed;
+
+    const std::uint64_t per_voxel = static_cast<std::uint64_t>(header.bytes_per_voxel()) * static_cast<std::uint64_t>(header.layers);
+    const auto columns = static_cast<std::size_t>(range.size[0]);
+    std::vector<char> row(columns * per_voxel);
     std::vector<float> values;
     values.reserve(range.voxels());
     for (int k = 0; k < range.size[2]; ++k)
         for (int j = 0; j < range.size[1]; ++j) {
-            const std::size_t row = grid.offset(range.first[0], range.first[1] + j, range.first[2] + k);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(range.size[0]); ++i) {
-                Stored value;
-                std::memcpy(&value,
-                            buffer.data() + ((row + i) * static_cast<std::size_t>(layers) +
-                                             static_cast<std::size_t>(layer)) * sizeof value,
-                            sizeof value);
-                values.push_back(static_cast<float>(value));
-            }
+            const std::uint64_t begin = grid.offset(range.first[0], range.first[1] + j, range.first[2] + k) * per_voxel;
+            if (begin > at && bytes.take(nullptr, begin - at) != begin - at) throw changed;
+            if (bytes.take(row.data(), row.size()) != row.size()) throw changed;
+            at = begin + row.size();
+            append_row(values, row, columns, header, layer);
         }
     return values;
-}
-
-std::vector<float> taken(itk::IOComponentEnum type, const std::vector<char>& buffer, const VoxelGrid& grid,
-                         const VoxelRange& range, int layers, int layer) {
-    using Type = itk::IOComponentEnum;
-    const auto as = [&]<class Stored>(Stored) { return taken<Stored>(buffer, grid, range, layers, layer); };
-    switch (type) {
-        case Type::UCHAR:
-            return as(std::uint8_t{});
-        case Type::CHAR:
-            return as(std::int8_t{});
-        case Type::USHORT:
-            return as(std::uint16_t{});
-        case Type::SHORT:
-            return as(std::int16_t{});
-        case Type::UINT:
-            return as(std::uint32_t{});
-        case Type::INT:
-            return as(std::int32_t{});
-        case Type::ULONG:
-        case Type::ULONGLONG:
-            return as(std::uint64_t{});
-        case Type::LONG:
-        case Type::LONGLONG:
-            return as(std::int64_t{});
-        case Type::FLOAT:
-            return as(float{});
-        case Type::DOUBLE:
-            return as(double{});
-        default:
-            return {};
-    }
-}
-
-std::optional<VoxelImage> read_with_itk(const std::string& file, const ImageFile& header, const VoxelRange& range,
-                                        int layer, Diagnostics& diagnostics) {
-    const itk::ImageIOBase::Pointer io = reader_for(header.format);
-    io->SetFileName(file);
-    io->ReadImageInformation();
-    if (!agrees(*io, header)) {
-        diagnostics.push_back(refused(file, "E0628", "the header can be understood in two ways."));
-        return std::nullopt;
-    }
-    VoxelGrid grid;
-    grid.size = header.size;
-    if (!grid.place(header.lps_from_index)) {
-        diagnostics.push_back(refused(file, "E0627", "the image's axes have no usable directions."));
-        return std::nullopt;
-    }
-    itk::ImageIORegion all(io->GetNumberOfDimensions());
-    for (unsigned axis = 0; axis < io->GetNumberOfDimensions(); ++axis) all.SetSize(axis, io->GetDimensions(axis));
-    io->SetIORegion(all);
-    std::vector<char> buffer(io->GetImageSizeInBytes());
-    io->Read(buffer.data());
-
-    VoxelImage image;
-    static_cast<VoxelGrid&>(image) = grid.part(range);
-    image.values = taken(io->GetComponentType(), buffer, grid, range, header.layers, layer);
-    if (image.values.empty()) {
-        diagnostics.push_back(refused(file, "E0625", "its type of voxel is not read."));
-        return std::nullopt;
-    }
-    if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); })) {
-        diagnostics.push_back(refused(file, "E0629", "a voxel is no finite number."));
-        return std::nullopt;
-    }
-    return image;
 }
 
 }  // namespace
@@ -151,11 +99,20 @@ std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagn
 
 std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& header, const VoxelRange& range,
                                      int layer, Diagnostics& diagnostics) {
-    itk::Object::GlobalWarningDisplayOff();  // what matters was checked, and is said in our words
     try {
-        return read_with_itk(file, header, range, layer, diagnostics);
-    } catch (const std::exception&) {  // ITK's own, too: its words are for programmers, and hold addresses
-        diagnostics.push_back(refused(file, "E0628", "the library that reads images cannot make sense of it."));
+        VoxelGrid grid;
+        grid.size = header.size;
+        if (!grid.place(header.lps_from_index)) throw Refusal{"E0627", "the image's axes have no usable directions."};
+        VoxelImage image;
+        static_cast<VoxelGrid&>(image) = grid.part(range);
+        image.values = values_of(header, grid, range, layer);
+        if (!std::all_of(image.values.begin(), image.values.end(), [](float v) { return std::isfinite(v); }))
+            throw Refusal{"E0629", "a voxel is no finite number."};
+        return image;
+    } catch (const Refusal& refusal) {
+        diagnostics.push_back(refused(file, refusal.code, refusal.message));
+    } catch (const std::exception& error) {  // no memory
+        diagnostics.push_back(refused(file, "E0628", std::string("reading stopped: ") + error.what() + "."));
     }
     return std::nullopt;
 }
