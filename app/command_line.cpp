@@ -173,6 +173,13 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
                not_empty("a file, as in `--out preview.html`"));
 
+    CLI::App* privacy = add("privacy", "Tell what files would tell of a person: names, numbers, dates, paths");
+    privacy->add_option("FILE", line.files, "DICOM, an image, or what Kerf has written")
+        ->type_name("")->required()->check(not_empty("the name of a file"))->expected(1, many);
+    privacy->add_flag("--show", line.shows_values, "Print the values, not only their first letter");
+    privacy->footer("Exit code: 0 if nothing was found, 1 if something was, 2 if a file cannot be read. Nobody can promise that nothing else is in a file.\n" +
+                    std::string(notice_line) + ".");
+
     CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
     add_files(plan, "YAML file of the procedure", 1);
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",

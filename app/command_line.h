@@ -16,8 +16,8 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "stability", "chart"; empty: `answer` is all
-    std::vector<std::string> files;  ///< procedures; at least one for run, validate, rehearse, plan and expand, exactly one for run, plan and expand
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "privacy", "stability", "chart"; empty: `answer` is all
+    std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
     std::string code;                ///< of explain; empty: all
     std::string kind = "procedure";  ///< of schema: procedure | anatomy
@@ -33,6 +33,7 @@ struct CommandLine {
     std::string source;                    ///< of import: a scan, a folder or a surface
     std::string series;                    ///< of import
     bool may_resample = false;             ///< of import
+    bool shows_values = false;             ///< of privacy
     std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: LPS is supposed
     std::string action;                    ///< of anatomy: "check"
     std::string mode = "practice";  ///< practice | exam | demo

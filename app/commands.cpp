@@ -12,6 +12,7 @@
 #include "app/interruption.h"
 #include "app/plan_procedure.h"
 #include "app/preview/preview_page.h"
+#include "app/privacy.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
 #include "conformance/chart/chart_files.h"
@@ -296,6 +297,20 @@ ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
     return exit_pass;
 }
 
+ExitCode tell_privacy(const CommandLine& line) {
+    ExitCode worst = exit_pass;
+    for (const std::string& file : line.files) {
+        const PrivacyReport report = privacy_report(file);
+        if (!report.error.empty()) {
+            worst = complain(report.error, exit_bad_input);
+            continue;
+        }
+        std::fputs(privacy_text(file, report, line.shows_values).c_str(), stdout);
+        if (!report.findings.empty()) worst = std::max(worst, exit_not_passed);
+    }
+    return worst;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -309,6 +324,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);
+    if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
     if (line.command == "rehearse") {

@@ -111,6 +111,7 @@ constexpr CodeEntry entries[] = {
     {625, "voxels of another type", "The voxels are of a type, or packed in a way, that is not read.", "They would be read as other numbers.", "Export the image with whole or floating point numbers, raw or gzip."},
     {626, "image is cut short", "An image has fewer bytes than its header promises, or they are damaged.", "What is missing would be air, or bone that nobody scanned.", "Copy or export the file again."},
     {627, "image without a place", "Spacing, orientation or frame of an image cannot be used.", "Left and right could be exchanged.", "Export the image again, with its orientation."},
+    {628, "image changed while it was read", "When the voxels were read, the file was another one than when its header was checked; or there was no memory for them.", "Half of one file and half of another are no image.", "Wait until whatever writes the file has ended, and try again; export a part of it if memory is short."},
     {629, "voxel without a value", "A voxel is no finite number.", "It is neither bone nor air.", "Fill such voxels with the value of air, and export again."},
     {630, "label map elsewhere", "The label map covers nothing of the region, or does not lie where the image does.", "Labels would be taken from another place.", "Export the label map of the same scan."},
     {631, "axes outside the image", "The landmarks' axes lie outside the image.", "Most often they are in another frame (RAS instead of LPS) or of another patient.", "Check the landmarks and the image."},

@@ -77,6 +77,13 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         return std::nullopt;
     }
 
+    // A view in place of a table could give rows without end.
+    Query tables(raw, "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name IN ('session', 'ticks') AND sql LIKE 'CREATE TABLE %'");
+    if (!tables.next() || tables.integer(0) != 2) {
+        error = path + ": holds no ticks that can be read.";
+        return std::nullopt;
+    }
+
     RecordedInputs inputs;
     Query keys(raw, "SELECT key, value FROM session");
     while (keys.next()) {

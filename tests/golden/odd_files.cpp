@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/import/image/read_image.h"
 #include "core/import/make_body.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
@@ -346,6 +347,20 @@ const std::map<int, std::function<Diagnostics()>>& direct_causes() {
         {602, [] {
              Diagnostics found;
              (void)make_body(block_of(2.0), 0.05e-3, found);
+             return found;
+         }},
+        {628, [] {
+             Diagnostics found;
+             const TemporaryFolder folder;
+             const std::filesystem::path before = std::filesystem::current_path();
+             std::filesystem::current_path(folder.path());
+             Scan scan;
+             scan.write_to("scan.mha");
+             const auto header = check_image_file("scan.mha", found);
+             scan.missing = 1000;
+             scan.write_to("scan.mha");
+             if (header) (void)read_image("scan.mha", *header, {{0, 0, 0}, header->size}, 0, found);
+             std::filesystem::current_path(before);
              return found;
          }},
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -11,7 +12,7 @@
 
 namespace kerf::test {
 
-/// A DICOM file, element by element, that a test can spoil at one place. Little endian; explicit unless told.
+/// A DICOM file, element by element, that a test can spoil at one place. Explicit, little endian, unless `syntax` says otherwise.
 class DicomWriter {
 public:
     using Tag = std::uint32_t;  ///< group << 16 | element
@@ -52,12 +53,23 @@ public:
         elements_[0x7fe00010] = {"OB", value, true};
         return *this;
     }
+    /// Bytes as they shall stand there: of a sequence, of something private.
+    DicomWriter& raw(Tag tag, const char* sort, std::string value, bool is_open = false) {
+        elements_[tag] = {sort, std::move(value), is_open};
+        return *this;
+    }
     DicomWriter& without(Tag tag) {
         elements_.erase(tag);
         return *this;
     }
 
-    std::string syntax = "1.2.840.10008.1.2.1";  ///< explicit; 1.2.840.10008.1.2 is implicit
+    /// Its bytes as they were given; empty if it is not there.
+    [[nodiscard]] std::string value(Tag tag) const {
+        const auto found = elements_.find(tag);
+        return found == elements_.end() ? std::string() : found->second.value;
+    }
+
+    std::string syntax = "1.2.840.10008.1.2.1";  ///< explicit; 1.2.840.10008.1.2 is implicit, 1.2.840.10008.1.2.2 big endian
 
     [[nodiscard]] std::string bytes() const {
         std::string group2;
@@ -68,7 +80,8 @@ public:
         append(all, 0x00020000, "UL", std::string(reinterpret_cast<const char*>(&length), 4), true);
         all += group2;
         for (const auto& [tag, element] : elements_)
-            append(all, tag, element.sort, element.value, syntax != "1.2.840.10008.1.2", element.is_open);
+            append(all, tag, element.sort, element.value, syntax != "1.2.840.10008.1.2", element.is_open,
+                   syntax == "1.2.840.10008.1.2.2");
         return all;
     }
     void write(const std::string& file) const { std::ofstream(file, std::ios::binary) << bytes(); }
@@ -89,26 +102,30 @@ private:
         return value;
     }
     template <class Number>
-    static void put(std::string& out, Number value) {
-        out.append(reinterpret_cast<const char*>(&value), sizeof value);
+    static void put(std::string& out, Number value, bool is_big = false) {
+        std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+        if (is_big) std::reverse(bytes.begin(), bytes.end());
+        out += bytes;
     }
-    static void append(std::string& out, Tag tag, const std::string& sort, const std::string& value, bool is_explicit,
-                       bool is_open = false) {
-        put(out, static_cast<std::uint16_t>(tag >> 16));
-        put(out, static_cast<std::uint16_t>(tag));
+    static void append(std::string& out, Tag tag, const std::string& sort, std::string value, bool is_explicit,
+                       bool is_open = false, bool is_big = false) {
+        put(out, static_cast<std::uint16_t>(tag >> 16), is_big);
+        put(out, static_cast<std::uint16_t>(tag), is_big);
         const auto length = is_open ? 0xffffffffu : static_cast<std::uint32_t>(value.size());
         if (!is_explicit) {
-            put(out, length);
+            put(out, length, is_big);
         } else {
             out += sort;
             const bool is_long = sort == "OW" || sort == "OB" || sort == "SQ" || sort == "UN" || sort == "UT";
             if (is_long) {
                 put(out, std::uint16_t{0});
-                put(out, length);
+                put(out, length, is_big);
             } else {
-                put(out, static_cast<std::uint16_t>(length));
+                put(out, static_cast<std::uint16_t>(length), is_big);
             }
         }
+        if (is_big && (sort == "US" || sort == "SS" || sort == "OW"))
+            for (std::size_t at = 0; at + 1 < value.size(); at += 2) std::swap(value[at], value[at + 1]);
         out += value;
     }
 

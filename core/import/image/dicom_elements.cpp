@@ -89,6 +89,7 @@ std::uint32_t bits(const unsigned char* bytes, int count, bool is_big) {
 struct Element {
     std::uint32_t tag = 0, length = 0;
     bool is_unknown = false;  ///< sort UN: if its length is undefined, it is implicit inside
+    bool is_sequence = false; ///< as it says; implicit elements do not
 };
 
 Element next_element(Bytes& bytes, Encoding encoding) {
@@ -101,6 +102,7 @@ Element next_element(Bytes& bytes, Encoding encoding) {
     }
     const std::array<char, 2> sort{static_cast<char>(head[4]), static_cast<char>(head[5])};
     e.is_unknown = sort[0] == 'U' && sort[1] == 'N';
+    e.is_sequence = sort[0] == 'S' && sort[1] == 'Q';
     static constexpr std::array<const char*, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
                                                            "UN", "UC", "UR", "UT", "SV", "UV"};
     for (const char* one : long_ones)
@@ -130,6 +132,8 @@ public:
             if (e.tag <= last) throw Fault{"its elements are out of order"};
             last = e.tag;
             if (e.tag == pixel_data) return voxels(e, encoding);
+            if ((e.tag >> 16) % 2 != 0) ++found_.file.private_elements;
+            if (e.is_sequence || e.length == undefined) ++found_.file.sequences;
             if (e.length <= most_kept) found_.values[e.tag] = bytes_.keep(e.length);
             else skip(e, encoding, 0);
         }

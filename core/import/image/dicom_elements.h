@@ -24,6 +24,8 @@ public:
     bool has_voxels = false;       ///< an element with pixel data
     bool is_encapsulated = false;  ///< they are compressed, in pieces of which the first is a table
     std::vector<Piece> voxels;     ///< one, or all fragments
+    std::size_t private_elements = 0;  ///< of manufacturers: nobody else knows what they hold
+    std::size_t sequences = 0;         ///< elements with elements in them, which are passed over
 
     /// Without the blanks around it; empty if it is not there.
     [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;

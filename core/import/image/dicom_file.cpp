@@ -88,8 +88,13 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     slice.is_compressed = of.is_encapsulated;
     slice.voxels = of.voxels;
 
-    slice.slope = of.number(0x0028, 0x1053).value_or(1.0);
-    slice.intercept = of.number(0x0028, 0x1052).value_or(0.0);
+    const auto rescale = [&](std::uint16_t element, double otherwise) {
+        const auto value = of.number(0x0028, element);
+        if (!value && !of.text(0x0028, element).empty()) throw Trouble{"its rescale slope or intercept is no number"};
+        return value.value_or(otherwise);
+    };
+    slice.slope = rescale(0x1053, 1.0);
+    slice.intercept = rescale(0x1052, 0.0);
     if (slice.slope == 0.0) throw Trouble{"its rescale slope (0028,1053) is 0"};
     slice.padding = of.word(0x0028, 0x0120, slice.is_signed);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/image/image_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/import/image/packed_bytes.h"
 #include "kerf/math.hpp"
 
 namespace kerf {
@@ -171,55 +170,26 @@ std::string first_bytes(const std::string& file, std::size_t count) {
            "Copy the file again: it is cut short, or its header is wrong.");
 }
 
-/// Unpacks at most `wanted` bytes from `offset` on, keeps the first `keep` of them, and gives the number unpacked.
-std::uint64_t unpack(const std::string& file, std::uint64_t offset, std::uint64_t wanted, std::size_t keep,
-                     std::string& kept) {
-    std::ifstream in = opened(file);
-    in.seekg(static_cast<std::streamoff>(offset));
-    z_stream stream{};
-    if (inflateInit2(&stream, 15 + 32 /* zlib or gzip */) != Z_OK)
-        refuse("E0626", "the compressed data cannot be unpacked.", "Free some memory.");
-    struct End {
-        z_stream& stream;
-        ~End() { inflateEnd(&stream); }
-    } end{stream};
-
-    std::vector<unsigned char> packed(1 << 16), unpacked(1 << 18);
-    std::uint64_t total = 0;
-    int status = Z_OK;
-    while (total < wanted) {
-        if (stream.avail_in == 0) {
-            in.read(reinterpret_cast<char*>(packed.data()), static_cast<std::streamsize>(packed.size()));
-            stream.avail_in = static_cast<unsigned>(in.gcount());
-            stream.next_in = packed.data();
-            if (stream.avail_in == 0) break;
-        }
-        stream.avail_out = static_cast<unsigned>(unpacked.size());
-        stream.next_out = unpacked.data();
-        status = inflate(&stream, Z_NO_FLUSH);
-        const std::size_t count = unpacked.size() - stream.avail_out;
-        if (kept.size() < keep)
-            kept.append(reinterpret_cast<const char*>(unpacked.data()), std::min(count, keep - kept.size()));
-        total += count;
-        if (status == Z_STREAM_END || (status == Z_BUF_ERROR && stream.avail_in > 0)) break;
-        if (status != Z_OK && status != Z_BUF_ERROR)
-            refuse("E0626", "its compressed data are damaged after " + std::to_string(total) + " bytes.",
-                   "Copy the file again.");
-    }
+/// How many bytes can be unpacked, at most `wanted`.
+std::uint64_t unpacked_bytes(const std::string& file, std::uint64_t offset, std::uint64_t wanted) {
+    PackedBytes bytes(file, offset, PackedBytes::Packing::deflated);
+    if (!bytes.is_open()) refuse("E0620", "the file cannot be opened.", "Check the permissions.");
+    const std::uint64_t total = bytes.take(nullptr, wanted);
+    if (bytes.is_damaged())
+        refuse("E0626", "its compressed data are damaged after " + std::to_string(total) + " bytes.", "Copy the file again.");
     return total;
 }
 
 void check_bytes(const ImageFile& image) {
     const std::uint64_t file_size = size_of_file(image.data_file);
     const std::uint64_t need = image.data_offset + image.data_bytes();
-    std::string ignored;
     if (image.packing == ImageFile::Packing::raw) {
         if (file_size < need) refuse_truncated(file_size, need, "the file with the voxels");
     } else if (image.packing == ImageFile::Packing::gzip_file) {
-        const std::uint64_t got = unpack(image.data_file, 0, need, 0, ignored);
+        const std::uint64_t got = unpacked_bytes(image.data_file, 0, need);
         if (got < need) refuse_truncated(got, need, "unpacked, the file");
     } else {
-        const std::uint64_t got = unpack(image.data_file, image.data_offset, image.data_bytes(), 0, ignored);
+        const std::uint64_t got = unpacked_bytes(image.data_file, image.data_offset, image.data_bytes());
         if (got < image.data_bytes()) refuse_truncated(got, image.data_bytes(), "unpacked, the block of voxels");
     }
 }
@@ -239,38 +209,12 @@ Number nifti_field(const std::string& header, std::size_t at, bool is_swapped) {
     return value;
 }
 
-struct VoxelType {
-    int bytes = 0;
-    bool is_signed = true, is_real = false;
-};
-
-void take(ImageFile& image, VoxelType type) {
-    image.bytes_per_voxel = type.bytes;
-    image.is_signed = type.is_signed;
-    image.is_real = type.is_real;
-}
-
-VoxelType nifti_type(int code) {
-    switch (code) {
-        case 2:
-            return {1, false, false};
-        case 256:
-            return {1, true, false};
-        case 4:
-            return {2, true, false};
-        case 512:
-            return {2, false, false};
-        case 8:
-            return {4, true, false};
-        case 768:
-            return {4, false, false};
-        case 16:
-            return {4, true, true};
-        case 64:
-            return {8, true, true};
-        default:
-            return {};
-    }
+std::optional<ImageFile::Number> nifti_number(int type) {
+    using Number = ImageFile::Number;
+    static const std::map<int, Number> known{{256, Number::int8},  {2, Number::uint8},    {4, Number::int16},    {512, Number::uint16},
+                                             {8, Number::int32},   {768, Number::uint32}, {16, Number::float32}, {64, Number::float64}};
+    const auto found = known.find(type);
+    return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Rotation of `qform` times the spacing: unit quaternion (a, b, c, d) of which b, c, d are written; the sign of the third
@@ -341,7 +285,8 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     if (is_packed) {
         if (first_bytes(file, 2) != "\x1f\x8b")
             refuse("E0622", "the name ends in .gz, but this is no gzip file.", "Rename it to .nii, or compress it.");
-        unpack(file, 0, 4096, nifti_header, header);
+        header.resize(nifti_header);
+        header.resize(PackedBytes(file, 0, PackedBytes::Packing::deflated).take(header.data(), nifti_header));
     } else {
         header = first_bytes(file, nifti_header);
     }
@@ -367,29 +312,29 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     check_size(size, image);
 
     const int type = word(70);
-    take(image, nifti_type(type));
-    if (image.bytes_per_voxel == 0)
+    const auto number = nifti_number(type);
+    if (!number)
         refuse("E0625",
                "the header names voxel type " + std::to_string(type) + ", must be an integer or float of 1 to 8 bytes.",
                "Export the image as 16-bit integers.");
-    if (word(72) != 8 * image.bytes_per_voxel)
+    image.number = *number;
+    image.is_big_endian = is_swapped;  // as everything is that Kerf runs on, the reader is little endian
+    if (word(72) != 8 * image.bytes_per_voxel())
         refuse("E0622",
                "`bitpix` is " + std::to_string(word(72)) + ", but the voxel type has " +
-                   std::to_string(8 * image.bytes_per_voxel) + " bits.",
+                   std::to_string(8 * image.bytes_per_voxel()) + " bits.",
                "Export the image again.");
     const auto offset = static_cast<double>(nifti_field<float>(header, 108, is_swapped));
     if (!(offset >= 352.0 && offset <= 16.0 * 1024 * 1024) || offset != std::floor(offset))
         refuse("E0622", "`vox_offset` is " + number_text(offset) + ", must be 352 or more.", "Export the image again.");
     image.data_offset = static_cast<std::uint64_t>(offset);
-    const auto slope = static_cast<double>(nifti_field<float>(header, 112, is_swapped));
-    const auto intercept = static_cast<double>(nifti_field<float>(header, 116, is_swapped));
-    if (!std::isfinite(slope) || !std::isfinite(intercept))
-        refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
-    if (slope != 0.0) {  // 0 means: as stored
+    for (const std::size_t at : {std::size_t{112}, std::size_t{116}})
+        if (!std::isfinite(nifti_field<float>(header, at, is_swapped)))
+            refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
+    if (const auto slope = static_cast<double>(nifti_field<float>(header, 112, is_swapped)); slope != 0.0) {  // 0 means that neither counts
         image.slope = slope;
-        image.intercept = intercept;
+        image.intercept = static_cast<double>(nifti_field<float>(header, 116, is_swapped));
     }
-    image.is_big_endian = is_swapped;
     place_nifti(header, is_swapped, image);
     return image;
 }
@@ -418,52 +363,27 @@ void add(Fields& fields, std::string_view name, std::string_view value) {
         refuse("E0622", "the header has `" + shown(trimmed(name)) + "` twice.", "Export the image again.");
 }
 
-VoxelType named_type(const std::string& type) {
-    static const std::map<std::string, int> known{{"signed char", 1},
-                                                  {"int8", 1},
-                                                  {"int8_t", 1},
-                                                  {"uchar", 1},
-                                                  {"unsigned char", 1},
-                                                  {"uint8", 1},
-                                                  {"uint8_t", 1},
-                                                  {"short", 2},
-                                                  {"short int", 2},
-                                                  {"signed short", 2},
-                                                  {"signed short int", 2},
-                                                  {"int16", 2},
-                                                  {"int16_t", 2},
-                                                  {"ushort", 2},
-                                                  {"unsigned short", 2},
-                                                  {"unsigned short int", 2},
-                                                  {"uint16", 2},
-                                                  {"uint16_t", 2},
-                                                  {"int", 4},
-                                                  {"signed int", 4},
-                                                  {"int32", 4},
-                                                  {"int32_t", 4},
-                                                  {"uint", 4},
-                                                  {"unsigned int", 4},
-                                                  {"uint32", 4},
-                                                  {"uint32_t", 4},
-                                                  {"float", 4},
-                                                  {"double", 8},
-                                                  {"met_char", 1},
-                                                  {"met_uchar", 1},
-                                                  {"met_short", 2},
-                                                  {"met_ushort", 2},
-                                                  {"met_int", 4},
-                                                  {"met_uint", 4},
-                                                  {"met_float", 4},
-                                                  {"met_double", 8}};
+ImageFile::Number named_number(const std::string& type) {
+    using Number = ImageFile::Number;
+    static const std::map<std::string, Number> known{
+        {"signed char", Number::int8},     {"int8", Number::int8},           {"int8_t", Number::int8},
+        {"uchar", Number::uint8},          {"unsigned char", Number::uint8}, {"uint8", Number::uint8},
+        {"uint8_t", Number::uint8},        {"short", Number::int16},         {"short int", Number::int16},
+        {"signed short", Number::int16},   {"signed short int", Number::int16}, {"int16", Number::int16},
+        {"int16_t", Number::int16},        {"ushort", Number::uint16},       {"unsigned short", Number::uint16},
+        {"unsigned short int", Number::uint16}, {"uint16", Number::uint16},  {"uint16_t", Number::uint16},
+        {"int", Number::int32},            {"signed int", Number::int32},    {"int32", Number::int32},
+        {"int32_t", Number::int32},        {"uint", Number::uint32},         {"unsigned int", Number::uint32},
+        {"uint32", Number::uint32},        {"uint32_t", Number::uint32},     {"float", Number::float32},
+        {"double", Number::float64},       {"met_char", Number::int8},       {"met_uchar", Number::uint8},
+        {"met_short", Number::int16},      {"met_ushort", Number::uint16},   {"met_int", Number::int32},
+        {"met_uint", Number::uint32},      {"met_float", Number::float32},   {"met_double", Number::float64}};
     const auto found = known.find(lower(type));
     if (found == known.end())
         refuse("E0625",
                "the header names voxel type `" + shown(type) + "`, must be an integer or float of 1 to 8 bytes.",
                "Export the image as 16-bit integers.");
-    const std::string& name = found->first;
-    const bool is_real = name.ends_with("float") || name.ends_with("double");
-    const bool is_unsigned = name.starts_with("u") || name.starts_with("met_u");
-    return {found->second, !is_unsigned, is_real};
+    return found->second;
 }
 
 // ---- NRRD -----------------------------------------------------------------------------------------------------------
@@ -541,8 +461,8 @@ ImageFile check_nrrd(const std::string& file) {
         sizes.erase(sizes.begin());
     }
     check_size(sizes, image);
-    take(image, named_type(need(fields, {"type"})));
-    if (image.bytes_per_voxel > 1) {
+    image.number = named_number(need(fields, {"type"}));
+    if (image.bytes_per_voxel() > 1) {
         const std::string endian = lower(need(fields, {"endian"}));
         if (endian != "little" && endian != "big")
             refuse("E0622", "`endian` is \"" + shown(endian) + "\", must be little or big.", "Export the image again.");
@@ -614,7 +534,7 @@ ImageFile check_meta(const std::string& file) {
     if (dimensions.size() != 1 || dimensions[0] != static_cast<long long>(sizes.size()))
         refuse("E0622", "`NDims` and the number of sizes in `DimSize` differ.", "Export the image again.");
     check_size(sizes, image);
-    take(image, named_type(need(fields, {"elementtype"})));
+    image.number = named_number(need(fields, {"elementtype"}));
     if (const std::string* channels = find(fields, {"elementnumberofchannels"}); channels && *channels != "1")
         refuse("E0623", "there are " + shown(*channels) + " numbers per voxel, must be 1.", "Export a single channel.");
     if (!is_true(fields, {"binarydata"}, true))
@@ -633,7 +553,11 @@ ImageFile check_meta(const std::string& file) {
     const std::string* rotation = find(fields, {"transformmatrix", "rotation", "orientation"});
     const auto matrix = numbers_of<double>(rotation ? *rotation : "1 0 0 0 1 0 0 0 1", "TransformMatrix");
     const std::string* offset = find(fields, {"offset", "position", "origin"});
-    const auto origin = numbers_of<double>(offset ? *offset : "0 0 0", "Offset");
+    if (!offset)
+        refuse("E0627", "the header has no `Offset`: nobody can tell where in the patient the voxels are.", "Export the image with its position.");
+    if (!rotation)
+        image.doubts.push_back("The header has no `TransformMatrix`; the axes were taken to point to the patient's left, back and head.");
+    const auto origin = numbers_of<double>(*offset, "Offset");
     if (matrix.size() != 9 || origin.size() != 3)
         refuse("E0627", "`TransformMatrix` needs nine numbers, `Offset` three.", "Export the image again.");
     std::array<Vec3, 3> steps;
@@ -681,57 +605,20 @@ ImageFile checked(const std::string& file) {
 
 }  // namespace
 
-namespace {
-
-/// What `work` gives, or nothing and why.
-template <class Work>
-auto or_refused(const std::string& file, Diagnostics& diagnostics, const Work& work)
-    -> std::optional<decltype(work())> {
+std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
     Diagnostic wrong;
     wrong.place.file = file;
     try {
-        return work();
+        return checked(file);
     } catch (const Refusal& refusal) {
         wrong.code = refusal.code;
         wrong.message = refusal.message + " " + refusal.advice;
     } catch (const std::exception& error) {  // no memory, or a name that is no path
         wrong.code = "E0620";
-        wrong.message = std::string("the file cannot be read: ") + error.what() + ". Check its name, and free some memory.";
+        wrong.message = std::string("the file cannot be checked: ") + error.what() + ".";
     }
     diagnostics.push_back(std::move(wrong));
     return std::nullopt;
-}
-
-std::string voxel_bytes(const ImageFile& image) {
-    const auto size = static_cast<std::size_t>(image.data_bytes());
-    std::string bytes;
-    if (image.packing == ImageFile::Packing::raw) {
-        bytes.resize(size);
-        std::ifstream in = opened(image.data_file);
-        in.seekg(static_cast<std::streamoff>(image.data_offset));
-        in.read(bytes.data(), static_cast<std::streamsize>(size));
-        bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
-    } else if (image.packing == ImageFile::Packing::gzip_file) {
-        const auto whole = static_cast<std::size_t>(image.data_offset) + size;
-        bytes.reserve(whole);
-        unpack(image.data_file, 0, whole, whole, bytes);
-        bytes.erase(0, static_cast<std::size_t>(image.data_offset));
-    } else {
-        bytes.reserve(size);
-        unpack(image.data_file, image.data_offset, size, size, bytes);
-    }
-    if (bytes.size() != size) refuse_truncated(bytes.size(), size, "the block of voxels");  // it has changed since
-    return bytes;
-}
-
-}  // namespace
-
-std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
-    return or_refused(file, diagnostics, [&] { return checked(file); });
-}
-
-std::optional<std::string> read_voxel_bytes(const std::string& file, const ImageFile& header, Diagnostics& diagnostics) {
-    return or_refused(file, diagnostics, [&] { return voxel_bytes(header); });
 }
 
 }  // namespace kerf

@@ -19,6 +19,7 @@
 ///     E0625  a type of voxel, or an encoding, that is not read
 ///     E0626  fewer bytes than the header promises, or damaged compressed data
 ///     E0627  no usable spacing, orientation or frame
+///     E0628  the file was another one when its voxels were read
 ///     E0629  a voxel that is no finite number
 namespace kerf {
 
@@ -31,13 +32,14 @@ struct Segment {
 
 struct ImageFile {
     enum class Format { nifti, nrrd, meta };
+    enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
     enum class Packing { raw, gzip_file, deflated };  ///< as it stands · the whole file · the voxels only
     Format format = Format::nifti;
     std::array<int, 3> size{};
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m], as the header places the voxels; may be sheared
     int layers = 1;           ///< numbers per voxel: of a segmentation whose structures overlap; else 1
-    int bytes_per_voxel = 0;  ///< in one layer
-    bool is_signed = true, is_real = false, is_big_endian = false;
+    Number number = Number::int16;  ///< what a voxel is stored as, in one layer
+    bool is_big_endian = false;
     double slope = 1.0, intercept = 0.0;  ///< value = slope × stored + intercept
     std::vector<Segment> segments;  ///< named ones; empty: only numbers
     Packing packing = Packing::raw;
@@ -49,17 +51,20 @@ struct ImageFile {
         return static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]) *
                static_cast<std::uint64_t>(size[2]);
     }
+    /// Of one voxel in one layer.
+    [[nodiscard]] int bytes_per_voxel() const noexcept {
+        return number == Number::int8 || number == Number::uint8     ? 1
+               : number == Number::int16 || number == Number::uint16 ? 2
+               : number == Number::float64                           ? 8
+                                                                     : 4;
+    }
     [[nodiscard]] std::uint64_t data_bytes() const noexcept {
-        return voxels() * static_cast<std::uint64_t>(bytes_per_voxel) * static_cast<std::uint64_t>(layers);
+        return voxels() * static_cast<std::uint64_t>(bytes_per_voxel()) * static_cast<std::uint64_t>(layers);
     }
 };
 
 /// Reads the header and counts the bytes behind it; compressed ones are unpacked into a small buffer and dropped.
 /// Empty, with one error, when anything does not fit. Never throws.   [main]
 [[nodiscard]] std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics);
-
-/// The bytes of all voxels, unpacked, as the file orders them. Error (E0620, E0626).   [main]
-[[nodiscard]] std::optional<std::string> read_voxel_bytes(const std::string& file, const ImageFile& header,
-                                                          Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -23,6 +23,7 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
     SurfaceFile file;
     file.has_topology = true;
     std::vector<std::uint32_t> corners;
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // a byte order mark: it would hide the first word
     TextLines lines(bytes);
     const auto refuse = [&](const char* code, const std::string& what) {
         error = {code, "line " + std::to_string(lines.number()) + " " + what, "Export the surface again."};

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/privacy.h"
+
+#include <pwd.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "core/import/image/dicom_elements.h"
+#include "core/import/image/packed_bytes.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t most_findings = 20;        // of one kind, of one file
+constexpr std::uintmax_t most_bytes = 500'000'000;
+
+// ---- DICOM ------------------------------------------------------------------------------------------------------------
+
+struct Tag {
+    std::uint16_t group, element;
+    const char* name;
+};
+
+/// What PS3.15, table E.1-1 takes out or replaces, as far as it stands outside of sequences and is a name, a number, a date or a text of people.
+constexpr Tag identifying[] = {
+    {0x0008, 0x0012, "date of the file"},           {0x0008, 0x0014, "UID of who made the file"},
+    {0x0008, 0x0018, "UID of the picture"},         {0x0008, 0x0020, "date of the study"},
+    {0x0008, 0x0021, "date of the series"},         {0x0008, 0x0022, "date of acquisition"},
+    {0x0008, 0x0023, "date of the picture"},        {0x0008, 0x002a, "time of acquisition"},
+    {0x0008, 0x0030, "time of the study"},          {0x0008, 0x0050, "accession number"},
+    {0x0008, 0x0080, "institution"},                {0x0008, 0x0081, "institution's address"},
+    {0x0008, 0x0090, "referring physician"},        {0x0008, 0x0092, "referring physician's address"},
+    {0x0008, 0x0094, "referring physician's telephone"}, {0x0008, 0x1010, "station"},
+    {0x0008, 0x1030, "description of the study"},   {0x0008, 0x103e, "description of the series"},
+    {0x0008, 0x1040, "department"},                 {0x0008, 0x1048, "physician of record"},
+    {0x0008, 0x1050, "performing physician"},       {0x0008, 0x1060, "reading physician"},
+    {0x0008, 0x1070, "operator"},                   {0x0008, 0x1080, "admitting diagnosis"},
+    {0x0008, 0x2111, "how the picture was derived"}, {0x0010, 0x0010, "patient's name"},
+    {0x0010, 0x0020, "patient's number"},           {0x0010, 0x0021, "who gave the patient's number"},
+    {0x0010, 0x0030, "date of birth"},              {0x0010, 0x0032, "time of birth"},
+    {0x0010, 0x0040, "sex"},                        {0x0010, 0x1000, "other numbers of the patient"},
+    {0x0010, 0x1001, "other names of the patient"}, {0x0010, 0x1005, "birth name"},
+    {0x0010, 0x1010, "age"},                        {0x0010, 0x1020, "size"},
+    {0x0010, 0x1030, "weight"},                     {0x0010, 0x1040, "patient's address"},
+    {0x0010, 0x1060, "mother's birth name"},        {0x0010, 0x1090, "number of the medical record"},
+    {0x0010, 0x2000, "medical alerts"},             {0x0010, 0x2110, "allergies"},
+    {0x0010, 0x2154, "patient's telephone"},        {0x0010, 0x2160, "ethnic group"},
+    {0x0010, 0x2180, "occupation"},                 {0x0010, 0x21b0, "patient's history"},
+    {0x0010, 0x4000, "comments on the patient"},    {0x0018, 0x1000, "serial number of the device"},
+    {0x0018, 0x1030, "protocol"},                   {0x0018, 0x1400, "description of the device's processing"},
+    {0x0020, 0x000d, "UID of the study"},           {0x0020, 0x000e, "UID of the series"},
+    {0x0020, 0x0010, "number of the study"},        {0x0020, 0x0052, "UID of the frame of reference"},
+    {0x0020, 0x4000, "comments on the picture"},    {0x0032, 0x1032, "requesting physician"},
+    {0x0032, 0x1033, "requesting department"},      {0x0032, 0x1060, "description of the request"},
+    {0x0038, 0x0010, "number of the admission"},    {0x0038, 0x0300, "patient's ward"},
+    {0x0038, 0x0500, "patient's state"},            {0x0040, 0x0244, "date of the procedure"},
+    {0x0040, 0x0253, "number of the procedure"},    {0x0040, 0x0254, "description of the procedure"},
+    {0x0040, 0xa075, "who verified"},               {0x0040, 0xa123, "person"},
+};
+
+std::string tag_text(const Tag& tag) {
+    char text[64];
+    std::snprintf(text, sizeof text, " (%04x,%04x)", static_cast<unsigned>(tag.group), static_cast<unsigned>(tag.element));
+    return tag.name + std::string(text);
+}
+
+void look_at_dicom(const DicomElements& elements, PrivacyReport& report) {
+    for (const Tag& tag : identifying)
+        if (std::string value = elements.text(tag.group, tag.element); !value.empty())
+            report.findings.push_back({tag_text(tag), std::move(value)});
+    if (elements.text(0x0028, 0x0301) == "YES") report.findings.push_back({"writing within the picture (0028,0301)", ""});
+    if (elements.private_elements > 0)
+        report.findings.push_back({std::to_string(elements.private_elements) + " private elements, of which only the manufacturer knows what they hold", ""});
+    if (elements.sequences > 0)
+        report.unseen.push_back(std::to_string(elements.sequences) + " sequences were not looked into: they may hold names and numbers too.");
+    if (!elements.fault.empty()) report.unseen.push_back("The file is damaged: " + elements.fault + ". What follows was not looked at.");
+}
+
+// ---- text -------------------------------------------------------------------------------------------------------------
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; }
+bool is_word(char c) { return is_digit(c) || is_letter(c) || c == '_'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Users and machine that this system goes by; short ones would be found everywhere.
+std::vector<std::string> names_of_this_system() {
+    std::vector<std::string> names;
+    if (const passwd* user = getpwuid(getuid()); user != nullptr && user->pw_name != nullptr) names.emplace_back(user->pw_name);
+    char host[256] = {};
+    if (gethostname(host, sizeof host - 1) == 0) names.emplace_back(host);
+    std::erase_if(names, [](const std::string& name) { return name.size() < 4 || name == "root" || name == "localhost" || name == "user"; });
+    return names;
+}
+
+class Looking {
+public:
+    Looking(const std::string& text, PrivacyReport& report) : text_(text), report_(report) {}
+
+    void all() {
+        for (const std::string& name : names_) find_word(name, "the name of this system's user or machine");
+        for (const char* key : {"PatientName", "PatientID", "patient_name", "patient_id"}) find_word(key, "a field for a patient");
+        for (std::size_t at = 0; at < text_.size(); ++at) {
+            const char c = text_[at];
+            if (c == '/' || c == '\\') path(at);
+            else if (c == '^') person(at);
+            else if (is_digit(c) && (at == 0 || (!is_word(text_[at - 1]) && text_[at - 1] != '.'))) number(at);
+        }
+    }
+
+private:
+    void add(const char* what, std::size_t from, std::size_t end) {
+        std::string value = text_.substr(from, std::min<std::size_t>(end - from, 200));
+        const auto same = [&](const PrivacyFinding& f) { return f.what == what && f.value == value; };
+        const auto kind = [&](const PrivacyFinding& f) { return f.what == what; };
+        auto& all = report_.findings;
+        if (std::any_of(all.begin(), all.end(), same) || std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings)) return;
+        all.push_back({what, std::move(value)});
+    }
+    [[nodiscard]] char at(std::size_t n) const { return n < text_.size() ? text_[n] : '\0'; }
+
+    void find_word(const std::string& word, const char* what) {
+        const auto same = [](char a, char b) { return lower(a) == lower(b); };
+        for (auto from = text_.begin();;) {
+            const auto found = std::search(from, text_.end(), word.begin(), word.end(), same);
+            if (found == text_.end()) return;
+            const auto begin = static_cast<std::size_t>(found - text_.begin());
+            if ((begin == 0 || !is_word(text_[begin - 1])) && !is_word(at(begin + word.size()))) add(what, begin, begin + word.size());
+            from = found + 1;
+        }
+    }
+    /// Where people and systems keep files, as in /home/jane/scan or C:\Users\jane.
+    void path(std::size_t slash) {
+        static constexpr std::array<const char*, 11> roots{"home/", "Users/", "root/", "tmp/", "mnt/", "media/", "var/", "Volumes/", "Users\\", "srv/", "work/"};
+        if (slash > 0 && (is_word(text_[slash - 1]) || text_[slash - 1] == '/' || text_[slash - 1] == '.')) return;  // within a longer path, or an address
+        for (const char* root : roots) {
+            const std::string_view word(root);
+            if (text_.compare(slash + 1, word.size(), word) != 0) continue;
+            std::size_t end = slash + 1 + word.size();
+            if (!is_word(at(end))) return;
+            while (end < text_.size() && static_cast<unsigned char>(text_[end]) > 0x20 && text_[end] != '"' && text_[end] != '\'' && text_[end] != '<') ++end;
+            add("a path", slash, end);
+        }
+    }
+    /// Family^Given, as DICOM writes people.
+    void person(std::size_t caret) {
+        std::size_t from = caret, end = caret + 1;
+        while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
+        while (is_letter(at(end)) || at(end) == '-') ++end;
+        if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
+    }
+    /// A UID (six numbers or more with points between them), 2024-05-17, or 20240517.
+    void number(std::size_t from) {
+        std::size_t end = from, points = 0;
+        while (is_digit(at(end)) || (at(end) == '.' && is_digit(at(end + 1)))) points += text_[end++] == '.';
+        if (points >= 5) return add("a UID", from, end);
+        const auto value = [&](std::size_t begin, std::size_t count) {
+            int number = 0;
+            for (std::size_t n = begin; n < begin + count; ++n) number = is_digit(at(n)) ? 10 * number + (text_[n] - '0') : 100'000;
+            return number;
+        };
+        const auto is_date = [&](std::size_t month, std::size_t day) {
+            return value(from, 4) >= 1900 && value(from, 4) < 2100 && value(month, 2) >= 1 && value(month, 2) <= 12 && value(day, 2) >= 1 && value(day, 2) <= 31;
+        };
+        if (end - from == 8 && points == 0 && !is_word(at(end)) && is_date(from + 4, from + 6)) add("a date", from, end);
+        if (end - from == 4 && at(end) == '-' && at(end + 3) == '-' && is_date(from + 5, from + 8) && !is_digit(at(end + 6))) add("a date", from, from + 10);
+    }
+
+    const std::string& text_;
+    PrivacyReport& report_;
+    const std::vector<std::string> names_ = names_of_this_system();
+};
+
+/// What is written with two bytes a letter.
+std::string out_of_utf16(const std::string& bytes) {
+    std::string text;
+    for (std::size_t at = 0; at + 1 < bytes.size();) {
+        const bool is_pair = bytes[at] >= 0x20 && bytes[at] < 0x7f && bytes[at + 1] == '\0';
+        text += is_pair ? bytes[at] : '\0';
+        at += is_pair ? 2 : 1;
+    }
+    return text;
+}
+
+void look_at_text(const std::string& bytes, PrivacyReport& report) {
+    Looking(bytes, report).all();
+    const std::string wide = out_of_utf16(bytes);
+    Looking(wide, report).all();
+}
+
+// ---- databases --------------------------------------------------------------------------------------------------------
+
+/// All texts of all tables, each on a line of its own; numbers would look like anything. Empty, and `is_whole` false, if it is damaged.
+std::string texts_of_database(const std::string& file, bool& is_whole) {
+    sqlite3* raw = nullptr;
+    is_whole = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK;
+    const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(raw, &sqlite3_close);
+    std::string all;
+    const auto each_row = [&](const std::string& sql, const auto& take) {
+        sqlite3_stmt* statement = nullptr;
+        int code = sqlite3_prepare_v2(raw, sql.c_str(), -1, &statement, nullptr);
+        while (code == SQLITE_OK || code == SQLITE_ROW)
+            if (code = sqlite3_step(statement); code == SQLITE_ROW) take(statement);
+        is_whole = is_whole && code == SQLITE_DONE;
+        sqlite3_finalize(statement);
+    };
+    std::vector<std::string> tables;
+    const auto text_of = [](sqlite3_stmt* row, int column) {
+        const auto* bytes = static_cast<const char*>(sqlite3_column_blob(row, column));
+        return bytes == nullptr ? std::string() : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
+    };
+    if (is_whole)
+        each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'", [&](sqlite3_stmt* row) {
+            tables.push_back(text_of(row, 0));
+            all += text_of(row, 1) + "\n";
+        });
+    for (const std::string& table : tables) {
+        std::string quoted;
+        for (const char c : table) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+        each_row("SELECT * FROM \"" + quoted + "\"", [&](sqlite3_stmt* row) {
+            for (int column = 0; column < sqlite3_column_count(row); ++column)
+                if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT || type == SQLITE_BLOB) all += text_of(row, column) + "\n";
+        });
+    }
+    return all;
+}
+
+// ---- headers ----------------------------------------------------------------------------------------------------------
+
+bool ends_in(const std::string& name, std::string_view ending) {
+    return name.size() >= ending.size() &&
+           std::equal(ending.begin(), ending.end(), name.end() - static_cast<std::ptrdiff_t>(ending.size()), [](char want, char got) { return want == lower(got); });
+}
+
+void look_at_nifti(const std::string& file, PrivacyReport& report) {
+    std::string header(348, '\0');
+    const auto packing = ends_in(file, ".gz") ? PackedBytes::Packing::deflated : PackedBytes::Packing::none;
+    header.resize(PackedBytes(file, 0, packing).take(header.data(), header.size()));
+    if (header.size() < 348) return void(report.error = file + ": is no NIfTI file. Check its name.");
+    struct Field { std::size_t at, size; const char* name; };
+    for (const Field& field : {Field{4, 10, "`data_type`"}, Field{14, 18, "`db_name`"}, Field{148, 80, "`descrip`"}, Field{228, 24, "`aux_file`"}, Field{328, 16, "`intent_name`"}}) {
+        const std::string value = header.substr(field.at, field.size).c_str();
+        if (!value.empty()) report.findings.push_back({std::string("text in the header's ") + field.name, value});
+    }
+    report.unseen.push_back("Extensions of the header and the voxels were not looked at.");
+}
+
+}  // namespace
+
+PrivacyReport privacy_report(const std::string& file) {
+    PrivacyReport report;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        report.error = file + ": there is no such file. Name files one by one; of a series its slices.";
+        return report;
+    }
+    if (const DicomElements elements = read_dicom_elements(file); elements.is_dicom) {
+        look_at_dicom(elements, report);
+        return report;
+    }
+    if (ends_in(file, ".nii") || ends_in(file, ".nii.gz")) {
+        look_at_nifti(file, report);
+        return report;
+    }
+    char first[16] = {};
+    if (std::ifstream(file, std::ios::binary).read(first, sizeof first) && std::string_view(first, 15) == "SQLite format 3") {
+        bool is_whole = true;
+        look_at_text(texts_of_database(file, is_whole), report);
+        report.unseen.push_back(is_whole ? "What was deleted in the database was not looked at." : "The database is damaged, and was not looked at to its end.");
+        return report;
+    }
+    const bool is_nrrd = ends_in(file, ".nrrd"), is_stl = ends_in(file, ".stl"), is_meta = ends_in(file, ".mha");
+    std::ifstream in(file, std::ios::binary);
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    const std::uintmax_t wanted = is_stl ? 84 : is_nrrd || is_meta ? 65'536 : most_bytes;
+    std::string bytes(std::min(size, wanted), '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!in || error) {
+        report.error = file + ": cannot be read. Check its permissions.";
+        return report;
+    }
+    if (is_nrrd) bytes.resize(std::min(bytes.size(), std::min(bytes.find("\n\n"), bytes.find("\n\r\n"))));
+    if (is_meta) bytes.resize(std::min(bytes.size(), bytes.find('\n', std::min(bytes.size(), bytes.find("ElementDataFile")))));
+    look_at_text(bytes, report);
+    if (is_nrrd || is_meta) report.unseen.push_back("The voxels were not looked at.");
+    if (size > most_bytes && !is_stl && !is_nrrd && !is_meta) report.unseen.push_back("Only the first 500 MB were looked at.");
+    return report;
+}
+
+std::string privacy_text(const std::string& file, const PrivacyReport& report, bool shows_values) {
+    std::string text = file + ": " +
+                       (report.findings.empty() ? "nothing that tells of a person was found"
+                                                : std::to_string(report.findings.size()) + (report.findings.size() == 1 ? " thing tells" : " things tell") + " of a person") +
+                       "\n";
+    const auto first_letter = [](const std::string& value) { return static_cast<unsigned char>(value[0]) < 0x80 ? value.substr(0, 1) : std::string(); };
+    for (const PrivacyFinding& found : report.findings) {
+        text += "  " + found.what;
+        if (!found.value.empty())
+            text += ": " + (shows_values ? found.value : first_letter(found.value) + "… (" + std::to_string(found.value.size()) + " characters)");
+        text += "\n";
+    }
+    for (const std::string& unseen : report.unseen) text += "  " + unseen + "\n";
+    return text;
+}
+
+}  // namespace kerf

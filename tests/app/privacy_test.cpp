@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing of whose a scan is goes into a file that Kerf writes; and `kerf privacy` sees what others have left in theirs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "app/privacy.h"
+#include "tests/support/dicom_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+using test::DicomWriter;
+using test::TemporaryFolder;
+namespace tag = test::tag;
+
+/// Sixty names and numbers, none of which is a word of any file of ours.
+struct Planted {
+    std::vector<std::string> strings;
+
+    std::string next() {
+        const auto n = static_cast<int>(strings.size());
+        return strings.emplace_back("Qzx" + std::string(1, static_cast<char>('A' + n / 26)) + std::string(1, static_cast<char>('a' + n % 26)) + "wvkj" + std::to_string(7100 + n));
+    }
+    std::string next_uid() { return strings.emplace_back("2.25.4711." + std::to_string(900'000 + strings.size()) + ".81.1"); }
+};
+
+/// A file that is given what it says of its patient with every element that may say it.
+void plant(DicomWriter& file, Planted& planted) {
+    for (const DicomWriter::Tag name : {0x00080090u, 0x00081048u, 0x00081050u, 0x00081060u, 0x00081070u, 0x00100010u, 0x00101001u, 0x00101005u, 0x00101060u, 0x00321032u, 0x0040a075u, 0x0040a123u})
+        file.text(name, "PN", planted.next() + "^" + planted.next());
+    for (const DicomWriter::Tag text : {0x00080050u, 0x00080080u, 0x00081010u, 0x00081030u, 0x0008103eu, 0x00081040u, 0x00081080u, 0x00100020u, 0x00100021u, 0x00101000u, 0x00101040u,
+                                        0x00102154u, 0x00102180u, 0x00104000u, 0x00181000u, 0x00181030u, 0x00200010u, 0x00204000u, 0x00380010u, 0x00400254u, 0x00102000u, 0x00102110u,
+                                        0x001021b0u, 0x00181400u, 0x00321033u, 0x00321060u, 0x00380300u, 0x00380500u})
+        file.text(text, "LO", planted.next());
+    file.text(0x00090010, "LO", planted.next()).text(0x00091001, "LO", planted.next()).text(0x00291010, "LO", planted.next());
+    const std::string inner = planted.next() + (planted.strings.back().size() % 2 != 0 ? " " : "");
+    std::string item = std::string("\xfe\xff\x00\xe0", 4) + std::string(1, static_cast<char>(8 + inner.size())) + std::string(3, '\0') +
+                       std::string("\x10\x00\x10\x00PN", 6) + std::string(1, static_cast<char>(inner.size())) + std::string(1, '\0') + inner;
+    file.raw(0x00081120, "SQ", item);
+    file.uid(tag::study, planted.next_uid()).uid(tag::series, planted.next_uid()).uid(tag::frame_of_reference, planted.next_uid());
+    file.text(0x00100030, "DA", "19610307").text(0x00080020, "DA", "20190817");
+}
+
+/// A block of bone in slices, in a folder of somebody's name, in files of that name. Returns the folder.
+std::string write_series(const std::string& folder, Planted& planted) {
+    DicomWriter names;
+    plant(names, planted);
+    const std::string in = folder + "/" + planted.next() + "/" + planted.next(), stem = planted.next();
+    fs::create_directories(in);
+    int n = 0;
+    for (double z = -16.0; z <= 16.0; z += 4.0, ++n) {
+        std::vector<int> values;
+        for (int r = 0; r < 12; ++r)
+            for (int c = 0; c < 12; ++c) values.push_back(std::max({std::abs(-22 + 4 * c), std::abs(-22 + 4 * r), static_cast<int>(std::abs(z))}) <= 10 ? 1000 : -1000);
+        DicomWriter file = test::ct_slice(12, 12, 4.0, {-22, -22, z}, n + 1, values);
+        Planted again;  // the same in every file
+        plant(file, again);
+        file.uid(tag::sop_instance, again.strings.back() + "." + std::to_string(n)).write(in + "/" + stem + std::to_string(n));
+    }
+    return in;
+}
+
+constexpr const char* procedure_text = R"(apiVersion: kerf/v1
+kind: Procedure
+metadata: {id: hole, title: A hole, version: 0.1.0, status: draft}
+needs: {landmarks: [way], zones: [nerve], tissues: [bone]}
+anatomy: block.yaml
+accuracy: {spacing: 1 mm}
+haptics: {device: touch}
+instruments:
+  drill:
+    plugin: kerf.drilling
+    tool: twist_drill
+    force: drill_cutting
+    parameters: {diameter: 4 mm}
+    drives: {spindle_speed: 1000 rpm}
+steps:
+  - {id: drill, title: Drill, instrument: drill, axis: way, goals: [{depth: {at_least: 3 mm}}]}
+rehearsals:
+  - {id: expert, expect: pass, hand: {feed: 1 mm/s, push: 100 N}, path: [{depth: -3 mm}, {depth: 5 mm}, {depth: -3 mm}]}
+)";
+
+std::string anatomy_text(const std::string& image) {
+    return "apiVersion: kerf/v1\nkind: Anatomy\nmetadata: {id: block, title: A block of bone}\nct: {image: " + image +
+           ", threshold: 0}\ntissues: [{id: bone, density: 1.5 g/cm3}]\nlandmarks:\n"
+           "  points: {midline: {at: 9 0 0 mm, tolerance: 1 mm}}\n  axes: {way: {from: 0 0 15 mm, to: 0 0 -9 mm, tolerance: 1 mm}}\n"
+           "zones: {nerve: [{tube: {from: 18 0 -9 mm, to: 18 0 9 mm, radius: 1 mm}}]}\n";
+}
+
+int run(const std::string& arguments, const std::string& log) {
+    const int status = std::system((KERF_BUILD_DIR "/bin/kerf " + arguments + " > " + log + " 2>&1").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string in_lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+std::string in_utf16(const std::string& text) {
+    std::string wide;
+    for (const char c : text) wide += std::string{c, '\0'};
+    return wide.substr(0, wide.size() - 1);  // the last zero may be anything's
+}
+
+/// Every planted string in every file below a folder, in either case, in one byte a letter or two.
+std::vector<std::string> hits_in(const std::string& folder, const Planted& planted) {
+    std::vector<std::string> hits;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string bytes = entry.is_regular_file() ? in_lower_case(test::contents_of(entry.path().string())) : "";
+        const std::string name = in_lower_case(entry.path().filename().string());
+        for (const std::string& one : planted.strings) {
+            const std::string wanted = in_lower_case(one);
+            if (bytes.find(wanted) != std::string::npos || bytes.find(in_utf16(wanted)) != std::string::npos || name.find(wanted) != std::string::npos)
+                hits.push_back(one + " in " + entry.path().filename().string());
+        }
+    }
+    return hits;
+}
+
+struct Privacy : testing::Test {
+    TemporaryFolder folder;
+    Planted planted;
+    std::string series = write_series(folder.path(), planted);
+    std::string written = folder / "written";
+
+    Privacy() {
+        fs::create_directory(written);
+        std::ofstream(folder / "hole.yaml") << procedure_text;
+    }
+    void expect_done(const std::string& arguments) {
+        const std::string log = folder / "log";
+        ASSERT_EQ(run(arguments, log), 0) << arguments << "\n" << test::contents_of(log);
+    }
+};
+
+TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
+    // Given sixty names in a series: in elements, private ones, sequences, UIDs, and the names of folders and files
+    ASSERT_GE(planted.strings.size(), 60u);
+    ASSERT_FALSE(hits_in(series, planted).empty());
+
+    // When it is imported and a procedure is run on what came of it, and on the series itself, out of a folder of that name
+    expect_done("import " + series + " -o " + written + "/bone.nrrd");
+    std::ofstream(written + "/block.yaml") << anatomy_text("bone.nrrd");
+    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml --out " + written + "/by-file");
+    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml -o " + written + "/by-file.html");
+    const fs::path above = fs::path(series).parent_path();
+    std::ofstream(above / "block.yaml") << anatomy_text(fs::path(series).filename().string());
+    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " --out " + written + "/by-series");
+    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " -o " + written + "/by-series.html");
+
+    // Then none of them is in a file that was written
+    std::size_t files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(written)) files += entry.is_regular_file();
+    EXPECT_EQ(files, 12u);
+    for (const std::string& hit : hits_in(written, planted)) ADD_FAILURE() << hit;
+
+    // And the program says of them that there is nothing, but for the session's own beginning
+    for (const char* name : {"bone.nrrd", "by-file/summary.json", "by-file/report.html", "by-file/bone.stl", "by-file.html", "by-series/summary.json", "by-series/report.html", "by-series.html"}) {
+        const PrivacyReport report = privacy_report(written + "/" + name);
+        EXPECT_TRUE(report.error.empty() && report.findings.empty()) << privacy_text(name, report, true);
+    }
+    for (const char* name : {"by-file/session.db", "by-series/session.db"}) {
+        const PrivacyReport report = privacy_report(written + "/" + name);
+        ASSERT_EQ(report.findings.size(), 1u) << privacy_text(name, report, true);
+        EXPECT_EQ(report.findings[0].what, "a date");
+    }
+}
+
+TEST_F(Privacy, TellsWhichElementsOfASliceSaySomethingAndNotWhat) {
+    const std::string file = fs::directory_iterator(series)->path().string();
+    const PrivacyReport report = privacy_report(file);
+    const std::string text = privacy_text("slice", report, false), shown = privacy_text("slice", report, true);
+    EXPECT_GE(report.findings.size(), 36u) << text;
+    EXPECT_NE(text.find("patient's name (0010,0010): Q…"), std::string::npos) << text;
+    EXPECT_NE(text.find("date of birth (0010,0030): 1… (8 characters)"), std::string::npos) << text;
+    EXPECT_NE(text.find("3 private elements"), std::string::npos) << text;
+    EXPECT_NE(text.find("1 sequences were not looked into"), std::string::npos) << text;
+    for (const std::string& one : planted.strings) EXPECT_EQ(text.find(one), std::string::npos) << one;
+    EXPECT_NE(shown.find("19610307"), std::string::npos);
+
+    EXPECT_EQ(run("privacy " + file, folder / "log"), 1) << test::contents_of(folder / "log");
+    EXPECT_EQ(test::contents_of(folder / "log").find("19610307"), std::string::npos);
+    EXPECT_EQ(run("privacy " + (folder / "gone"), folder / "log"), 2);
+    EXPECT_EQ(run("privacy " + (folder / "hole.yaml"), folder / "log"), 0) << test::contents_of(folder / "log");
+}
+
+TEST(PrivacyReport, SeesWhatOthersLeaveInFiles) {
+    const TemporaryFolder folder;
+    const std::pair<const char*, const char*> leftovers[]{{"seen at /home/jane/scans/1", "a path"},
+                                                          {"C:\\Users\\jane\\x", "a path"},
+                                                          {"\"uid\": \"1.2.840.113619.2.55.3\"", "a UID"},
+                                                          {"by Doe^Jane today", "a person's name as DICOM writes it"},
+                                                          {"taken 20190817 at noon", "a date"},
+                                                          {"taken 2019-08-17T10:00", "a date"},
+                                                          {"PatientID=4", "a field for a patient"}};
+    for (const auto& [text, what] : leftovers)
+        for (const bool is_wide : {false, true}) {
+            std::string bytes = text;
+            if (is_wide) {
+                bytes.clear();
+                for (const char* c = text; *c != '\0'; ++c) bytes += std::string{*c, '\0'};
+            }
+            std::ofstream(folder / "some.txt", std::ios::binary) << bytes;
+            const PrivacyReport report = privacy_report(folder / "some.txt");
+            ASSERT_EQ(report.findings.size(), 1u) << text;
+            EXPECT_EQ(report.findings[0].what, what) << text;
+        }
+    // And nothing in what only looks like it
+    std::ofstream(folder / "some.txt") << "version 1.2.3 of 3.14159, 12345678, 2 ^ 3, x^2, http://www.w3.org/2000/svg, and/or, 20191399, f81d4fae-7dec-41d0-a765-00a0c91e6bf6";
+    const PrivacyReport report = privacy_report(folder / "some.txt");
+    EXPECT_TRUE(report.findings.empty()) << privacy_text("some.txt", report, true);
+}
+
+TEST(PrivacyReport, ReadsTheTextsOfANiftiHeader) {
+    const TemporaryFolder folder;
+    std::string header(352, '\0');
+    header.replace(148, 9, "of a name");
+    std::ofstream(folder / "a.nii", std::ios::binary) << header;
+    const PrivacyReport report = privacy_report(folder / "a.nii");
+    ASSERT_EQ(report.findings.size(), 1u);
+    EXPECT_EQ(report.findings[0].value, "of a name");
+}
+
+}  // namespace
+}  // namespace kerf

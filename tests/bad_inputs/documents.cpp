@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// Markups of 3D Slicer, YAML documents and recorded sessions.
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/session/recorder.h"
+#include "tests/bad_inputs/input.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::test {
+namespace {
+
+using Make = std::function<void(const std::string&)>;
+
+Make file(const std::string& name, const std::string& bytes) {
+    return [=](const std::string& folder) { write_file_of(folder + "/" + name, bytes); };
+}
+
+std::string fiducial(const std::string& frame, const std::string& place, const std::string& label = "entry", const std::string& more = "") {
+    return R"({"markups": [{"type": "Fiducial", )" + (frame.empty() ? "" : R"("coordinateSystem": ")" + frame + R"(", )") + more +
+           R"("controlPoints": [{"label": ")" + label + R"(", "position": [)" + place + R"(], "positionStatus": "defined"}]}]})";
+}
+std::string fcsv(const std::string& frame, const std::string& row, const std::string& end = "\n") {
+    return "# Markups fiducial file version = 4.11" + end + (frame.empty() ? "" : "# CoordinateSystem = " + frame + end) +
+           "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID" + end + row + end;
+}
+
+/// The anatomy of the catalogue's other documents, as text.
+const std::string anatomy =
+    "apiVersion: kerf/v1\nkind: Anatomy\nmetadata: {id: block, title: A block}\n"
+    "phantom: {parts: [{id: block, box: {centre: 2.5 -3 -3 mm, size: 14 12 14 mm}}]}\n"
+    "tissues: [{id: bone, density: 1.5 g/cm3}]\nlandmarks:\n  points: {midline: {at: 9 0 0 mm, tolerance: 1 mm}}\n"
+    "  axes: {way: {from: 2 -3 9 mm, to: 2 -3 -8 mm, tolerance: 1 mm}}\n"
+    "zones: {nerve: [{tube: {from: 14 0 -9 mm, to: 14 0 9 mm, radius: 1 mm}}]}\n";
+
+Make changed(const std::string& from, const std::string& to) { return file("anatomy.yaml", with_replaced(anatomy, from, to)); }
+const std::string bone_of_phantom = "phantom: {parts: [{id: block, box: {centre: 2.5 -3 -3 mm, size: 14 12 14 mm}}]}";
+
+std::string in_utf16(const std::string& text) {
+    std::string wide = "\xff\xfe";
+    for (const char c : text) wide += std::string{c, '\0'};
+    return wide;
+}
+
+std::string with_crlf(const std::string& text) {
+    std::string other;
+    for (const char c : text) other += c == '\n' ? "\r\n" : std::string(1, c);
+    return other;
+}
+
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int n = 0; n < times; ++n) all += text;
+    return all;
+}
+
+// ---- sessions ---------------------------------------------------------------------------------------------------------
+
+/// A session of 200 ticks; the handle moves by 0.1 mm in each.
+void record(const std::string& path, bool is_finished = true) {
+    auto recorder = Recorder::create(path, {}).recorder;
+    if (recorder == nullptr) throw std::runtime_error("no recorder");
+    for (std::uint64_t tick = 0; tick < 200; ++tick) {
+        TickRow row;
+        row.tick = tick;
+        row.device_from_handle = {{1e-4 * static_cast<double>(tick), 0.0, 0.0}, {1, 0, 0, 0}};
+        recorder->push(row);
+    }
+    if (is_finished && !recorder->finish({}).empty()) throw std::runtime_error("not recorded");
+}
+Make session(const std::function<void(const std::string& path)>& change) {
+    return [=](const std::string& folder) {
+        record(folder + "/session.db");
+        change(folder + "/session.db");
+    };
+}
+Make session_after(const std::string& sql) {
+    return session([=](const std::string& path) {
+        sqlite3* database = nullptr;
+        const bool is_done = sqlite3_open(path.c_str(), &database) == SQLITE_OK && sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+        sqlite3_close(database);
+        if (!is_done) throw std::runtime_error("sqlite: " + sql);
+    });
+}
+Make cut_to(double share) {
+    return session([=](const std::string& path) {
+        std::filesystem::resize_file(path, static_cast<std::uintmax_t>(share * static_cast<double>(std::filesystem::file_size(path))));
+    });
+}
+
+}  // namespace
+
+std::vector<Input> markup_inputs() {
+    const std::string point = "3, -4, 5", row = "1,3,-4,5,0,0,0,1,1,1,0,entry,,";
+    return {
+        {"markups, LPS", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", point)), "loaded", ""},
+        {"markups, RAS", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("RAS", "-3, 4, 5")), "loaded", ""},
+        {"markups, no frame", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("", point)), "E0681", "coordinateSystem"},
+        {"markups, a frame that is none", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("IJK", point)), "E0681", "LPS or RAS"},
+        {"markups, metres", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", point, "entry", R"("coordinateUnits": "m", )")), "E0681", "must be mm"},
+        {"markups, a name with blanks", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", point, "entry of the drill")), "E0683", "no id"},
+        {"markups, a name that is there already", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", point, "midline")), "E0683", "two landmarks"},
+        {"markups, a point without a place", Way::markups, "a.mrk.json", file("a.mrk.json", with_replaced(fiducial("LPS", point), "defined", "undefined")), "E0682", "no place"},
+        {"markups, two numbers for a place", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", "3, -4")), "E0682", "no place"},
+        {"markups, a number that no number holds", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", "3, -4, 1e999")), "E0680", "no file of 3D Slicer's markups"},
+        {"markups, 3 m away", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", "3000, -4, 5")), "E0682", "2 m away"},
+        {"markups, an angle", Way::markups, "a.mrk.json", file("a.mrk.json", with_replaced(fiducial("LPS", point), "Fiducial", "Angle")), "E0682", "type `Angle`"},
+        {"markups, cut short", Way::markups, "a.mrk.json", file("a.mrk.json", fiducial("LPS", point).substr(0, 80)), "E0680", "no file of 3D Slicer's markups"},
+        {"markups, a list 100000 deep", Way::markups, "a.mrk.json", file("a.mrk.json", R"({"markups": )" + std::string(100'000, '[') + std::string(100'000, ']') + "}"), "E0680", "no object"},
+        {"markups, bytes that are no text", Way::markups, "a.mrk.json", file("a.mrk.json", "{\xff\xfe\x80"), "E0680", "no file of 3D Slicer's markups"},
+        {"markups, a byte order mark", Way::markups, "a.mrk.json", file("a.mrk.json", "\xef\xbb\xbf" + fiducial("LPS", point)), "loaded", ""},
+        {"markups, the older form, LPS", Way::markups, "a.fcsv", file("a.fcsv", fcsv("LPS", row)), "loaded", ""},
+        {"markups, the older form, RAS", Way::markups, "a.fcsv", file("a.fcsv", fcsv("RAS", "1,-3,4,5,0,0,0,1,1,1,0,entry,,")), "loaded", ""},
+        {"markups, the older form, RAS as a number", Way::markups, "a.fcsv", file("a.fcsv", fcsv("0", "1,-3,4,5,0,0,0,1,1,1,0,entry,,")), "loaded", ""},
+        {"markups, the older form with CR LF", Way::markups, "a.fcsv", file("a.fcsv", fcsv("LPS", row, "\r\n")), "loaded", ""},
+        {"markups, the older form, no frame", Way::markups, "a.fcsv", file("a.fcsv", fcsv("", row)), "E0681", "coordinate system"},
+        {"markups, the older form, semicolons and commas", Way::markups, "a.fcsv", file("a.fcsv", fcsv("LPS", "1;3,0;-4,0;5,0;0;0;0;1;1;1;0;entry;;")), "E0680", "must be a number"},
+        {"markups, the older form, a short line", Way::markups, "a.fcsv", file("a.fcsv", fcsv("LPS", "1,3,-4")), "E0680", "no column"},
+        {"markups, the older form, a place that is no number", Way::markups, "a.fcsv", file("a.fcsv", fcsv("LPS", "1,nan,-4,5,0,0,0,1,1,1,0,entry,,")), "E0682", "2 m away"},
+        {"markups under another ending", Way::markups, "a.txt", file("a.txt", fiducial("LPS", point)), "E0680", "names no markups"},
+    };
+}
+
+std::vector<Input> document_inputs() {
+    const std::string deep = "apiVersion: kerf/v1\nkind: Procedure\nmetadata: ";
+    return {
+        {"document, sound", Way::document, "anatomy.yaml", file("anatomy.yaml", anatomy), "loaded", ""},
+        {"document, CR LF", Way::document, "anatomy.yaml", file("anatomy.yaml", with_crlf(anatomy)), "loaded", ""},
+        {"document, a byte order mark", Way::document, "anatomy.yaml", file("anatomy.yaml", "\xef\xbb\xbf" + anatomy), "loaded", ""},
+        {"document, missing", Way::document, "gone.yaml", [](const std::string&) {}, "E0101", "gone.yaml"},
+        {"document, a folder", Way::document, "p.yaml", [](const std::string& folder) { std::filesystem::create_directory(folder + "/p.yaml"); }, "E0101", "p.yaml"},
+        {"document, empty", Way::document, "p.yaml", file("p.yaml", ""), "E0104", "p.yaml"},
+        {"document, huge", Way::document, "p.yaml", file("p.yaml", std::string(30u << 20, '#')), "E0102", "1 MB"},
+        {"document, lists 10000 deep", Way::document, "p.yaml", file("p.yaml", deep + std::string(10'000, '[') + std::string(10'000, ']') + "\n"), "E0107", "64"},
+        {"document, lists 500000 deep that do not end", Way::document, "p.yaml", file("p.yaml", deep + std::string(500'000, '[')), "E0107", "64"},
+        {"document, maps 10000 deep by indenting", Way::document, "p.yaml",
+         file("p.yaml", [] {
+             std::string text;
+             for (int n = 0; n < 1300; ++n) text += std::string(static_cast<std::size_t>(n), ' ') + "a:\n";
+             return text;
+         }()), "E0107", "64"},
+        {"document, a line of 900 kB", Way::document, "p.yaml", file("p.yaml", "apiVersion: " + std::string(900'000, 'x') + "\nkind: Procedure\n"), "E0201", "kerf/v1"},
+        {"document, 100000 keys", Way::document, "p.yaml",
+         file("p.yaml", [] {
+             std::string text = "apiVersion: kerf/v1\nkind: Procedure\n";
+             for (int n = 0; n < 60'000; ++n) text += "k" + std::to_string(n) + ": 1\n";
+             return text;
+         }()), "E0112 E0203 E0204", "more"},
+        {"document, bytes", Way::document, "p.yaml", file("p.yaml", std::string("\x7f" "ELF\x02\x01\x01\0\0\0\xff\xfe", 12)), "E0103", "UTF-8"},
+        {"document, UTF-16", Way::document, "anatomy.yaml", file("anatomy.yaml", in_utf16(anatomy)), "E0103", "UTF-8"},
+        {"document, aliases that grow a billion times", Way::document, "p.yaml",
+         file("p.yaml", "a: &a [x, x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\nd: [*c, *c, *c]\n"), "E0109 E0203 E0204", "*a"},
+        {"document, a tag", Way::document, "anatomy.yaml", changed("title: A block", "title: !!python/object x"), "E0110", "tag"},
+        {"document, a tab", Way::document, "anatomy.yaml", changed("  points:", "\tpoints:"), "E0105", "tab"},
+        {"document, a bracket that is not closed", Way::document, "anatomy.yaml", changed("{id: block, title: A block}", "{id: block, title: A block"), "E0105", "never closed"},
+        {"document, a key twice", Way::document, "anatomy.yaml", changed("kind: Anatomy\n", "kind: Anatomy\nkind: Anatomy\n"), "E0108", "twice"},
+        {"document, a decimal comma", Way::document, "anatomy.yaml", changed("1.5 g/cm3", "1,5 g/cm3"), "E0401", "Write `1.5 g/cm3`"},
+        {"document, no unit", Way::document, "anatomy.yaml", changed("tolerance: 1 mm", "tolerance: 1"), "E0402", "unit"},
+        {"document, a number that is none", Way::document, "anatomy.yaml", changed("tolerance: 1 mm", "tolerance: .nan mm"), "E0401", "tolerance"},
+        {"document, a number that no number holds", Way::document, "anatomy.yaml", changed("1.5 g/cm3", "1e999 g/cm3"), "E0401", "density"},
+        {"document, a scan that is missing", Way::document, "anatomy.yaml", changed(bone_of_phantom, "ct: {image: gone.nii.gz, threshold: 0}"), "E0620", "no such file"},
+        {"document, a scan elsewhere on the machine", Way::document, "anatomy.yaml", changed(bone_of_phantom, "ct: {image: /etc/passwd, threshold: 0}"), "E0210", "/etc/passwd"},
+        {"document, a scan above the folder", Way::document, "anatomy.yaml", changed(bone_of_phantom, "ct: {image: ../../scan.nii, threshold: 0}"), "E0210", "../../scan.nii"},
+        {"document, a scan that is a picture", Way::document, "anatomy.yaml",
+         [](const std::string& folder) {
+             changed(bone_of_phantom, "ct: {image: a.jpg, threshold: 0}")(folder);
+             write_file_of(folder + "/a.jpg", "\xff\xd8\xff");
+         }, "E0621", "no format"},
+        {"document, a second one behind it", Way::document, "anatomy.yaml", file("anatomy.yaml", anatomy + "---\n" + anatomy), "E0106", "second"},
+        {"document, another version", Way::document, "anatomy.yaml", changed("kerf/v1", "kerf/v9"), "E0201", "kerf/v1"},
+    };
+}
+
+std::vector<Input> session_inputs() {
+    return {
+        {"session, sound", Way::session, "session.db", session([](const std::string&) {}), "loaded", ""},
+        {"session, in a folder that nobody may write to", Way::session, "locked/session.db",
+         [](const std::string& folder) {
+             std::filesystem::create_directory(folder + "/locked");
+             record(folder + "/locked/session.db");
+             namespace fs = std::filesystem;
+             fs::permissions(folder + "/locked/session.db", fs::perms::owner_read);
+         }, "loaded", ""},
+        {"session, cut to half", Way::session, "session.db", cut_to(0.5), "refused", "session.db"},
+        {"session, cut to a hundred bytes", Way::session, "session.db", session([](const std::string& path) { std::filesystem::resize_file(path, 100); }), "refused", "not a Kerf session"},
+        {"session, empty", Way::session, "session.db", file("session.db", ""), "refused", "not a Kerf session"},
+        {"session, missing", Way::session, "session.db", [](const std::string&) {}, "refused", "cannot be opened"},
+        {"session, a folder", Way::session, "session.db", [](const std::string& folder) { std::filesystem::create_directory(folder + "/session.db"); }, "refused", "session.db"},
+        {"session, text", Way::session, "session.db", file("session.db", repeated("no database at all\n", 500)), "refused", "not a Kerf session"},
+        {"session, another program's database", Way::session, "session.db",
+         [](const std::string& folder) {
+             sqlite3* database = nullptr;
+             sqlite3_open((folder + "/session.db").c_str(), &database);
+             sqlite3_exec(database, "CREATE TABLE places(url TEXT); INSERT INTO places VALUES('x')", nullptr, nullptr, nullptr);
+             sqlite3_close(database);
+         }, "refused", "not a Kerf session"},
+        {"session, noise in its middle half", Way::session, "session.db",
+         session([](const std::string& path) {
+             std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
+             const auto quarter = std::filesystem::file_size(path) / 4 / 4096 * 4096;
+             out.seekp(static_cast<std::streamoff>(quarter));
+             out << std::string(2 * quarter, '\xa5');
+         }), "refused", "session.db"},
+        {"session, another schema", Way::session, "session.db", session_after("PRAGMA user_version=9"), "refused", "schema 9, need 1"},
+        {"session, a tick missing", Way::session, "session.db", session_after("DELETE FROM ticks WHERE tick=77"), "refused", "tick 77 is missing"},
+        {"session, no ticks", Way::session, "session.db", session_after("DELETE FROM ticks"), "refused", "no ticks"},
+        {"session, no table of ticks", Way::session, "session.db", session_after("DROP TABLE ticks"), "refused", "no ticks"},
+        {"session, text in place of a number", Way::session, "session.db", session_after("UPDATE ticks SET device_from_handle_x='a' WHERE tick=9"), "refused", "tick 9 holds no pose"},
+        {"session, a pose at infinity", Way::session, "session.db", session_after("UPDATE ticks SET device_from_handle_x=9e999 WHERE tick=9"), "refused", "tick 9 holds no pose"},
+        {"session, ticks that are a view without end", Way::session, "session.db",
+         session_after("ALTER TABLE ticks RENAME TO t; CREATE VIEW ticks AS WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i+1 FROM n) "
+                       "SELECT i AS tick, 0.0 AS device_from_handle_x, 0.0 AS device_from_handle_y, 0.0 AS device_from_handle_z, 1.0 AS "
+                       "device_from_handle_qw, 0.0 AS device_from_handle_qx, 0.0 AS device_from_handle_qy, 0.0 AS device_from_handle_qz FROM n"),
+         "refused", "session.db"},
+    };
+}
+
+}  // namespace kerf::test
