@@ -4,7 +4,9 @@
 #include <sqlite3.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "core/session/recorder.h"
@@ -58,6 +60,52 @@ std::int64_t pragma(sqlite3* database, const char* sql) {
     return query.next() ? query.integer(0) : -1;
 }
 
+/// Whether a table's rows are computed when they are read: a view, a virtual table, a computed column. They would be
+/// statements of whoever made the file, and may never end.
+bool computes(sqlite3* database, const std::string& table) {
+    Query sorts(database, ("PRAGMA main.table_list(" + table + ")").c_str());
+    while (sorts.next())
+        if (sorts.text(2) != "table") return true;
+    Query columns(database, ("PRAGMA main.table_xinfo(" + table + ")").c_str());
+    while (columns.next())
+        if (columns.integer(6) != 0) return true;
+    return false;
+}
+
+/// [bytes] of a file and of what a run that was cut short left beside it.
+std::uint64_t bytes_of(const std::string& path) {
+    std::uint64_t sum = 0;
+    for (const char* ending : {"", "-wal"}) {
+        std::error_code error;
+        if (const auto size = std::filesystem::file_size(path + ending, error); !error) sum += size;
+    }
+    return sum;
+}
+
+/// Ends whatever takes longer than all rows that a file has bytes for: one whose pages lead to the same page again and again
+/// has rows without end.
+class Patience {
+public:
+    Patience(sqlite3* database, std::uint64_t bytes) : steps_left_(steps + steps_per_byte * static_cast<std::int64_t>(bytes)) {
+        sqlite3_progress_handler(database, at_once, &Patience::is_over, this);
+    }
+    Patience(const Patience&) = delete;
+    Patience& operator=(const Patience&) = delete;
+
+private:
+    // Of SQLite's machine. A tick takes less than 100, and has at least 20 bytes.
+    static constexpr int at_once = 1000;
+    static constexpr std::int64_t steps = 1'000'000, steps_per_byte = 16;
+
+    static int is_over(void* self) {
+        auto& left = static_cast<Patience*>(self)->steps_left_;
+        left -= at_once;
+        return left < 0 ? 1 : 0;
+    }
+
+    std::int64_t steps_left_;
+};
+
 }  // namespace
 
 std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
@@ -68,6 +116,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         error = path + ": cannot be opened. Name a session.db that a run has written.";
         return std::nullopt;
     }
+    Patience patience(raw, bytes_of(path));
     if (pragma(raw, "PRAGMA application_id") != session_application_id) {
         error = path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
         return std::nullopt;
@@ -77,12 +126,11 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         return std::nullopt;
     }
 
-    // A view in place of a table could give rows without end.
-    Query tables(raw, "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name IN ('session', 'ticks') AND sql LIKE 'CREATE TABLE %'");
-    if (!tables.next() || tables.integer(0) != 2) {
-        error = path + ": holds no ticks that can be read.";
-        return std::nullopt;
-    }
+    for (const char* table : {"session", "ticks"})
+        if (computes(raw, table)) {
+            error = path + ": computes its table `" + table + "`, as no run does. Name a session.db that a run has written.";
+            return std::nullopt;
+        }
 
     RecordedInputs inputs;
     Query keys(raw, "SELECT key, value FROM session");

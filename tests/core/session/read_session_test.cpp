@@ -62,6 +62,18 @@ TEST(ReadSession, AMissingTickOrAnotherSchemaIsRefused) {
     EXPECT_NE(refusal_after("PRAGMA user_version=9").find("schema 9, need 1"), std::string::npos);
 }
 
+TEST(ReadSession, RowsThatAreComputedAreRefused) {
+    // Nobody could say when this one ends
+    EXPECT_NE(refusal_after("ALTER TABLE ticks RENAME TO old; CREATE VIEW ticks AS WITH RECURSIVE n(tick) AS (SELECT 0 UNION "
+                            "ALL SELECT tick + 1 FROM n) SELECT n.tick AS tick, old.* FROM n, old")
+                  .find("computes its table `ticks`"),
+              std::string::npos);
+    EXPECT_NE(refusal_after("ALTER TABLE session ADD COLUMN more AS (printf('%.*c', 9, 'x'))").find("computes its table `session`"),
+              std::string::npos);
+    EXPECT_NE(refusal_after("DROP TABLE ticks; CREATE VIRTUAL TABLE ticks USING rtree(tick, a, b)").find("computes its table `ticks`"),
+              std::string::npos);
+}
+
 TEST(ReadSession, ADamagedOrCutFileIsRefused) {
     const test::TemporaryFolder folder;
     const std::string path = session_after(folder, "");
