@@ -15,6 +15,7 @@ namespace {
 
 constexpr int least_edge = 2, most_edge = 4096;               // [voxels]
 constexpr double least_spacing = 1e-6, most_spacing = 100e-3;  // [m]
+constexpr double most_scale = 1e9;                             // [–] with it 32 bits are still a float
 constexpr double straight = 1e-3;                              // [–] of a unit vector
 
 /// Why a slice cannot be used.
@@ -96,6 +97,8 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     slice.slope = rescale(0x1053, 1.0);
     slice.intercept = rescale(0x1052, 0.0);
     if (slice.slope == 0.0) throw Trouble{"its rescale slope (0028,1053) is 0"};
+    if (std::abs(slice.slope) > most_scale || std::abs(slice.intercept) > most_scale)
+        throw Trouble{"its rescale slope (0028,1053) or intercept (0028,1052) is beyond 1000000000"};
     slice.padding = of.word(0x0028, 0x0120, slice.is_signed);
 }
 

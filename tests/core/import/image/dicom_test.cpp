@@ -205,6 +205,13 @@ TEST_F(Dicom, RefusesSlicesThatLieBesideEachOther) {
     expect_refused("E0666", "4.3 voxels");
 }
 
+TEST_F(Dicom, RefusesAScaleThatMakesNoFiniteValues) {
+    Series steep = Series::straight();
+    steep.files[1].text(tag::slope, "DS", "1e308");
+    write(steep);
+    expect_refused("E0667", "rescale slope (0028,1053) or intercept");
+}
+
 TEST_F(Dicom, RefusesTwoSlicesInOnePlace) {
     Series twice = Series::straight();
     twice.files.push_back(twice.files[1]);
