@@ -371,7 +371,8 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
                     is_folder ? "This is a folder. Name a YAML file in it." : "This is not a file that can be read. Name a YAML file, and see that you may read it.", diagnostics);
         return std::nullopt;
     }
-    std::string text(largest_file + 1, '\0');
+    const std::uintmax_t size = std::filesystem::file_size(file, failure);  // the largest number if it cannot be said
+    std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, largest_file)) + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) {
         report_file(Code::file_unreadable, file, "Reading this file failed. Copy it to another disk.", diagnostics);
