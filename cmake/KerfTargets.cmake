@@ -7,6 +7,7 @@ target_compile_options(kerf_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
   # g++ 12 sees overlaps in std::string that are not there, with -O3 only (GCC bug 105651)
   $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-conditional-parentheses>   # branchless `a | b ? 1.0 : 0.0` is meant so
   -ffp-contract=off)   # a fused multiply-add would change a replay
 
 # kerf_add_layer(field SOURCES a.cpp b.h LINKS kerf::sdk)  → kerf::field, seen as "core/field/…"

@@ -12,6 +12,8 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang needs to be told before its version 17
 
 /// Distance of a cylinder cut flat: `side` to its wall, `end` to the nearer cap, both signed.
 double capped(double side, double end) noexcept {

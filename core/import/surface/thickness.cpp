@@ -32,7 +32,7 @@ std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTre
         const int n = std::clamp(static_cast<int>(std::ceil(longest / fineness)), 1, most_per_side);
         const double area = 0.5 * length(cross(b - a, c - a)) / (n * n);
         // The centres of n² equal triangles: those that stand, then those on their heads.
-        const auto measure = [&](double u, double v) {
+        const auto measure = [&, a = a, b = b, c = c](double u, double v) {  // by name: clang before 16
             const Vec3 at = a + u / (3.0 * n) * (b - a) + v / (3.0 * n) * (c - a);
             if (!is_within(region, at)) return;
             const auto hit = tree.first_hit(at, -normal, 0.0, face);
