@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of one folder, one behind the other: two bytes of length, the higher one first, then so many of the file.
+#include "core/import/image/dicom_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/import/image/dicom_file.h"
+#include "tests/fuzz/diagnosed.h"
+#include "tests/fuzz/scratch_file.h"
+
+namespace kerf::fuzz {
+namespace {
+
+constexpr std::size_t most_files = 32;
+
+std::vector<DicomHeader> headers_in(std::string_view input, const ScratchFolder& folder) {
+    std::vector<DicomHeader> headers;
+    while (input.size() >= 2 && headers.size() < most_files) {
+        const auto byte = [&](std::size_t at) {
+            return static_cast<std::size_t>(static_cast<unsigned char>(input[at]));
+        };
+        const std::size_t size = std::min(byte(0) << 8 | byte(1), input.size() - 2);
+        headers.push_back(
+            read_dicom_header(folder.hold("slice" + std::to_string(headers.size()), input.substr(2, size))));
+        input.remove_prefix(2 + size);
+    }
+    return headers;
+}
+
+/// The voxels of a series that has few, put straight as a scan's are.
+void straighten(const DicomSeries& series) {
+    constexpr std::size_t few = 64 * 1024;
+    const VoxelGrid grid = straight_grid(series.stack, series.shape);
+    const bool is_plain =
+        std::none_of(series.slices.begin(), series.slices.end(), [](const DicomSlice& s) { return s.is_compressed; });
+    if (!is_plain || grid.all().voxels() > few) return;
+    std::string trouble;
+    const VoxelImage image = straightened(series.stack, series.shape, grid, grid.all(), [&](std::size_t slice) {
+        return read_dicom_voxels(series.slices[slice], trouble);
+    });
+    require(image.values.empty() == !trouble.empty(), "voxels come, or else a trouble");
+    require(std::all_of(image.values.begin(), image.values.end(), [](float value) { return std::isfinite(value); }),
+            "every voxel is a number");
+}
+
+}  // namespace
+
+bool reads(std::string_view input) {
+    static const ScratchFolder folder;
+    const std::vector<DicomHeader> headers = headers_in(input, folder);
+    bool is_read = false;
+    for (const bool may_resample : {false, true}) {
+        Diagnostics diagnostics;
+        const auto series = series_of(headers, {.name = "", .may_resample = may_resample}, "folder", diagnostics);
+        require_reason(series.has_value(), diagnostics);
+        if (!series) continue;
+        is_read = true;
+        require(series->slices.size() >= 2 && series->slices.size() == series->stack.origins.size(),
+                "a volume has slices");
+        for (std::size_t n = 1; n < series->slices.size(); ++n)
+            require(series->stack.height(n) > series->stack.height(n - 1), "slices lie in the order of their heights");
+        straighten(*series);
+    }
+    return is_read;
+}
+
+}  // namespace kerf::fuzz
