@@ -18,8 +18,9 @@ struct PrivacyReport {
     std::string error;                ///< why the file cannot be read; empty if it can
 };
 
-/// Of a DICOM file: which elements that identify somebody have a value. Of NIfTI, NRRD and STL: what their headers say. Of a database its texts. Of all these and others
-/// headers: whatever looks like a path, a user or machine of this system, a UID, a person's name as DICOM writes it, or a date; as bytes or UTF-16.
+/// Of a DICOM file: which elements that identify somebody have a value. Of NIfTI: the texts of its header. Of all others (NRRD, MetaImage and STL by their
+/// headers, a database by its texts): whatever looks like a path, a user or machine of this system, a UID, a person's name as DICOM writes it, or a
+/// date; as bytes or UTF-16.
 /// Voxels are not looked at: a face can be made of them. Never throws.   [main]
 [[nodiscard]] PrivacyReport privacy_report(const std::string& file);
 

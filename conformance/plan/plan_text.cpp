@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/procedure/plain_numbers.h"
 #include "core/procedure/quantity.h"
 #include "core/session/recorder.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 /// Two digits: an error is not known better.
 std::string percent(double share) {
+    const PlainNumbers point;
     char text[32];
     const double value = 100.0 * share;
     std::snprintf(text, sizeof text, value > 0.0 && value < 0.005 ? "<0.01 %%" : "%.2g %%", value < 99.5 ? value : std::round(value));
@@ -22,6 +24,7 @@ std::string percent(double share) {
 }
 
 std::string two_digits(double value, const char* unit) {
+    const PlainNumbers point;
     char text[32];
     std::snprintf(text, sizeof text, value < 99.5 ? "%.2g %s" : "%.0f %s", value, unit);
     return text;
@@ -107,6 +110,7 @@ std::string plan_csv(std::span<const StepPlan> plans) {
     std::string text = std::string("# ") + notice_line + "\nstep,what,spacing_m,pitch,force_error,torque_error,volume_error,outcome\n";
     const auto row = [&](const StepPlan& plan, const std::string& what, double spacing, double pitch, const Apart& a,
                          const char* outcome) {
+        const PlainNumbers point;
         char figures[200];
         std::snprintf(figures, sizeof figures, "%.6g,%.6g,%.6g,%.6g,%.6g", spacing, pitch, a.force, a.torque, a.volume);
         text += plan.step + "," + what + "," + figures + "," + outcome + "\n";

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
 #include "core/session/session_tables.h"
 #include "core/session/spsc_ring.h"
@@ -63,6 +64,7 @@ SqliteStatement& operator<<(SqliteStatement& row, const Vec6& wrench) {
 }
 
 std::string text_of(double value) {
+    const PlainNumbers point;
     char text[40];
     std::snprintf(text, sizeof text, "%.17g", value);
     return text;

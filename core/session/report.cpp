@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
@@ -182,6 +183,7 @@ std::string events_html(const std::vector<EventRow>& events) {
                        (events.size() == 1 ? " event" : " events") +
                        "</summary><div class=\"wide\"><table><thead><tr><th class=\"number\">Time</th><th>Event</th><th>Detail</th></tr></thead><tbody>";
     for (std::size_t i = 0; i < std::min(events.size(), most_events_listed); ++i) {
+        const PlainNumbers point;
         char time[40];
         std::snprintf(time, sizeof time, "%.2f s", events[i].time);
         html += "<tr><td class=\"number\">" + std::string(time) + "</td><td><code>" + html_escaped(events[i].id) + "</code></td><td>" +

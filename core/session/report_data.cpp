@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/procedure/plain_numbers.h"
+
 namespace kerf {
 namespace {
 
@@ -168,6 +170,7 @@ std::string sensible_number(double value, double uncertainty) {
     } else if (value != 0.0) {
         decimals = decimals_for(std::abs(value), 3);
     }
+    const PlainNumbers point;
     char digits[64];
     std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
     std::string text(digits);
@@ -288,6 +291,7 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
     std::string svg;
     const auto add = [&svg](const char* format, auto... values) {
         char text[256];
+        const PlainNumbers point;
         std::snprintf(text, sizeof text, format, values...);
         svg += text;
     };

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
 
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 /// Twelve digits: 0.0065 m is then 6.5 mm, not 6.499999999999999.
 Json plain_number(double value) {
     if (!std::isfinite(value)) return nullptr;
+    const PlainNumbers point;
     char text[40];
     std::snprintf(text, sizeof text, "%.12g", value);
     return std::strtod(text, nullptr);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
+
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -58,8 +60,11 @@ TEST(BoneMemory, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingToWriteWouldDo) {
     EXPECT_NE(diagnostics[0].message.find("must be at most 4 GB"), std::string::npos) << diagnostics[0].message;
 
     ASSERT_TRUE(diagnostics[0].write.ends_with(" mm")) << diagnostics[0].write;
-    const double spacing = std::stod(diagnostics[0].write) * 1e-3;
-    EXPECT_GT(spacing, 0.05_mm);
+    const std::string& write = diagnostics[0].write;
+    double millimetres = 0.0;
+    std::from_chars(write.data(), write.data() + write.size(), millimetres);  // whatever the locale
+    const double spacing = millimetres * 1e-3;
+    ASSERT_GT(spacing, 0.05_mm);
     EXPECT_TRUE(checked(anatomy, spacing).empty());
 }
 
