@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/field/fnv1a.h"
+#include "core/field/piece_mask.h"
 
 namespace kerf {
 
@@ -52,19 +53,26 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
       start_(body.grid().brick_count() + 1, uncut),
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
-    for (std::size_t b = 0; b < body.grid().brick_count(); ++b) most_ += !body.surface.is_all_air(b);
-    samples_.reserve((most_ + 1) * stored_samples);
-    ranges_.reserve(most_);
-    samples_.assign(stored_samples, -32767);
+    prepare();
     if (!body.hollow.is_empty()) begin_with(body.hollow);
     reserve(reserve_bricks);
-    for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = body.grid().samples(axis);
-    if (!body.region.is_bounded()) return;
-    const std::array<double, 3> low{body.region.low.x, body.region.low.y, body.region.low.z};
-    const std::array<double, 3> high{body.region.high.x, body.region.high.y, body.region.high.z};
+}
+
+void CutField::prepare() {
+    const Grid &g = grid();
+    for (std::size_t b = 0; b < g.brick_count(); ++b) most_ += !body_->surface.is_all_air(b);
+    samples_.reserve((most_ + 2) * stored_samples);
+    ranges_.reserve(most_);
+    samples_.assign(first_stored, -32767);
+    std::fill(samples_.begin() + gone, samples_.end(), std::int16_t{32767});
+    for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = g.samples(axis);
+    const Region &region = body_->region;
+    if (!region.is_bounded()) return;
+    const std::array<double, 3> low{region.low.x, region.low.y, region.low.z};
+    const std::array<double, 3> high{region.high.x, region.high.y, region.high.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto at = [&](int i) {
-            const Vec3 p = body.grid().sample_position(i, i, i);
+            const Vec3 p = g.sample_position(i, i, i);
             return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
         };
         while (first_[axis] <= last_[axis] && !(at(first_[axis]) > low[axis])) ++first_[axis];
@@ -72,9 +80,48 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
     }
 }
 
+CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t reserve_bricks)
+    : body_(whole.body_),
+      clamp_(whole.clamp_),
+      quantum_(whole.quantum_),
+      start_(whole.start_.size(), uncut),
+      changed_(whole.changed_.size(), 0),
+      is_full_(whole.is_full_.size(), 0) {
+    prepare();
+    const Grid &g = grid();
+    for (std::size_t index = 0; index < g.brick_count(); ++index) {
+        if (body_->surface.is_all_air(index)) continue;
+        const auto [i, j, k] = g.brick_place(index);
+
+        // Stored samples reach into the bricks above: what those lost shows in them.
+        const PieceMask::Share share = mask.gone_in(index);
+        bool is_alike = share != PieceMask::Share::some;
+        for (int c = 1; is_alike && c < 8; ++c) {
+            const int bi = i + (c & 1), bj = j + (c >> 1 & 1), bk = k + (c >> 2);
+            if (bi < g.bricks[0] && bj < g.bricks[1] && bk < g.bricks[2]) is_alike = mask.gone_in(g.brick_index(bi, bj, bk)) == share;
+        }
+        if (is_alike && (share == PieceMask::Share::everything || whole.start_[index] == gone)) {
+            start_[index] = gone;
+            is_full_[index] = 1;
+            continue;
+        }
+        if (is_alike && whole.start_[index] == uncut) continue;
+
+        std::int16_t *samples = open_brick(index);
+        const std::int16_t *before = whole.brick(whole.start_[index]);
+        for (int z = 0, s = 0; z < stored_edge; ++z)
+            for (int y = 0; y < stored_edge; ++y)
+                for (int x = 0; x < stored_edge; ++x, ++s)
+                    samples[s] = !is_alike && mask.is_gone(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z) ? std::int16_t{32767}
+                                                                                                                        : before[s];
+        find_ranges(index);
+    }
+    reserve(reserve_bricks);
+}
+
 std::int16_t *CutField::open_brick(std::size_t index) {
     if (free_bricks() == 0) reserve(1);
-    start_[index] = static_cast<std::int32_t>(++used_) * stored_samples;
+    start_[index] = first_stored + static_cast<std::int32_t>(used_++) * stored_samples;
     ranges_of(index).fill(-32767);
     return brick(start_[index]);
 }
@@ -86,23 +133,27 @@ void CutField::begin_with(const LevelSet &hollow) {
         const std::int16_t *room = hollow.stored(index);
         for (std::size_t s = 0; s < stored_samples; ++s)
             samples[s] = static_cast<std::int16_t>(room ? -room[s] : 32767);
-        CellRanges &ranges = ranges_of(index);
-        for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
-            const std::int16_t *first = samples + CellPlace::of(cell).first_sample();
-            std::int16_t lowest = 32767, highest = -32767;
-            for (int z = 0; z < 3; ++z)
-                for (int y = 0; y < 3; ++y)
-                    for (int x = 0; x < stored_edge; ++x) {
-                        const std::int16_t value = first[(z * stored_edge + y) * stored_edge + x];
-                        lowest = std::min(lowest, value);
-                        highest = std::max(highest, value);
-                    }
-            ranges.lowest[cell] = lowest;
-            ranges.highest[cell] = highest;
-        }
-        is_full_[index] =
-            std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
+        find_ranges(index);
     }
+}
+
+void CutField::find_ranges(std::size_t index) noexcept {
+    const std::int16_t *samples = brick(start_[index]);
+    CellRanges &ranges = ranges_of(index);
+    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+        const std::int16_t *first = samples + CellPlace::of(cell).first_sample();
+        std::int16_t lowest = 32767, highest = -32767;
+        for (int z = 0; z < 3; ++z)
+            for (int y = 0; y < 3; ++y)
+                for (int x = 0; x < stored_edge; ++x) {
+                    const std::int16_t value = first[(z * stored_edge + y) * stored_edge + x];
+                    lowest = std::min(lowest, value);
+                    highest = std::max(highest, value);
+                }
+        ranges.lowest[cell] = lowest;
+        ranges.highest[cell] = highest;
+    }
+    is_full_[index] = std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
 }
 
 void CutField::reserve(std::size_t count) {
@@ -110,7 +161,7 @@ void CutField::reserve(std::size_t count) {
     if (wanted <= capacity_) return;
     constexpr std::size_t some = 256;  // at a time
     capacity_ = std::min((wanted + some - 1) / some * some, most_);
-    samples_.resize((capacity_ + 1) * stored_samples, -32767);
+    samples_.resize((capacity_ + 2) * stored_samples, -32767);
     ranges_.resize(capacity_);
 }
 

@@ -14,6 +14,8 @@
 /// What has been removed from a body, as a sparse level set: positive where bone is gone. It begins with what is hollow.
 namespace kerf {
 
+class PieceMask;
+
 /// One closed stretch of tool motion. Append-only: everybody stamps records, nobody re-segments poses (R2).
 struct CutRecord {
     std::uint64_t sequence = 0, tick = 0;
@@ -37,6 +39,9 @@ public:
     /// `reserve` bricks are ready before the first stamp, so that stamping does not allocate.   [main]
     CutField(const Body& body, std::size_t reserve);
 
+    /// The cut of a piece that came away from what `whole` cut: gone too is what the mask says. `reserve` as above.   [worker]
+    CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve);
+
     /// Stamps one record, within the body's region: sub-poses at most a quarter voxel apart, a function of (record,
     /// spacing) alone; then what lies on the ridges between them, so that no sample within the exact sweep stays bone.
     /// Its depth is understated by a ridge's height at most, an eighth of a voxel. Returns the bricks touched.
@@ -53,12 +58,13 @@ public:
     /// Trilinear cut [m]: positive where removed; −clamp where never cut.   [any] pure, nonblocking.
     [[nodiscard]] double at(const BrickPlace& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
-        return start == uncut ? -clamp_ : quantum_ * static_cast<double>(trilinear(brick(start), place));
+        if (start < first_stored) return start == uncut ? -clamp_ : clamp_;
+        return quantum_ * static_cast<double>(trilinear(brick(start), place));
     }
     /// The same [quanta].
     [[nodiscard]] float quanta_at(const BrickPlace& place) const noexcept {
         const std::int32_t start = place.is_inside ? start_[place.brick] : uncut;
-        return start == uncut ? -32767.0f : trilinear(brick(start), place);
+        return start < first_stored ? static_cast<float>(*brick(start)) : trilinear(brick(start), place);
     }
     /// The same for a block.   [any] pure, nonblocking.
     void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
@@ -69,6 +75,9 @@ public:
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);
     }
+    /// The samples that may be cut, along each axis: those strictly within the body's region.
+    [[nodiscard]] const std::array<int, 3>& first_sample() const noexcept { return first_; }
+    [[nodiscard]] const std::array<int, 3>& last_sample() const noexcept { return last_; }
     /// Bricks whose values changed since the last call, ascending.   [worker]
     std::vector<std::size_t> take_changed();
 
@@ -79,12 +88,13 @@ public:
     [[nodiscard]] const Grid& grid() const noexcept { return body_->grid(); }
 
 private:
-    // A brick that was never cut has samples too, one for all: who interpolates need not tell it apart.
-    static constexpr std::int32_t uncut = 0, first_stored = stored_samples;
+    // Bricks that were never cut have samples too, one brick for all, and so have those that are another piece's: who
+    // interpolates need not tell them apart.
+    static constexpr std::int32_t uncut = 0, gone = stored_samples, first_stored = 2 * stored_samples;
     [[nodiscard]] std::int16_t* brick(std::int32_t start) noexcept { return samples_.data() + start; }
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
     [[nodiscard]] CellRanges& ranges_of(std::size_t brick_index) noexcept {
-        return ranges_[static_cast<std::size_t>(start_[brick_index] / stored_samples) - 1];
+        return ranges_[static_cast<std::size_t>((start_[brick_index] - first_stored) / stored_samples)];
     }
     struct BrickBox {
         std::array<int, 3> first, last;
@@ -114,6 +124,10 @@ private:
     std::size_t clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record, std::size_t next,
                              int most, int& touched) noexcept;
 
+    /// Room for every brick that can be cut, and what may be cut.
+    void prepare();
+    /// Of samples that were put in at once.
+    void find_ranges(std::size_t brick_index) noexcept;
     /// A brick in which nothing is cut yet.
     std::int16_t* open_brick(std::size_t brick_index);
     /// What is hollow was never bone.

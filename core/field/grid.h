@@ -32,6 +32,11 @@ struct Grid {
                    static_cast<std::size_t>(bricks[0]) +
                static_cast<std::size_t>(i);
     }
+    /// The brick of an index, along each axis.
+    [[nodiscard]] std::array<int, 3> brick_place(std::size_t index) const noexcept {
+        const auto nx = static_cast<std::size_t>(bricks[0]), ny = static_cast<std::size_t>(bricks[1]);
+        return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny), static_cast<int>(index / nx / ny)};
+    }
     [[nodiscard]] int samples(std::size_t axis) const noexcept { return bricks[axis] * brick_edge; }
     [[nodiscard]] Vec3 sample_position(int i, int j, int k) const noexcept {
         return origin + spacing * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};

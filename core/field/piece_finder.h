@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/field/solid_bits.h"
+
+/// Which bone hangs together, and when it comes apart.
+namespace kerf {
+
+/// Samples of some bricks, ascending by brick.
+using SampleSet = std::vector<std::pair<std::size_t, BrickBits>>;
+
+/// A part of what was one piece.
+struct LoosePart {
+    std::size_t samples = 0;
+    SampleSet bone;
+};
+
+/// Bone hangs together over faces of voxels, as our surface joins it: what touches across an edge or a corner only is two pieces.
+///
+/// Labels are kept brick by brick. Where a cut has taken samples, the bricks around are looked at as they were and as they
+/// are: unless something there has fallen apart within the box, nothing has anywhere, for the ways around it are all left. Only
+/// then is the graph of all bricks asked. That is exact: it finds what a flood of the whole volume would.
+class PieceFinder {
+public:
+    /// Looks at all of it.   [worker]
+    PieceFinder(const Body& body, const CutField& cut);
+
+    /// Bricks `changed` since the last call, by cutting alone: samples only ever go. Returns the parts that a piece has fallen
+    /// into, for each piece that has, but for its largest part (of equal ones the one with the first sample), which stays;
+    /// empty: nothing came apart. What is returned no longer counts as this finder's bone.   [worker]
+    [[nodiscard]] std::vector<LoosePart> update(const CutField& cut, std::span<const std::size_t> changed);
+
+    /// All bone there is.
+    [[nodiscard]] SampleSet bone() const;
+    [[nodiscard]] const BrickBits& bits(std::size_t brick_index) const noexcept { return bits_[brick_index]; }
+    [[nodiscard]] std::size_t samples() const noexcept;
+    /// Pieces that do not hang together. Looks at the whole graph.
+    [[nodiscard]] std::size_t count_pieces();
+
+    /// How often the box did not suffice.
+    [[nodiscard]] std::uint64_t whole_searches() const noexcept { return whole_searches_; }
+
+private:
+    struct Box {
+        std::array<int, 3> first, last;
+        [[nodiscard]] bool holds(const std::array<int, 3>& at) const noexcept {
+            for (std::size_t a = 0; a < 3; ++a)
+                if (at[a] < first[a] || at[a] > last[a]) return false;
+            return true;
+        }
+    };
+    struct Dirty {
+        std::size_t brick;
+        BrickBits before;
+        std::vector<BrickBits> components_before;  ///< empty: one or none
+    };
+
+    [[nodiscard]] std::span<const BrickBits> components(std::size_t brick) const noexcept {
+        if (count_[brick] == 0) return {};
+        if (count_[brick] == 1) return {&bits_[brick], 1};
+        return many_[static_cast<std::size_t>(slot_[brick])];
+    }
+    void label(std::size_t brick, const BrickBits& bits);
+    void look_at_the_box(const std::vector<Dirty>& dirty);
+    void look_at_everything();
+    [[nodiscard]] std::uint32_t node(std::size_t brick, std::size_t component) const noexcept {
+        return first_node_[brick] + static_cast<std::uint32_t>(component);
+    }
+    void take_away(const SampleSet& bone);
+
+    Grid grid_;
+    std::vector<BrickBits> bits_;
+    std::vector<std::uint16_t> count_;  ///< components of a brick
+    std::vector<std::int32_t> slot_;    ///< of a brick that has several, in `many_`
+    std::vector<std::vector<BrickBits>> many_;
+    std::vector<std::int32_t> free_slots_;
+
+    // Of the whole graph.
+    std::vector<std::uint32_t> first_node_, parent_;
+    std::uint64_t whole_searches_ = 0;
+
+    // Of the box. For each component that fell apart in it: one brick and component of each of its parts.
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> fallen_apart_;
+    struct Scratch {
+        std::vector<std::uint32_t> before, after, first_before, first_after, part_of;
+    } box_;
+};
+
+}  // namespace kerf
