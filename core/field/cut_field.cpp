@@ -320,11 +320,17 @@ std::int16_t CutField::sample(int i, int j, int k) const noexcept {
 
 std::vector<std::size_t> CutField::take_changed() {
     std::vector<std::size_t> bricks;
-    for (std::size_t b = 0; b < changed_.size(); ++b)
-        if (changed_[b] != 0) {
-            bricks.push_back(b);
-            changed_[b] = 0;
+    constexpr std::size_t at_once = sizeof(std::uint64_t);
+    for (std::size_t b = 0; b < changed_.size();) {
+        std::uint64_t eight = 1;
+        if (b + at_once <= changed_.size()) std::memcpy(&eight, &changed_[b], at_once);
+        if (eight == 0) {
+            b += at_once;
+            continue;
         }
+        if (changed_[b] != 0) bricks.push_back(b);
+        changed_[b++] = 0;
+    }
     return bricks;
 }
 

@@ -35,6 +35,7 @@ void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<
                 join(parent, low_node + static_cast<std::uint32_t>(a), high_node + static_cast<std::uint32_t>(b));
 }
 
+constexpr std::size_t brick_samples = brick_edge * brick_edge * brick_edge;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
 }  // namespace
@@ -43,6 +44,7 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
     : grid_(body.grid()),
       bits_(grid_.brick_count()),
       count_(grid_.brick_count(), 0),
+      is_full_(grid_.brick_count(), 0),
       slot_(grid_.brick_count(), -1),
       first_node_(grid_.brick_count()) {
     for (std::size_t b = 0; b < grid_.brick_count(); ++b) label(b, solid_bits(body, cut, b));
@@ -50,11 +52,10 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
 
 void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     bits_[brick] = bits;
-    std::size_t found = 0;
+    is_full_[brick] = bits.is_full();
+    std::size_t found = is_full_[brick];
     std::vector<BrickBits> components;
-    if (bits.is_full()) {
-        found = 1;
-    } else {
+    if (is_full_[brick] == 0) {
         for (BrickBits left = bits; !left.is_empty(); ++found) {
             const BrickBits one = take_component(left);
             if (found == 0 && left.is_empty()) continue;  // the usual case: all that there is
@@ -91,18 +92,19 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         Dirty& d = dirty.emplace_back();
         d.brick = b;
         d.before = bits_[b];
-        if (count_[b] > 1) d.components_before = many_[static_cast<std::size_t>(slot_[b])];
+        if (count_[b] > 1) d.components = many_[static_cast<std::size_t>(slot_[b])];
         label(b, now);
     }
-    if (dirty.empty()) return {};
-    look_at_the_box(dirty);
+    leave_out_what_holds(dirty);
+    fallen_apart_.clear();
+    while (!dirty.empty()) look_at_the_box(take_neighbours(dirty));
     if (fallen_apart_.empty()) return {};
 
     look_at_everything();
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_of;  // by one of the parts: roots of all of them
     for (const auto& places : fallen_apart_) {
         std::vector<std::uint32_t> roots;
-        for (const auto& [brick, component] : places) roots.push_back(root_of(parent_, node(brick, component)));
+        for (const auto& [brick, component] : places) roots.push_back(parent_[node(brick, component)]);
         std::sort(roots.begin(), roots.end());
         roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
         if (roots.size() > 1) parts_of[roots.front()].insert(parts_of[roots.front()].end(), roots.begin(), roots.end());
@@ -127,35 +129,107 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         pieces.push_back(std::move(all));
     }
 
-    std::map<std::uint32_t, LoosePart> parts;
-    for (const auto& piece : pieces)
-        for (const std::uint32_t root : piece) parts[root];
+    // How large each part is, and what belongs to those that are not the largest.
+    std::vector<std::size_t> samples_of(parent_.size(), 0);
+    for (std::size_t b = 0; b < bits_.size(); ++b) {
+        const auto all = components(b);
+        if (is_full_[b] != 0)
+            samples_of[parent_[first_node_[b]]] += brick_samples;
+        else
+            for (std::size_t c = 0; c < all.size(); ++c) samples_of[parent_[node(b, c)]] += static_cast<std::size_t>(all[c].count());
+    }
+    std::vector<LoosePart> loose;
+    std::vector<std::uint32_t> part_of(parent_.size(), none);
+    for (const auto& piece : pieces) {
+        const std::uint32_t stays = *std::max_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return samples_of[a] != samples_of[b] ? samples_of[a] < samples_of[b] : a > b;
+        });
+        for (const std::uint32_t root : piece) {
+            if (root == stays) continue;
+            part_of[root] = static_cast<std::uint32_t>(loose.size());
+            loose.emplace_back().samples = samples_of[root];
+        }
+    }
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         const auto all = components(b);
         for (std::size_t c = 0; c < all.size(); ++c) {
-            const auto part = parts.find(root_of(parent_, node(b, c)));
-            if (part == parts.end()) continue;
-            part->second.samples += static_cast<std::size_t>(all[c].count());
-            SampleSet& bone = part->second.bone;
+            const std::uint32_t part = part_of[parent_[node(b, c)]];
+            if (part == none) continue;
+            SampleSet& bone = loose[part].bone;
             if (bone.empty() || bone.back().first != b) bone.emplace_back(b, BrickBits{});
             bone.back().second |= all[c];
         }
-    }
-    std::vector<LoosePart> loose;
-    for (const auto& piece : pieces) {
-        const std::uint32_t stays = *std::max_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return parts[a].samples != parts[b].samples ? parts[a].samples < parts[b].samples : a > b;
-        });
-        for (const std::uint32_t root : piece)
-            if (root != stays) loose.push_back(std::move(parts[root]));
     }
     for (const LoosePart& part : loose) take_away(part.bone);
     return loose;
 }
 
-/// Finds components of the box around the dirty bricks that were one before and are several now.
+/// Where each component of a brick has become one, and touches all that it touched, nothing can have come apart: a dirty brick
+/// like that is as good as unchanged.
+void PieceFinder::leave_out_what_holds(std::vector<Dirty>& dirty) {
+    dirty_at_.clear();
+    for (std::size_t d = 0; d < dirty.size(); ++d) dirty_at_.emplace_back(dirty[d].brick, d);  // ascending, as they came
+    const auto before = [&](std::size_t brick) -> std::span<const BrickBits> {
+        const auto at = std::lower_bound(dirty_at_.begin(), dirty_at_.end(), brick, [](const auto& a, std::size_t b) { return a.first < b; });
+        return at != dirty_at_.end() && at->first == brick ? dirty[at->second].before_components() : components(brick);
+    };
+    const auto nx = static_cast<std::size_t>(grid_.bricks[0]), ny = static_cast<std::size_t>(grid_.bricks[1]);
+    const std::size_t step[3] = {1, nx, nx * ny};
+    const auto holds = [&](const Dirty& d) {
+        // One before and one after, and so in the bricks around: the case that a proof is cheap for.
+        if (count_[d.brick] != 1 || d.before_components().size() != 1) return false;
+        const auto at = grid_.brick_place(d.brick);
+        for (std::size_t a = 0; a < 3; ++a) {
+            for (const bool is_next : {false, true}) {
+                if (is_next ? at[a] + 1 >= grid_.bricks[a] : at[a] == 0) continue;
+                const std::size_t other = is_next ? d.brick + step[a] : d.brick - step[a];
+                const auto other_before = before(other), other_after = components(other);
+                if (other_before.empty()) continue;
+                if (other_before.size() != 1 || other_after.size() != 1) return false;
+                const bool touched = is_next ? touch_along(a, d.before, other_before[0]) : touch_along(a, other_before[0], d.before);
+                if (!touched) continue;
+                if (!(is_next ? touch_along(a, bits_[d.brick], other_after[0]) : touch_along(a, other_after[0], bits_[d.brick]))) return false;
+            }
+        }
+        return true;
+    };
+    std::vector<Dirty> left;
+    for (Dirty& d : dirty)
+        if (!holds(d)) left.push_back(d);
+    dirty = std::move(left);
+}
+
+/// Takes out of `left` a brick, and others while the boxes around them meet: cuts far apart are looked at apart.
+std::vector<PieceFinder::Dirty> PieceFinder::take_neighbours(std::vector<Dirty>& left) {
+    std::vector<Dirty> near;
+    near.push_back(std::move(left.back()));
+    left.pop_back();
+    Box box{grid_.brick_place(near.front().brick), grid_.brick_place(near.front().brick)};
+    for (bool has_grown = true; has_grown;) {
+        has_grown = false;
+        for (std::size_t n = 0; n < left.size();) {
+            const auto at = grid_.brick_place(left[n].brick);
+            bool meets = true;
+            for (std::size_t a = 0; a < 3; ++a) meets = meets && at[a] >= box.first[a] - 2 && at[a] <= box.last[a] + 2;
+            if (!meets) {
+                ++n;
+                continue;
+            }
+            for (std::size_t a = 0; a < 3; ++a) {
+                box.first[a] = std::min(box.first[a], at[a]);
+                box.last[a] = std::max(box.last[a], at[a]);
+            }
+            near.push_back(std::move(left[n]));
+            left[n] = std::move(left.back());
+            left.pop_back();
+            has_grown = true;
+        }
+    }
+    return near;
+}
+
+/// Finds components of the box around dirty bricks that were one before and are several now.
 void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
-    fallen_apart_.clear();
     Box box{grid_.brick_place(dirty.front().brick), grid_.brick_place(dirty.front().brick)};
     for (const Dirty& d : dirty) {
         const auto at = grid_.brick_place(d.brick);
@@ -184,8 +258,7 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     }
     const auto before = [&](std::size_t n) -> std::span<const BrickBits> {
         if (box_.part_of[n] == none) return components(brick_at(n));
-        const Dirty& d = dirty[box_.part_of[n]];
-        return d.components_before.empty() ? std::span<const BrickBits>(&d.before, 1) : std::span<const BrickBits>(d.components_before);
+        return dirty[box_.part_of[n]].before_components();
     };
     const auto after = [&](std::size_t n) { return components(brick_at(n)); };
     const auto joined = [&](const auto& of, std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& parent) {
@@ -257,10 +330,16 @@ void PieceFinder::look_at_everything() {
             for (int i = 0; i < grid_.bricks[0]; ++i, ++b) {
                 if (count_[b] == 0) continue;
                 const int at[3] = {i, j, k};
-                for (std::size_t a = 0; a < 3; ++a)
-                    if (at[a] + 1 < grid_.bricks[a] && count_[b + step[a]] != 0)
+                for (std::size_t a = 0; a < 3; ++a) {
+                    if (at[a] + 1 >= grid_.bricks[a] || count_[b + step[a]] == 0) continue;
+                    if ((is_full_[b] & is_full_[b + step[a]]) != 0)
+                        join(parent_, first_node_[b], first_node_[b + step[a]]);
+                    else
                         join_along(parent_, a, components(b), first_node_[b], components(b + step[a]), first_node_[b + step[a]]);
+                }
             }
+    // A node's parent is never after it: one pass makes every parent a root.
+    for (std::uint32_t& parent : parent_) parent = parent_[parent];
 }
 
 void PieceFinder::take_away(const SampleSet& bone) {

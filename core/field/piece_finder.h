@@ -48,16 +48,14 @@ public:
 private:
     struct Box {
         std::array<int, 3> first, last;
-        [[nodiscard]] bool holds(const std::array<int, 3>& at) const noexcept {
-            for (std::size_t a = 0; a < 3; ++a)
-                if (at[a] < first[a] || at[a] > last[a]) return false;
-            return true;
-        }
     };
     struct Dirty {
         std::size_t brick;
         BrickBits before;
-        std::vector<BrickBits> components_before;  ///< empty: one or none
+        std::vector<BrickBits> components;  ///< before; empty: one
+        [[nodiscard]] std::span<const BrickBits> before_components() const noexcept {
+            return components.empty() ? std::span<const BrickBits>(&before, 1) : std::span<const BrickBits>(components);
+        }
     };
 
     [[nodiscard]] std::span<const BrickBits> components(std::size_t brick) const noexcept {
@@ -66,6 +64,8 @@ private:
         return many_[static_cast<std::size_t>(slot_[brick])];
     }
     void label(std::size_t brick, const BrickBits& bits);
+    void leave_out_what_holds(std::vector<Dirty>& dirty);
+    [[nodiscard]] std::vector<Dirty> take_neighbours(std::vector<Dirty>& left);
     void look_at_the_box(const std::vector<Dirty>& dirty);
     void look_at_everything();
     [[nodiscard]] std::uint32_t node(std::size_t brick, std::size_t component) const noexcept {
@@ -76,12 +76,14 @@ private:
     Grid grid_;
     std::vector<BrickBits> bits_;
     std::vector<std::uint16_t> count_;  ///< components of a brick
+    std::vector<std::uint8_t> is_full_;
     std::vector<std::int32_t> slot_;    ///< of a brick that has several, in `many_`
     std::vector<std::vector<BrickBits>> many_;
     std::vector<std::int32_t> free_slots_;
 
-    // Of the whole graph.
+    // Of the whole graph: the first node of a brick, and under which node each stands; looked at, its root.
     std::vector<std::uint32_t> first_node_, parent_;
+    std::vector<std::pair<std::size_t, std::size_t>> dirty_at_;
     std::uint64_t whole_searches_ = 0;
 
     // Of the box. For each component that fell apart in it: one brick and component of each of its parts.
