@@ -74,7 +74,7 @@ struct Surface {
     float in_tool[3][3];     ///< the grid's axes in the tool frame
 };
 
-/// From one outline point to the next, in the half plane (r, z).
+/// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a prism.
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
     double slope;  ///< [–] how the radius grows backwards
@@ -87,6 +87,7 @@ struct OutlineShape {
     std::size_t count;
     double largest_radius;  ///< [m]
     bool is_convex;
+    double half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
 };
 
 /// The same in single precision, for samples and for many solids at once.
@@ -100,6 +101,7 @@ struct SingleOutline {
     std::size_t count;
     float front_radius, front_z, back_radius, back_z;
     bool is_convex;
+    float half_thickness;  ///< [m] of a prism, which is convex; 0: a solid of revolution
 };
 
 /// Samples of a brick: three layers of three rows of nine. Sample (x, y, z) of them lies, in the tool frame [m], at

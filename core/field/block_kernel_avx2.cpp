@@ -444,7 +444,25 @@ inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     return with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
 }
 
+inline Four magnitude(Four a) noexcept { return _mm256_andnot_pd(all(-0.0), a); }
+inline Four minus(Four a) noexcept { return _mm256_xor_pd(a, all(-0.0)); }
+
+/// A prism's: what its outline has in the plane, within two flat sides.
+inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noexcept {
+    const Four zero = _mm256_setzero_pd(), r = magnitude(x), side = magnitude(y) - all(outline.half_thickness);
+    const Four flat = convex_depth(outline, r, z, depth_of_planes(outline, r, z));
+    const Four off = _mm256_and_pd(less(flat, zero), flat), beside = _mm256_and_pd(less(zero, side), side);
+    const Four outside = minus(_mm256_sqrt_pd(off * off + beside * beside)), within = least(flat, minus(side));
+    return _mm256_blendv_pd(within, outside, _mm256_or_pd(less(flat, zero), less(zero, side)));
+}
+
 void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept {
+    if (outline.half_thickness > 0.0) {
+        for (std::size_t i = 0; i < count; i += lanes)
+            _mm256_storeu_pd(depths + i, prism_depth(outline, _mm256_loadu_pd(in_tool.x + i), _mm256_loadu_pd(in_tool.y + i),
+                                                     _mm256_loadu_pd(in_tool.z + i)));
+        return;
+    }
     for (std::size_t i = 0; i < count; i += lanes) {
         const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i);
         _mm256_storeu_pd(depths + i, depth_in(outline, _mm256_sqrt_pd(x * x + y * y), _mm256_loadu_pd(in_tool.z + i)));
@@ -454,9 +472,10 @@ void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_
 void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
               Coordinates gradients) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
+    const bool is_prism = outline.half_thickness > 0.0;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i), z = _mm256_loadu_pd(in_tool.z + i);
-        const Four r = _mm256_sqrt_pd(x * x + y * y);
+        const Four r = is_prism ? magnitude(x) : _mm256_sqrt_pd(x * x + y * y);
         const Four to_front = all(front.z) - z, to_back = z - all(back.z), is_before = less(to_front, to_back);
         Four depth = _mm256_blendv_pd(to_back, to_front, is_before), gz = _mm256_blendv_pd(all(1.0), all(-1.0), is_before);
         Four normal_r = _mm256_setzero_pd();
@@ -466,6 +485,14 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
             depth = _mm256_blendv_pd(depth, to_line, is_less);
             normal_r = _mm256_blendv_pd(normal_r, all(s.normal_r), is_less);
             gz = _mm256_blendv_pd(gz, all(-s.normal_z), is_less);
+        }
+        if (is_prism) {
+            const Four zero = _mm256_setzero_pd(), to_side = all(outline.half_thickness) - magnitude(y), is_side = less(to_side, depth);
+            _mm256_storeu_pd(depths + i, _mm256_blendv_pd(depth, to_side, is_side));
+            _mm256_storeu_pd(gradients.x + i, _mm256_andnot_pd(is_side, _mm256_blendv_pd(minus(normal_r), normal_r, less(x, zero))));
+            _mm256_storeu_pd(gradients.y + i, _mm256_and_pd(is_side, _mm256_blendv_pd(all(-1.0), all(1.0), less(y, zero))));
+            _mm256_storeu_pd(gradients.z + i, _mm256_andnot_pd(is_side, gz));
+            continue;
         }
         const Four inwards = _mm256_xor_pd(normal_r, all(-0.0)) / r, is_off_axis = less(_mm256_setzero_pd(), r);
         _mm256_storeu_pd(depths + i, depth);
@@ -482,6 +509,7 @@ inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_L
 inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
 inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
 inline Eight minus(Eight a) noexcept { return _mm256_xor_ps(a, eight(-0.0f)); }
+inline Eight magnitude(Eight a) noexcept { return _mm256_andnot_ps(eight(-0.0f), a); }
 inline bool any(Eight mask) noexcept { return _mm256_movemask_ps(mask) != 0; }
 
 inline Eight to_face(const OutlineFace& f, Eight r, Eight z) noexcept {
@@ -539,6 +567,22 @@ inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) n
 struct EightPoints {
     Eight x, y, z;
 };
+inline Eight radius_of(const SingleOutline& o, const EightPoints& p) noexcept {
+    return o.half_thickness > 0.0f ? magnitude(p.x) : _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
+}
+/// The same for either solid: `r` as `radius_of` has it, `y` across a prism.
+inline Eight depth_at_most(const SingleOutline& o, Eight r, Eight y, Eight z) noexcept {
+    const Eight flat = depth_at_most(o, r, z);
+    return o.half_thickness > 0.0f ? least(eight(o.half_thickness) - magnitude(y), flat) : flat;
+}
+inline Eight depth_from(const SingleOutline& o, Eight r, Eight y, Eight z, Eight depth) noexcept {
+    if (!(o.half_thickness > 0.0f)) return depth_from(o, r, z, depth);
+    const Eight zero = _mm256_setzero_ps(), is_outside = less(depth, zero);
+    if (!any(is_outside)) return depth;
+    const Eight flat = depth_from(o, r, z, depth_at_most(o, r, z));
+    const Eight off = least(flat, zero), beside = most(magnitude(y) - eight(o.half_thickness), zero);
+    return _mm256_blendv_ps(depth, least(minus(_mm256_sqrt_ps(off * off + beside * beside)), depth), is_outside);
+}
 inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
     const auto along = [&](int n) {
         return ((eight(f.axis[0][n]) * p.x + eight(f.axis[1][n]) * p.y) + eight(f.axis[2][n]) * p.z) + eight(f.origin[n]);
@@ -560,6 +604,11 @@ inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r)
         in_r = _mm256_blendv_ps(in_r, eight(o.face[n].normal_r), is_less);
         in_z = _mm256_blendv_ps(in_z, eight(-o.face[n].normal_z), is_less);
     }
+    if (o.half_thickness > 0.0f) {
+        const Eight zero = _mm256_setzero_ps(), is_side = less(eight(o.half_thickness) - magnitude(p.y), depth);
+        return {_mm256_andnot_ps(is_side, _mm256_blendv_ps(minus(in_r), in_r, less(p.x, zero))),
+                _mm256_and_ps(is_side, _mm256_blendv_ps(eight(-1.0f), eight(1.0f), less(p.y, zero))), _mm256_andnot_ps(is_side, in_z)};
+    }
     const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
     return {inwards * p.x, inwards * p.y, in_z};
 }
@@ -576,12 +625,12 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
         for (std::size_t n = 0; n < solids; ++n) {
             const SingleFrame& frame = solid_from_points[n];
             const EightPoints p = moved(frame, at);
-            const Eight r = _mm256_sqrt_ps(p.x * p.x + p.y * p.y);
-            Eight depth = depth_at_most(outline, r, p.z);
+            const Eight r = radius_of(outline, p);
+            Eight depth = depth_at_most(outline, r, p.y, p.z);
             Eight is_deeper = less(best, depth);
             if (!any(is_deeper)) continue;
             if (outline.is_convex && any(_mm256_and_ps(is_deeper, less(depth, _mm256_setzero_ps()))))
-                depth = depth_from(outline, r, p.z, depth);
+                depth = depth_from(outline, r, p.y, p.z, depth);
             is_deeper = less(best, depth);
             if (!any(is_deeper)) continue;
             const EightPoints way_here = turned_back(frame, way_in(outline, p, r));
@@ -629,7 +678,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     const auto step_at = [&](int n) {
         return reinterpret_cast<__m128i*>(samples + n / steps_of_layer * stored * stored + step_start[n % steps_of_layer]);
     };
-    Eight radius[steps], height[steps], depth[steps], may_rise = zero, may_rise_outside = zero;
+    Eight radius[steps], across[steps], height[steps], depth[steps], may_rise = zero, may_rise_outside = zero;
     EightInts before[steps], value[steps];
     EightPoints up[3];
     for (int layer = 0; layer < 3; ++layer) {
@@ -643,7 +692,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         for (int layer = 0; layer < 3; ++layer) {
             const int at = layer * steps_of_layer + n;
             const Eight x = start.x + up[layer].x, y = start.y + up[layer].y, z = start.z + up[layer].z;
-            radius[at] = _mm256_sqrt_ps(x * x + y * y);
+            radius[at] = radius_of(outline, {x, y, z});
+            across[at] = y;
             height[at] = z;
         }
     }
@@ -652,7 +702,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     };
     for (int n = 0; n < steps; ++n) {
         before[n] = _mm256_cvtepi16_epi32(_mm_loadu_si128(step_at(n)));
-        depth[n] = depth_at_most(outline, radius[n], height[n]);
+        depth[n] = depth_at_most(outline, radius[n], across[n], height[n]);
         value[n] = quantised(depth[n], scale);
         const Eight rises_here = rises(n);
         may_rise = _mm256_or_ps(may_rise, rises_here);
@@ -661,7 +711,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     if (!any(may_rise)) return false;
     if (outline.is_convex && cell.has_edges && any(may_rise_outside))
         for (int n = 0; n < steps; ++n) {
-            depth[n] = depth_from(outline, radius[n], height[n], depth[n]);
+            depth[n] = depth_from(outline, radius[n], across[n], height[n], depth[n]);
             value[n] = quantised(depth[n], scale);
         }
     __m128i least_value = _mm_set1_epi16(32767), most_value = _mm_set1_epi16(-32767);

@@ -252,8 +252,22 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
     }
 }
 
+/// A prism's: what its outline has in the plane, within two flat sides.
+void prism_depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* __restrict depths) noexcept {
+    BlockValues r{};
+    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y;
+    for (std::size_t i = 0; i < count; ++i) r[i] = std::abs(x[i]);
+    convex_depths(outline, count, r, in_tool.z, depths);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double side = std::abs(y[i]) - outline.half_thickness, flat = depths[i];
+        const double off = 0.0 > flat ? flat : 0.0, beside = side > 0.0 ? side : 0.0, within = flat < -side ? flat : -side;
+        depths[i] = (flat < 0.0) | (side > 0.0) ? -std::sqrt(off * off + beside * beside) : within;
+    }
+}
+
 void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
             double *__restrict depths) noexcept {
+    if (outline.half_thickness > 0.0) return prism_depths(outline, count, in_tool, depths);
     BlockValues r{}, nearest2, wall;
     const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
@@ -288,9 +302,10 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
     const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
     double *__restrict gx = gradients.x, *__restrict gy = gradients.y, *__restrict gz = gradients.z;
+    const bool is_prism = outline.half_thickness > 0.0;
     BlockValues r, normal_r;
     for (std::size_t i = 0; i < count; ++i) {
-        r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
+        r[i] = is_prism ? std::abs(x[i]) : std::sqrt(x[i] * x[i] + y[i] * y[i]);
         const bool is_before = front.z - z[i] < z[i] - back.z;
         depths[i] = is_before ? front.z - z[i] : z[i] - back.z;
         gz[i] = is_before ? -1.0 : 1.0;
@@ -305,6 +320,17 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
             normal_r[i] = is_less ? s.normal_r : normal_r[i];
             gz[i] = is_less ? -s.normal_z : gz[i];
         }
+    }
+    if (is_prism) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double to_side = outline.half_thickness - std::abs(y[i]);
+            const bool is_side = to_side < depths[i];
+            depths[i] = is_side ? to_side : depths[i];
+            gx[i] = is_side ? 0.0 : (x[i] < 0.0 ? normal_r[i] : -normal_r[i]);
+            gy[i] = is_side ? (y[i] < 0.0 ? 1.0 : -1.0) : 0.0;
+            gz[i] = is_side ? 0.0 : gz[i];
+        }
+        return;
     }
     for (std::size_t i = 0; i < count; ++i) {  // towards the axis; on it any way will do
         const double inwards = -normal_r[i] / r[i];
@@ -365,6 +391,21 @@ float depth_from(const SingleOutline& o, float r, float z, float depth) noexcept
 struct SinglePoint {
     float x, y, z;
 };
+inline float radius_of(const SingleOutline& o, SinglePoint p) noexcept {
+    return o.half_thickness > 0.0f ? std::abs(p.x) : std::sqrt(p.x * p.x + p.y * p.y);
+}
+/// The same for either solid, `r` as `radius_of` has it.
+float depth_at_most(const SingleOutline& o, SinglePoint p, float r) noexcept {
+    const float flat = depth_at_most(o, r, p.z);
+    return o.half_thickness > 0.0f ? smaller(o.half_thickness - std::abs(p.y), flat) : flat;
+}
+float depth_from(const SingleOutline& o, SinglePoint p, float r, float depth) noexcept {
+    if (!(o.half_thickness > 0.0f)) return depth_from(o, r, p.z, depth);
+    if (!(depth < 0.0f)) return depth;
+    const float flat = depth_from(o, r, p.z, depth_at_most(o, r, p.z));
+    const float off = smaller(flat, 0.0f), beside = larger(std::abs(p.y) - o.half_thickness, 0.0f);
+    return smaller(-std::sqrt(off * off + beside * beside), depth);
+}
 SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
     const auto along = [&](int n) { return ((f.axis[0][n] * p.x + f.axis[1][n] * p.y) + f.axis[2][n] * p.z) + f.origin[n]; };
     return {along(0), along(1), along(2)};
@@ -385,6 +426,10 @@ SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
         in_r = is_less ? o.face[n].normal_r : in_r;
         in_z = is_less ? -o.face[n].normal_z : in_z;
     }
+    if (o.half_thickness > 0.0f) {
+        if (o.half_thickness - std::abs(p.y) < depth) return {0.0f, p.y < 0.0f ? 1.0f : -1.0f, 0.0f};
+        return {p.x < 0.0f ? in_r : -in_r, 0.0f, in_z};
+    }
     const float inwards = r > 0.0f ? -in_r / r : 0.0f;
     return {inwards * p.x, inwards * p.y, in_z};
 }
@@ -396,10 +441,10 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
         for (std::size_t i = 0; i < count; ++i) {
             const Vec3 point = points[i];
             const SinglePoint p = moved(frame, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
-            const float r = std::sqrt(p.x * p.x + p.y * p.y);
-            float depth = depth_at_most(outline, r, p.z);
+            const float r = radius_of(outline, p);
+            float depth = depth_at_most(outline, p, r);
             if (!(depth > walls.depth[i])) continue;
-            depth = depth_from(outline, r, p.z, depth);
+            depth = depth_from(outline, p, r, depth);
             if (!(depth > walls.depth[i])) continue;
             const SinglePoint way = turned_back(frame, way_in(outline, p, r));
             walls.depth[i] = depth;
@@ -427,11 +472,12 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 const float i = cell.first[0] + static_cast<float>(x), j = cell.first[1] + static_cast<float>(y),
                             k = cell.first[2] + static_cast<float>(z);
                 const auto place = [&](int n) { return ((cell.origin[n] + i * at[0][n]) + j * at[1][n]) + k * at[2][n]; };
-                const float px = place(0), py = place(1), pz = place(2), r = std::sqrt(px * px + py * py);
+                const SinglePoint p{place(0), place(1), place(2)};
+                const float r = radius_of(outline, p);
                 std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
-                const float at_most = depth_at_most(outline, r, pz);
+                const float at_most = depth_at_most(outline, p, r);
                 if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
-                    const float depth = depth_from(outline, r, pz, at_most);
+                    const float depth = depth_from(outline, p, r, at_most);
                     const std::int32_t value = quantised(depth, per_quantum);
                     if (depth >= -band && value > sample) {
                         sample = static_cast<std::int16_t>(value);

@@ -187,19 +187,17 @@ bool CutField::stamp_on(const CutRecord &record, const RevolutionSolid &solid, i
 CutField::BrickBox CutField::bricks_near(const RevolutionSolid &solid, const Pose &body_from_tool,
                                          double band) const noexcept {
     const Grid &g = grid();
-    const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
-    const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
-    const double margin = solid.largest_radius() + band;
+    const auto [low, high] = solid.box(body_from_tool);
     const double edge = brick_edge * g.spacing;
     BrickBox box;
     const auto range = [&](std::size_t axis, double a, double b, double origin) {
-        box.first[axis] = std::max(0, static_cast<int>(std::floor((std::min(a, b) - margin - origin) / edge)) - 1);
+        box.first[axis] = std::max(0, static_cast<int>(std::floor((a - band - origin) / edge)) - 1);
         box.last[axis] =
-            std::min(g.bricks[axis] - 1, static_cast<int>(std::floor((std::max(a, b) + margin - origin) / edge)));
+            std::min(g.bricks[axis] - 1, static_cast<int>(std::floor((b + band - origin) / edge)));
     };
-    range(0, tip.x, end.x, g.origin.x);
-    range(1, tip.y, end.y, g.origin.y);
-    range(2, tip.z, end.z, g.origin.z);
+    range(0, low.x, high.x, g.origin.x);
+    range(1, low.y, high.y, g.origin.y);
+    range(2, low.z, high.z, g.origin.z);
     return box;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/field/azimuths.h"
 #include "core/field/reach.h"
 
 namespace kerf {
@@ -186,8 +185,8 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double t = 0.25 * step;
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const auto& direction : azimuths) {
-                const Vec3 p = at * Vec3{r * direction[0], r * direction[1], z};
+            for (const Vec3 in_tool : solid_->around(r, z)) {
+                const Vec3 p = at * in_tool;
                 if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);
                 if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)

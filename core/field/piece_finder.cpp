@@ -48,11 +48,18 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
       slot_(grid_.brick_count(), -1),
       first_node_(grid_.brick_count()) {
     for (std::size_t b = 0; b < grid_.brick_count(); ++b) label(b, solid_bits(body, cut, b));
+    look_at_everything();  // so that there is room for it
+    size_.resize(parent_.size());
+    whole_searches_ = 0;
 }
 
 void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     bits_[brick] = bits;
     is_full_[brick] = bits.is_full();
+    if (bits.is_empty() && slot_[brick] < 0) {
+        count_[brick] = 0;
+        return;
+    }
     std::size_t found = is_full_[brick];
     std::vector<BrickBits> components;
     if (is_full_[brick] == 0) {
@@ -129,38 +136,64 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         pieces.push_back(std::move(all));
     }
 
-    // How large each part is, and what belongs to those that are not the largest.
-    std::vector<std::size_t> samples_of(parent_.size(), 0);
+    std::vector<LoosePart> loose = loose_parts_of(pieces);
+    for (const LoosePart& part : loose) take_away(part.bone);
+    return loose;
+}
+
+std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces) {
+    // How large each part is,
+    size_.assign(parent_.size(), {0, 0, 0, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
+        if (is_full_[b] != 0) {
+            Size& size = size_[parent_[first_node_[b]]];
+            size.samples += brick_samples;
+            ++size.full_bricks;
+            continue;
+        }
         const auto all = components(b);
-        if (is_full_[b] != 0)
-            samples_of[parent_[first_node_[b]]] += brick_samples;
-        else
-            for (std::size_t c = 0; c < all.size(); ++c) samples_of[parent_[node(b, c)]] += static_cast<std::size_t>(all[c].count());
+        for (std::size_t c = 0; c < all.size(); ++c) {
+            Size& size = size_[parent_[node(b, c)]];
+            size.samples += static_cast<std::uint32_t>(all[c].count());
+            ++size.others;
+        }
     }
+
+    // and what belongs to those that are not the largest.
     std::vector<LoosePart> loose;
-    std::vector<std::uint32_t> part_of(parent_.size(), none);
     for (const auto& piece : pieces) {
         const std::uint32_t stays = *std::max_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return samples_of[a] != samples_of[b] ? samples_of[a] < samples_of[b] : a > b;
+            return size_[a].samples != size_[b].samples ? size_[a].samples < size_[b].samples : a > b;
         });
         for (const std::uint32_t root : piece) {
             if (root == stays) continue;
-            part_of[root] = static_cast<std::uint32_t>(loose.size());
-            loose.emplace_back().samples = samples_of[root];
+            size_[root].part = static_cast<std::uint32_t>(loose.size());
+            LoosePart& part = loose.emplace_back();
+            part.samples = size_[root].samples;
+            part.bone.reserve(size_[root].full_bricks, size_[root].others);
         }
     }
     for (std::size_t b = 0; b < bits_.size(); ++b) {
+        const auto part_of = [&](std::size_t c) { return size_[parent_[node(b, c)]].part; };
+        if (is_full_[b] != 0) {
+            if (const std::uint32_t part = part_of(0); part != none) loose[part].bone.add_full(b);
+            continue;
+        }
         const auto all = components(b);
         for (std::size_t c = 0; c < all.size(); ++c) {
-            const std::uint32_t part = part_of[parent_[node(b, c)]];
+            const std::uint32_t part = part_of(c);
             if (part == none) continue;
-            SampleSet& bone = loose[part].bone;
-            if (bone.empty() || bone.back().first != b) bone.emplace_back(b, BrickBits{});
-            bone.back().second |= all[c];
+            // Two components of a brick that hang together outside of it are added once.
+            BrickBits together = all[c];
+            bool is_first = true;
+            for (std::size_t other = 0; other < all.size(); ++other) {
+                if (other == c || part_of(other) != part) continue;
+                is_first = is_first && other > c;
+                together |= all[other];
+            }
+            if (is_first) loose[part].bone.add(b, together);
         }
     }
-    for (const LoosePart& part : loose) take_away(part.bone);
     return loose;
 }
 
@@ -343,13 +376,13 @@ void PieceFinder::look_at_everything() {
 }
 
 void PieceFinder::take_away(const SampleSet& bone) {
-    for (const auto& [brick, bits] : bone) label(brick, bits_[brick].without(bits));
+    bone.for_each([&](std::size_t brick, const BrickBits& bits) { label(brick, bits_[brick].without(bits)); });
 }
 
 SampleSet PieceFinder::bone() const {
     SampleSet all;
     for (std::size_t b = 0; b < bits_.size(); ++b)
-        if (count_[b] != 0) all.emplace_back(b, bits_[b]);
+        if (count_[b] != 0) all.add(b, bits_[b]);
     return all;
 }
 

@@ -11,8 +11,31 @@
 /// Which bone hangs together, and when it comes apart.
 namespace kerf {
 
-/// Samples of some bricks, ascending by brick.
-using SampleSet = std::vector<std::pair<std::size_t, BrickBits>>;
+/// Samples of some bricks, each brick once. Those that are full take no bits.
+class SampleSet {
+public:
+    void add(std::size_t brick, const BrickBits& bits) {
+        if (bits.is_full())
+            full_.push_back(static_cast<std::uint32_t>(brick));
+        else
+            some_.emplace_back(static_cast<std::uint32_t>(brick), bits);
+    }
+    void reserve(std::size_t full, std::size_t others) {
+        full_.reserve(full);
+        some_.reserve(others);
+    }
+    void add_full(std::size_t brick) { full_.push_back(static_cast<std::uint32_t>(brick)); }
+    /// Calls `what(brick, bits)`: the full ones first.
+    template <class Do>
+    void for_each(const Do& what) const {
+        for (const std::uint32_t brick : full_) what(std::size_t{brick}, BrickBits::full());
+        for (const auto& [brick, bits] : some_) what(std::size_t{brick}, bits);
+    }
+
+private:
+    std::vector<std::uint32_t> full_;
+    std::vector<std::pair<std::uint32_t, BrickBits>> some_;
+};
 
 /// A part of what was one piece.
 struct LoosePart {
@@ -72,6 +95,7 @@ private:
         return first_node_[brick] + static_cast<std::uint32_t>(component);
     }
     void take_away(const SampleSet& bone);
+    [[nodiscard]] std::vector<LoosePart> loose_parts_of(const std::vector<std::vector<std::uint32_t>>& pieces);
 
     Grid grid_;
     std::vector<BrickBits> bits_;
@@ -83,6 +107,10 @@ private:
 
     // Of the whole graph: the first node of a brick, and under which node each stands; looked at, its root.
     std::vector<std::uint32_t> first_node_, parent_;
+    struct Size {
+        std::uint32_t samples = 0, full_bricks = 0, others = 0, part = 0;
+    };
+    std::vector<Size> size_;  ///< of a root
     std::vector<std::pair<std::size_t, std::size_t>> dirty_at_;
     std::uint64_t whole_searches_ = 0;
 

@@ -77,8 +77,7 @@ BrickBits nearer_to_others(Block own, Block others) noexcept {
 PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece)
     : grid_(grid), share_(grid.brick_count(), Share::everything), slot_(grid.brick_count(), 0) {
     // Which bricks have bone of the piece, or of others, in them or in those around them.
-    std::vector<const BrickBits*> own(grid.brick_count(), nullptr);
-    std::vector<BrickBits> others(grid.brick_count());
+    std::vector<BrickBits> own(grid.brick_count()), others(grid.brick_count());
     std::vector<std::uint8_t> is_near_own(grid.brick_count(), 0), is_near_others(grid.brick_count(), 0);
     const auto around = [&](std::size_t brick, const auto& what) {
         const auto at = grid_.brick_place(brick);
@@ -87,14 +86,14 @@ PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& pi
                 for (int i = std::max(at[0] - 1, 0); i <= std::min(at[0] + 1, grid_.bricks[0] - 1); ++i)
                     what(grid_.brick_index(i, j, k), i - at[0] + 1, j - at[1] + 1, k - at[2] + 1);
     };
-    for (const auto& [brick, bits] : piece) {
-        own[brick] = &bits;
+    piece.for_each([&](std::size_t brick, const BrickBits& bits) {
+        own[brick] = bits;
         around(brick, [&](std::size_t b, int, int, int) { is_near_own[b] = 1; });
-    }
-    for (const auto& [brick, bits] : all) {
-        others[brick] = own[brick] != nullptr ? bits.without(*own[brick]) : bits;
+    });
+    all.for_each([&](std::size_t brick, const BrickBits& bits) {
+        others[brick] = bits.without(own[brick]);
         if (!others[brick].is_empty()) around(brick, [&](std::size_t b, int, int, int) { is_near_others[b] = 1; });
-    }
+    });
 
     for (std::size_t b = 0; b < share_.size(); ++b) {
         if (is_near_own[b] == 0) continue;
@@ -102,7 +101,7 @@ PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& pi
         if (is_near_others[b] == 0) continue;
         Block mine, theirs;
         around(b, [&](std::size_t n, int x, int y, int z) {
-            if (own[n] != nullptr) mine.put(*own[n], x, y, z);
+            mine.put(own[n], x, y, z);
             theirs.put(others[n], x, y, z);
         });
         const BrickBits gone = nearer_to_others(mine, theirs);

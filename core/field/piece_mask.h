@@ -15,7 +15,7 @@ namespace kerf {
 /// wall where the other had been (R4).
 class PieceMask {
 public:
-    /// `piece` of all the bone in `all`; both ascending by brick.   [worker]
+    /// `piece` of all the bone in `all`.   [worker]
     PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& piece);
 
     enum class Share : std::uint8_t { nothing, some, everything };

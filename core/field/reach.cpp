@@ -9,12 +9,9 @@ namespace kerf {
 bool is_in_reach_of_bone(const Body& body, const RevolutionSolid& solid, const Pose& body_from_tool, double margin,
                          CutOnly cut_only) noexcept {
     const Grid& g = body.grid();
-    const Vec3 tip = body_from_tool * Vec3{0, 0, solid.tip_z()};
-    const Vec3 end = body_from_tool * Vec3{0, 0, solid.end_z()};
-    const double reach = solid.largest_radius() + margin;
-    const Vec3 around{reach, reach, reach};
-    Vec3 low = Vec3{std::min(tip.x, end.x), std::min(tip.y, end.y), std::min(tip.z, end.z)} - around;
-    Vec3 high = Vec3{std::max(tip.x, end.x), std::max(tip.y, end.y), std::max(tip.z, end.z)} + around;
+    const Vec3 around{margin, margin, margin};
+    const auto [lowest, highest] = solid.box(body_from_tool);
+    Vec3 low = lowest - around, high = highest + around;
     if (cut_only == CutOnly::yes && !body.region.meets(low, high)) return false;
     low = body.region.nearest(low);  // beyond it, bone is as at its nearest face
     high = body.region.nearest(high);

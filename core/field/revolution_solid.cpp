@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/azimuths.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -21,7 +22,8 @@ double radius_at(const std::vector<kerf_profile_point>& outline, const std::vect
 
 }  // namespace
 
-RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outline_(std::move(outline)) {
+RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline, double half_thickness)
+    : outline_(std::move(outline)), half_thickness_(half_thickness) {
     KERF_ASSERT(outline_.size() >= 2, "give the outline at least a tip and an end");
     for (std::size_t i = 0; i < outline_.size(); ++i) {
         KERF_ASSERT(outline_[i].radius >= 0.0, "radii are not negative");
@@ -42,35 +44,65 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline) : outl
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
     is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
+    KERF_ASSERT(is_convex_ || !is_prism(), "give a prism an outline that bends towards the axis only");
+}
+
+std::array<Vec3, 8> RevolutionSolid::around(double radius, double z) const noexcept {
+    std::array<Vec3, 8> points;
+    const double y = half_thickness_;
+    if (is_prism())
+        return {{{radius, -y, z}, {radius, 0, z}, {radius, y, z}, {0, y, z}, {-radius, y, z}, {-radius, 0, z}, {-radius, -y, z}, {0, -y, z}}};
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = {radius * azimuths[i][0], radius * azimuths[i][1], z};
+    return points;
+}
+
+RevolutionSolid::Box RevolutionSolid::box(const Pose& other_from_tool) const noexcept {
+    const Vec3 tip = other_from_tool * Vec3{0, 0, tip_z()}, end = other_from_tool * Vec3{0, 0, end_z()};
+    Vec3 more{largest_radius_, largest_radius_, largest_radius_};
+    if (is_prism()) {
+        const Vec3 x = rotate(other_from_tool.rotation, {largest_radius_, 0, 0}), y = rotate(other_from_tool.rotation, {0, half_thickness_, 0});
+        more = {std::abs(x.x) + std::abs(y.x), std::abs(x.y) + std::abs(y.y), std::abs(x.z) + std::abs(y.z)};
+    }
+    return {Vec3{std::min(tip.x, end.x), std::min(tip.y, end.y), std::min(tip.z, end.z)} - more,
+            Vec3{std::max(tip.x, end.x), std::max(tip.y, end.y), std::max(tip.z, end.z)} + more};
 }
 
 double RevolutionSolid::distance(Vec3 p) const noexcept {
-    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    const double flat = distance(radius_of(p), p.z);
+    if (!is_prism()) return flat;
+    const double side = std::abs(p.y) - half_thickness_;
+    if (flat <= 0.0 && side <= 0.0) return std::max(flat, side);
+    const double off = std::max(flat, 0.0), beside = std::max(side, 0.0);
+    return std::sqrt(off * off + beside * beside);
+}
+
+double RevolutionSolid::distance(double r, double z) const noexcept {
     const auto &front = outline_.front(), &back = outline_.back();
     if (!is_convex_) {
-        const bool is_inside = p.z < front.z && p.z > back.z && r < radius_at(outline_, segments_, p.z);
-        const double distance = std::sqrt(squared_distance(r, p.z));
+        const bool is_inside = z < front.z && z > back.z && r < radius_at(outline_, segments_, z);
+        const double distance = std::sqrt(squared_distance(r, z));
         return is_inside ? -distance : distance;
     }
-    const auto to_face = [&](const OutlineSegment& s) { return s.offset - (s.normal_r * r + s.normal_z * p.z); };
-    double depth = std::min(front.z - p.z, p.z - back.z);
+    const auto to_face = [&](const OutlineSegment& s) { return s.offset - (s.normal_r * r + s.normal_z * z); };
+    double depth = std::min(front.z - z, z - back.z);
     for (const OutlineSegment& s : segments_) depth = std::min(depth, to_face(s));
     if (!(depth < 0.0)) return -depth;
 
     // Outside, the foot on that plane may lie beyond the face's edges.
-    bool is_beside = (front.z - p.z == depth && r <= front.radius) || (p.z - back.z == depth && r <= back.radius);
+    bool is_beside = (front.z - z == depth && r <= front.radius) || (z - back.z == depth && r <= back.radius);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         const OutlineSegment& s = segments_[i];
         const double along =
-            ((r - outline_[i].radius) * s.along_r + (p.z - outline_[i].z) * s.along_z) * s.inverse_length2;
+            ((r - outline_[i].radius) * s.along_r + (z - outline_[i].z) * s.along_z) * s.inverse_length2;
         is_beside = is_beside || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
     }
-    return is_beside ? -depth : std::sqrt(squared_distance(r, p.z));
+    return is_beside ? -depth : std::sqrt(squared_distance(r, z));
 }
 
 bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
     if (!is_blunt_) return true;
-    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    const double r = radius_of(p);
+    if (is_prism() && std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance) return true;
     return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
         return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
     });
@@ -94,15 +126,58 @@ double RevolutionSolid::squared_distance(double r, double z) const noexcept {
 
 double RevolutionSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     const double low = middle.z - half.z, high = middle.z + half.z;
-    const double beside = std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
+    const double beside = is_prism() ? std::abs(middle.x) - half.x
+                                     : std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
     const double r = std::max(0.0, beside);
     double depth = std::min(tip_z() - low, high - end_z());
+    if (is_prism()) depth = std::min(depth, half_thickness_ - std::max(0.0, std::abs(middle.y) - half.y));
     for (const OutlineSegment& s : segments_)
         depth = std::min(depth, s.offset - s.normal_r * r - std::min(s.normal_z * low, s.normal_z * high));
     return depth;
 }
 
+Vec3 RevolutionSolid::way_in_of_prism(Vec3 p) const noexcept {
+    const double r = radius_of(p), side = std::abs(p.y) - half_thickness_, flat = distance(r, p.z);
+    const Vec3 across{0.0, p.y < 0.0 ? 1.0 : -1.0, 0.0};
+    const bool is_inside = flat <= 0.0 && side <= 0.0;
+    if (is_inside ? side > flat : flat <= 0.0) return across;
+
+    // In the plane: away from the nearest face inside, towards the nearest point of the outline outside.
+    double in_r = 0.0, in_z = tip_z() - p.z < p.z - end_z() ? -1.0 : 1.0;
+    if (flat <= 0.0) {
+        double depth = std::min(tip_z() - p.z, p.z - end_z());
+        for (const OutlineSegment& s : segments_) {
+            const double to_face = s.offset - (s.normal_r * r + s.normal_z * p.z);
+            if (!(to_face < depth)) continue;
+            depth = to_face;
+            in_r = -s.normal_r;
+            in_z = -s.normal_z;
+        }
+    } else {
+        double nearest2 = 1e300;
+        const auto consider = [&](double off_r, double off_z) {
+            const double d2 = squared(off_r) + squared(off_z);
+            if (d2 >= nearest2) return;
+            nearest2 = d2;
+            in_r = -off_r;
+            in_z = -off_z;
+        };
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const OutlineSegment& s = segments_[i];
+            const double dr = r - outline_[i].radius, dz = p.z - outline_[i].z;
+            const double t = std::clamp((dr * s.along_r + dz * s.along_z) * s.inverse_length2, 0.0, 1.0);
+            consider(dr - t * s.along_r, dz - t * s.along_z);
+        }
+        const auto &front = outline_.front(), &back = outline_.back();
+        if (front.radius > 0.0) consider(std::max(0.0, r - front.radius), p.z - front.z);
+        consider(std::max(0.0, r - back.radius), p.z - back.z);
+    }
+    const double beside = flat > 0.0 ? std::max(side, 0.0) : 0.0;
+    return normalized(Vec3{p.x < 0.0 ? -in_r : in_r, beside * across.y, in_z});
+}
+
 Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
+    if (is_prism()) return way_in_of_prism(p);
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     if (is_convex_) {  // inside, away from the plane of the nearest face
         const double to_front = tip_z() - p.z, to_back = p.z - end_z();
@@ -171,6 +246,17 @@ double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance
     const auto& back = outline_.back();
     if (direction.z > 0.0 && front.radius > 0.0) consider((front.z - p.z) / direction.z);
     if (direction.z < 0.0) consider((back.z - p.z) / direction.z);
+    if (is_prism()) {  // convex: the first of all planes ahead
+        const auto consider_plane = [&](double depth, double speed) {
+            if (speed > 0.0) consider(depth / speed);
+        };
+        consider_plane(half_thickness_ - p.y, direction.y);
+        consider_plane(half_thickness_ + p.y, -direction.y);
+        for (const OutlineSegment& s : segments_)
+            for (const double side : {1.0, -1.0})
+                consider_plane(s.offset - (side * s.normal_r * p.x + s.normal_z * p.z), side * s.normal_r * direction.x + s.normal_z * direction.z);
+        return exit < 1e299 ? exit : 0.0;
+    }
 
     for (std::size_t i = 1; i < outline_.size(); ++i) {
         // On the cone r = q + m z:  (x + t dx)² + (y + t dy)² = (q + m z + m t dz)²

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/field/point_block.h"
 #include "kerf/math.hpp"
 
-/// A solid of revolution about the tool's z axis.
+/// What a tool removes or is: a solid of revolution about its z axis, or a prism.
 namespace kerf {
 
 /// The outline is a polyline (z, radius) from the tip (largest z) backwards; it is closed by the axis and by a flat
 /// end cap behind its last point. Tool frame [m].
+///
+/// A prism, such as a saw's blade, has the same outline with half of its width along x for the radius, and two flat sides
+/// across y. So all that is said of (r, z) holds for both, with r = |x| in a prism.
 class RevolutionSolid {
 public:
     RevolutionSolid() = default;
     /// Pre: at least two points, z strictly falling, radii ≥ 0 (asserted).
-    explicit RevolutionSolid(std::vector<kerf_profile_point> outline);
+    explicit RevolutionSolid(std::vector<kerf_profile_point> outline) : RevolutionSolid(std::move(outline), 0.0) {}
+    /// A prism of `thickness` > 0 [m]. Pre: its outline is convex as well (asserted).
+    [[nodiscard]] static RevolutionSolid prism(std::vector<kerf_profile_point> outline, double thickness) {
+        return RevolutionSolid(std::move(outline), 0.5 * thickness);
+    }
 
     /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an edge
     /// of the outline is nearer still.   [any] pure.
@@ -30,7 +39,7 @@ public:
     [[nodiscard]] SingleOutline single() const noexcept {
         const auto &front = outline_.front(), &back = outline_.back();
         return {faces_.data(), faces_.size(), static_cast<float>(front.radius), static_cast<float>(front.z),
-                static_cast<float>(back.radius), static_cast<float>(back.z), is_convex_};
+                static_cast<float>(back.radius), static_cast<float>(back.z), is_convex_, static_cast<float>(half_thickness_)};
     }
 
     /// A plane for each point of a block that the solid does not cross: around it nothing is deeper than the plane,
@@ -61,19 +70,39 @@ public:
     [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
     [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
+    [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
+    [[nodiscard]] double thickness() const noexcept { return 2.0 * half_thickness_; }  ///< [m] of a prism; else 0
+
+    /// Eight points around the solid where its outline has `radius` at `z`.   [any] pure.
+    [[nodiscard]] std::array<Vec3, 8> around(double radius, double z) const noexcept;
+    /// A box in the other frame that holds the solid.   [any] pure.
+    struct Box {
+        Vec3 low, high;
+    };
+    [[nodiscard]] Box box(const Pose& other_from_tool) const noexcept;
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
+    RevolutionSolid(std::vector<kerf_profile_point> outline, double half_thickness);
+
+    /// Where a point stands in the plane of the outline.
+    [[nodiscard]] double radius_of(Vec3 p) const noexcept {
+        return is_prism() ? std::abs(p.x) : std::sqrt(p.x * p.x + p.y * p.y);
+    }
+    /// The distance in that plane.
+    [[nodiscard]] double distance(double r, double z) const noexcept;
+    [[nodiscard]] Vec3 way_in_of_prism(Vec3 p) const noexcept;
     /// The way to the nearest point of the outline, squared.
     [[nodiscard]] double squared_distance(double r, double z) const noexcept;
     [[nodiscard]] OutlineShape shape() const noexcept {
-        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_};
+        return {outline_.data(), segments_.data(), outline_.size(), largest_radius_, is_convex_, half_thickness_};
     }
 
     std::vector<kerf_profile_point> outline_;
     std::vector<OutlineSegment> segments_;
     std::vector<OutlineFace> faces_;
     double largest_radius_ = 0.0;
+    double half_thickness_ = 0.0;  ///< [m] 0: a solid of revolution
     bool is_convex_ = true;
     bool is_blunt_ = true;  ///< its faces meet at 60° or more
 };

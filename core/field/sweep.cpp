@@ -10,6 +10,11 @@ double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose
     // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
     const double r = solid.largest_radius();
     double largest = 0.0;
+    if (solid.is_prism()) {
+        for (const double z : {solid.tip_z(), solid.end_z()})
+            for (const Vec3 corner : solid.around(r, z)) largest = std::max(largest, length(to * corner - from * corner));
+        return largest;
+    }
     for (const double z : {solid.tip_z(), solid.end_z()})
         for (const Vec3 rim : {Vec3{r, 0, z}, Vec3{-r, 0, z}, Vec3{0, r, z}, Vec3{0, -r, z}, Vec3{0, 0, z}})
             largest = std::max(largest, length(to * rim - from * rim));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field/azimuths.h"
 
 namespace kerf {
 
@@ -20,10 +19,8 @@ bool is_free(const Body& body, const RevolutionSolid& whole, const Pose& at) {
         const int steps = static_cast<int>(std::ceil(std::hypot(dz, dr) / h)) + 1;
         for (int step = 0; step <= steps; ++step) {
             const double t = static_cast<double>(step) / steps, r = outline[i].radius + t * dr;
-            for (const auto& direction : azimuths)
-                if (uncut_distance(body, locate(body.grid(), at * Vec3{r * direction[0], r * direction[1],
-                                                                       outline[i].z + t * dz})) < 0.0)
-                    return false;
+            for (const Vec3 in_tool : whole.around(r, outline[i].z + t * dz))
+                if (uncut_distance(body, locate(body.grid(), at * in_tool)) < 0.0) return false;
         }
     }
     return true;

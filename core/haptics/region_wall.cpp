@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/field/azimuths.h"
 #include "kerf/force.hpp"
 
 namespace kerf {
@@ -24,8 +23,8 @@ bool region_wall(const Body& body, const BoneView& view, const RevolutionSolid& 
     Vec3 at{}, outwards{};
     const auto& outline = cutting.outline();
     for (const auto& [z, radius] : outline)
-        for (const auto& way : azimuths) {
-            const Vec3 in_tool{radius * way[0], radius * way[1], z}, p = body_from_tool * in_tool;
+        for (const Vec3 in_tool : cutting.around(radius, z)) {
+            const Vec3 p = body_from_tool * in_tool;
             const double beyond = region.distance_outside(p);
             if (beyond <= farthest || view.present_distance(p) >= 0.0) continue;
             farthest = beyond;

@@ -45,6 +45,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     shape.size = sizeof shape;
     shape.profile = points;
     shape.profile_capacity = capacity;
+    shape.kind = KERF_SOLID_REVOLUTION;
     if (setup.tool->tool->shape(setup.tool_parameters.data(), &shape) != KERF_OK) {
         error = std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: it refused them.";
         return false;
@@ -57,12 +58,32 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     if (!is_sound) {
         error =
             std::string("tool `") + setup.tool->id +
-            "` gives an outline that is no solid of revolution: list (z, radius) from the tip backwards, in metres.";
+            "` gives an outline that is no solid: list (z, radius) from the tip backwards, in metres.";
+        return false;
+    }
+    out.grip_z = shape.grip_z;
+    if (shape.kind == KERF_SOLID_PRISM) {
+        bool is_convex = true;  // backwards the outline bends towards the axis only
+        for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
+            const auto &a = points[i - 2], &b = points[i - 1], &c = points[i];
+            is_convex = is_convex && (c.radius - b.radius) * (b.z - a.z) >= (b.radius - a.radius) * (c.z - b.z);
+        }
+        if (!is_convex || !(shape.thickness > 0.0 && shape.thickness <= shape.kerf && shape.kerf < 0.1)) {
+            error = std::string("tool `") + setup.tool->id +
+                    "` gives a prism that is no blade: it needs a convex outline, a thickness above 0 mm and a kerf from that to 100 mm.";
+            return false;
+        }
+        out.cutting = RevolutionSolid::prism({points, points + shape.cutting_count}, shape.kerf);
+        out.whole = RevolutionSolid::prism({points, points + shape.profile_count}, shape.thickness);
+        return true;
+    }
+    if (shape.kind != KERF_SOLID_REVOLUTION) {
+        error = std::string("tool `") + setup.tool->id + "` gives a solid of kind " + std::to_string(shape.kind) +
+                "; this Kerf knows 1, a solid of revolution, and 2, a prism.";
         return false;
     }
     out.cutting = RevolutionSolid({points, points + shape.cutting_count});
     out.whole = RevolutionSolid({points, points + shape.profile_count});
-    out.grip_z = shape.grip_z;
     return true;
 }
 

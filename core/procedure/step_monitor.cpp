@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field/azimuths.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -34,8 +33,8 @@ double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, cons
             const double t = 0.25 * step;
             const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const auto& at : azimuths)
-                least = std::min(least, distance_to_any(zone.solids, world_from_tool * Vec3{r * at[0], r * at[1], z}));
+            for (const Vec3 in_tool : solid.around(r, z))
+                least = std::min(least, distance_to_any(zone.solids, world_from_tool * in_tool));
         }
     return least;
 }

@@ -37,6 +37,18 @@ inline RevolutionSolid drill_outline(double radius, double half_angle, double le
     return RevolutionSolid({{0.0, 0.0}, {-tip, radius}, {-length, radius}});
 }
 
+/// A blade's cutting region: a front of `radius` about an axis behind it, `half_width` to either side, `depth` deep.
+inline RevolutionSolid blade_outline(double radius, double half_width, double depth, double kerf) {
+    std::vector<kerf_profile_point> outline;
+    constexpr int pieces = 8;
+    for (int i = 0; i <= pieces; ++i) {
+        const double x = half_width * i / pieces;
+        outline.push_back({std::sqrt(radius * radius - x * x) - radius, x});
+    }
+    outline.push_back({outline.back().z - depth, half_width});
+    return RevolutionSolid::prism(outline, kerf);
+}
+
 /// A tool pose at `tip`, its +z (out of the tip) along `direction`.
 inline Pose pointing(Vec3 tip, Vec3 direction) {
     return {tip, quat_between({0, 0, 1}, normalized(direction))};

@@ -219,9 +219,12 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
         {{0.5_mm, 2.0_mm}, {-5.0_mm, 2.0_mm}},                                                      // a flat face
         {{0.0, 1.0_mm}, {-2.0_mm, 3.0_mm}, {-4.0_mm, 0.5_mm}},                                      // a waist
     };
+    std::vector<RevolutionSolid> solids;
+    for (const auto& outline : outlines) solids.emplace_back(outline);
+    solids.push_back(test::blade_outline(20.0_mm, 5.0_mm, 4.0_mm, 2.0_mm));
     std::size_t inside = 0;
-    for (const auto& outline : outlines) {
-        const RevolutionSolid solid(outline);
+    for (const RevolutionSolid& solid : solids) {
+        const auto& outline = solid.outline();
         for (int n = 0; n < blocks; ++n) {
             PointBlock in = points(8e-3);
             for (std::size_t i = 0; i < in.count; i += 5) in.z[i] = outline[numbers.below(outline.size())].z;
@@ -244,9 +247,9 @@ TEST_F(BothKernels, MeasureTheSameDepths) {
 }
 
 TEST_F(BothKernels, FindTheSameTangentsAndNoneCrossesTheSolid) {
-    for (const auto& outline : {std::vector<kerf_profile_point>{{0.0, 0.0}, {-0.96_mm, 1.6_mm}, {-3.0_mm, 1.6_mm}},
-                                std::vector<kerf_profile_point>{{0.5_mm, 2.0_mm}, {-2.0_mm, 2.5_mm}, {-5.0_mm, 1.0_mm}}}) {
-        const RevolutionSolid solid(outline);
+    for (const auto& solid : {RevolutionSolid({{0.0, 0.0}, {-0.96_mm, 1.6_mm}, {-3.0_mm, 1.6_mm}}),
+                              RevolutionSolid({{0.5_mm, 2.0_mm}, {-2.0_mm, 2.5_mm}, {-5.0_mm, 1.0_mm}}),
+                              test::blade_outline(10.0_mm, 3.0_mm, 2.0_mm, 1.0_mm)}) {
         ASSERT_TRUE(solid.is_convex());
         for (int n = 0; n < blocks; ++n) {
             PointBlock in;
@@ -276,13 +279,14 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm),
         RevolutionSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-3.0_mm, 1.5_mm}, {-3.5_mm, 2.5_mm}, {-9.0_mm, 2.5_mm}}),  // a step drill
         RevolutionSolid({{0.3_mm, 1.0_mm}, {-1.0_mm, 1.5_mm}}),                                                     // a flat face
+        test::blade_outline(10.0_mm, 3.0_mm, 1.0_mm, 1.0_mm),
     };
     constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0, band = 2.0 * h;
     constexpr std::size_t layers = 3 * stored_edge * stored_edge;
     std::size_t raised = 0, kept = 0, outside = 0;
     for (int n = 0; n < 12 * blocks; ++n) {
         // Three layers of samples somewhere about the tip, and a cell of them
-        const RevolutionSolid& solid = solids[n % 3];
+        const RevolutionSolid& solid = solids[n % 4];
         const Quat turn = normalized(Quat{numbers.sound(), numbers.sound(), numbers.sound(), numbers.sound()});
         const Vec3 corner{3e-3 * numbers.sound(), 3e-3 * numbers.sound(), -1e-3 + 3e-3 * numbers.sound()};
         const int first_y = CellPlace::of(numbers.below(3)).first_y;
@@ -367,10 +371,11 @@ TEST_F(BothKernels, FindTheSameSamples) {
 
 TEST_F(BothKernels, FindTheSameDeepestSolid) {
     const RevolutionSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm),
-                                      RevolutionSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}})};
+                                      RevolutionSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}}),
+                                      test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm)};
     std::size_t found = 0, outside = 0;
     for (int n = 0; n < blocks; ++n) {
-        const RevolutionSolid& solid = solids[n % 2];
+        const RevolutionSolid& solid = solids[n % 3];
         std::vector<Frame> frames;
         std::vector<SingleFrame> single_frames;
         for (int i = 0; i < 9; ++i) {

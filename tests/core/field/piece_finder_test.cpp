@@ -154,7 +154,7 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
             ++came_off;
             samples_off += part.samples;
             std::size_t counted = 0;
-            for (const auto& [brick, bits] : part.bone) counted += static_cast<std::size_t>(bits.count());
+            part.bone.for_each([&](std::size_t, const BrickBits& bits) { counted += static_cast<std::size_t>(bits.count()); });
             EXPECT_EQ(counted, part.samples);
         }
         // What came off is no longer the finder's, and the volume still holds it unless a later stroke took it: so compare
@@ -214,15 +214,7 @@ struct SawnTube {
     SawnTube() {
         cut.stamp(stretch(blade_at(2.5_mm, 6.5_mm), blade_at(2.5_mm, -6.5_mm)), disc());
         parts = finder.update(cut, cut.take_changed());
-        all = finder.bone();
-        for (const LoosePart& part : parts)
-            for (const auto& [brick, bits] : part.bone) {
-                const auto at = std::lower_bound(all.begin(), all.end(), brick, [](const auto& a, std::size_t b) { return a.first < b; });
-                if (at != all.end() && at->first == brick)
-                    at->second |= bits;
-                else
-                    all.insert(at, {brick, bits});
-            }
+        all = PieceFinder(body, cut).bone();
     }
     double at(const CutField& field, Vec3 p) const {
         const BrickPlace place = locate(body, p);

@@ -85,5 +85,14 @@ TEST(PoseStamp, LeavesOutOnlyWhatCannotRiseWithinARegion) {
     EXPECT_GT(counts.wall, 2000u);
 }
 
+TEST(PoseStamp, OfABladeLeavesOutOnlyWhatCannotRise) {
+    const double h = 0.2_mm;
+    const Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.31, 0.17, 0.73});
+    Counts counts;
+    expect_as_sample_by_sample(body, test::blade_outline(20.0_mm, 4.0_mm, 1.5_mm, 0.9_mm), h, counts);
+    EXPECT_GT(counts.wall, 5000u);
+    EXPECT_GT(counts.untouched, 20000u);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -73,11 +73,14 @@ typedef struct kerf_signal {
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
-/* A solid of revolution about the tool's z axis: the polyline (z, radius), from the tip backwards, z decreasing.
- * It must be convex towards the tip along +z: the radius never falls while z decreases within the cutting region. */
+/* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the radius
+ * never falls while z decreases within the cutting region.
+ *   revolution   turned about the tool's z axis
+ *   prism        a blade: `radius` is half of its width along x, the front may be round, and two flat sides stand at
+ *                ± half of its thickness across y; its outline must be convex as a whole */
 typedef struct kerf_profile_point { double z, radius; } kerf_profile_point;
 
-enum { KERF_SOLID_REVOLUTION = 1 };
+enum { KERF_SOLID_REVOLUTION = 1, KERF_SOLID_PRISM = 2 };
 
 typedef struct kerf_solid {
     uint32_t size;
@@ -95,6 +98,10 @@ typedef struct kerf_tool_shape {
     uint32_t profile_count;  /* out */
     uint32_t cutting_count;  /* out */
     double grip_z;           /* out: where the hand holds the tool on its axis [m], < 0 */
+    uint32_t kind;           /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION when asked */
+    uint32_t reserved;
+    double kerf;             /* out, prism: thickness of what removes bone [m], > 0 */
+    double thickness;        /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {
