@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/field/bone_surface.h"
-#include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "core/session/content_hash.h"
 #include "core/session/envelope.h"
@@ -138,7 +137,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     simulated_hand::SimulatedHand hand(plan.plant, plan.intent, plan.start, Simulation::dt);
     Simulation simulation(scene.body, scene.setup, scene.outline, scene.gains, plan.start);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
-    RemovedVolume removed(scene.body);
+    double removed = 0.0;  // [m³]
     ContentHash hash;
     RunEnd end = RunEnd::time_over;
 
@@ -161,11 +160,11 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         simulation.after_tick();
         if (!is_replay) hand.step(result.command);
 
-        if (simulation.ticks() % volume_interval == 0) removed.update(simulation.exact());
+        if (simulation.ticks() % volume_interval == 0) removed = simulation.present().removed();
         monitor.observe({static_cast<double>(simulation.ticks() - 1) * Simulation::dt, result.world_from_tool, result.is_cutting,
                          result.thrust > 0.0},
                         scene.outline.cutting);
-        const TickRow row = row_of(result, scene, simulation, monitor, handle, removed.total());
+        const TickRow row = row_of(result, scene, simulation, monitor, handle, removed);
         add_tick(hash, row);
         outcome.ticks.push_back(row);
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
@@ -205,13 +204,12 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     }
 
     simulation.finish();
-    removed.update(simulation.exact());
-    hash.add(simulation.exact().hash());
+    hash.add(simulation.present().hash());
     summary.duration = static_cast<double>(simulation.ticks()) * Simulation::dt;
     summary.ticks = simulation.ticks();
-    summary.removed = removed.total();
+    summary.removed = simulation.present().removed();
     for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
-        summary.removed_by_tissue.emplace_back(scene.body.materials[m].id, removed.of_material(m));
+        summary.removed_by_tissue.emplace_back(scene.body.materials[m].id, simulation.present().removed_of_material(m));
     summary.hash = hash.value();
     judge(monitor, end, summary.duration, summary);
     summary.metrics = metrics_of(monitor, scene);

@@ -14,7 +14,6 @@
 #include <random>
 
 #include "conformance/chart/reference.h"
-#include "core/field/removed_volume.h"
 #include "core/import/ct_body.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
@@ -218,9 +217,8 @@ void tilted_volume(int offsets) {
             Led led(body, test::at_depth(-6.0_mm, tilt));
             for (double depth = -6.0_mm; depth < 16.0_mm; depth += 0.05_mm) (void)led.to(test::at_depth(depth, tilt));
             led.simulation.finish();
-            RemovedVolume removed(body);
-            removed.update(led.simulation.exact());
-            const double off = removed.total() / exact - 1.0;
+            const double removed = led.simulation.present().removed();
+            const double off = removed / exact - 1.0;
             sum += off;
             worst = std::max(worst, std::abs(off));
         }

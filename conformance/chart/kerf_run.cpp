@@ -6,7 +6,6 @@
 
 #include "conformance/stability/tool_under_test.h"
 #include "conformance/times.h"
-#include "core/field/removed_volume.h"
 #include "core/haptics/work_force.h"
 #include "kerf/assert.hpp"
 
@@ -52,9 +51,7 @@ Felt KerfRun::tick(const Pose& next) {
 
 double KerfRun::removed_volume() {
     simulation_.finish();
-    RemovedVolume volume(body_);
-    volume.update(simulation_.exact());
-    return volume.total();
+    return simulation_.present().removed();
 }
 
 }  // namespace kerf::chart

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "conformance/times.h"
-#include "core/field/removed_volume.h"
 
 namespace kerf::plan {
 
@@ -43,9 +42,7 @@ bool go(const Body& body, const ToolSetup& setup, const Way& way, Met& met, std:
         cutting += result.is_cutting;
     }
     simulation.finish();
-    RemovedVolume removed(body);
-    removed.update(simulation.exact());
-    met.removed = removed.total();
+    met.removed = simulation.present().removed();
     met.removes = static_cast<double>(cutting) / ticks;
     return true;
 }

@@ -7,7 +7,6 @@
 #include "conformance/stability/bone_block.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/scenes.h"
-#include "core/field/removed_volume.h"
 
 namespace kerf::stability {
 
@@ -33,10 +32,7 @@ Drilled drill(const ToolUnderTest& tool, const CouplingGains& gains, double peri
         drilled.torque.push_back(loop.last().torque);
     }
     loop.simulation().finish();
-    CutField& cut = loop.simulation().exact();
-    RemovedVolume removed(body);
-    removed.update(cut);
-    drilled.removed = removed.total();
+    drilled.removed = loop.simulation().present().removed();
     return drilled;
 }
 

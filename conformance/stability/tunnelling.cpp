@@ -7,7 +7,6 @@
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/scenes.h"
 #include "conformance/stability/touch_probe.h"
-#include "core/field/removed_volume.h"
 #include "kerf/units.hpp"
 
 namespace kerf::stability {
@@ -44,10 +43,7 @@ double taken(const ToolUnderTest& tool, const CouplingGains& gains) {
     for (double depth = start; depth < shell + tool.full_depth + 2e-3; depth += fast * Simulation::dt)
         (void)loop.answer(depth);
     loop.simulation().finish();
-    CutField& cut = loop.simulation().exact();
-    RemovedVolume removed(body);
-    removed.update(cut);
-    return removed.total() / (pi * tool.radius * tool.radius * shell);
+    return loop.simulation().present().removed() / (pi * tool.radius * tool.radius * shell);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size
             s.weight[m] = static_cast<double>(weight[m][i]);
             s.density[m] = static_cast<double>(density[m][i]);
         }
-        s.body = 0;
+        s.body = body_id_;
     }
 }
 
@@ -120,6 +120,9 @@ void BoneView::nearest_block(const GridFrame& grid, PendingSurface& pending, con
     }
     block_kernel().answer(surface, count, slopes.slopes(), out);
     pending.raise(points, count, box, surface.quantum * static_cast<double>(least), is_bounded ? can_rise.data() : nullptr, out);
+    if (body_id_ != 0)
+        for (std::size_t i = 0; i < count; ++i)
+            if (out[i].body >= 0) out[i].body = body_id_;
 }
 
 }  // namespace kerf

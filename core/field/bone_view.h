@@ -23,6 +23,8 @@ public:
     BoneView(const BoneView&) = delete;
     BoneView& operator=(const BoneView&) = delete;
 
+    /// What its answers name.
+    void name(std::int32_t body_id) noexcept { body_id_ = body_id; }
     /// Points are asked about at this pose until the next call.   [haptic, nonblocking]
     void place(const Pose& body_from_tool) noexcept { body_from_tool_ = body_from_tool; }
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
@@ -52,6 +54,7 @@ private:
     const CutField* committed_;
     const CutTracker* tracker_;
     Pose body_from_tool_ = identity_pose();
+    std::int32_t body_id_ = 0;
     kerf_bone_query query_{};
 };
 

@@ -80,6 +80,20 @@ void CutField::prepare() {
     }
 }
 
+CutField::CutField(const CutField &other)
+    : body_(other.body_),
+      clamp_(other.clamp_),
+      quantum_(other.quantum_),
+      start_(other.start_),
+      changed_(other.changed_),
+      is_full_(other.is_full_) {
+    prepare();
+    samples_.assign(other.samples_.begin(), other.samples_.end());
+    ranges_.assign(other.ranges_.begin(), other.ranges_.end());
+    used_ = other.used_;
+    capacity_ = other.capacity_;
+}
+
 CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t reserve_bricks)
     : body_(whole.body_),
       clamp_(whole.clamp_),

@@ -42,6 +42,13 @@ public:
     /// The cut of a piece that came away from what `whole` cut: gone too is what the mask says. `reserve` as above.   [worker]
     CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve);
 
+    /// With as much room to grow as the first.   [main, worker]
+    CutField(const CutField& other);
+    CutField(CutField&&) noexcept = default;
+    CutField& operator=(const CutField& other) { return *this = CutField(other); }
+    CutField& operator=(CutField&&) noexcept = default;
+    ~CutField() = default;
+
     /// Stamps one record, within the body's region: sub-poses at most a quarter voxel apart, a function of (record,
     /// spacing) alone; then what lies on the ridges between them, so that no sample within the exact sweep stays bone.
     /// Its depth is understated by a ridge's height at most, an eighth of a voxel. Returns the bricks touched.
@@ -75,6 +82,8 @@ public:
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);
     }
+    /// Whether all of a brick is another piece's: nothing in it can ever change.
+    [[nodiscard]] bool is_gone(std::size_t brick_index) const noexcept { return start_[brick_index] == gone; }
     /// The samples that may be cut, along each axis: those strictly within the body's region.
     [[nodiscard]] const std::array<int, 3>& first_sample() const noexcept { return first_; }
     [[nodiscard]] const std::array<int, 3>& last_sample() const noexcept { return last_; }

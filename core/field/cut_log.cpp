@@ -23,6 +23,17 @@ void CutTracker::restart(const Pose& body_from_tool) noexcept {
     closed_count_ = 0;
 }
 
+void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcept {
+    open_from_ = other.open_from_;
+    farthest_ = other.farthest_;
+    farthest_motion_ = other.farthest_motion_;
+    last_removing_ = other.last_removing_;
+    has_removed_ = other.has_removed_;
+    is_started_ = other.is_started_;
+    sequence_ = last_reversal_ = next;
+    closed_count_ = 0;
+}
+
 int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     if (!is_started_) restart(now);
     closed_count_ = 0;
@@ -51,6 +62,7 @@ int CutTracker::close(std::uint64_t tick) noexcept {
 void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     CutRecord record;
     record.sequence = sequence_++;
+    record.body = body_id_;
     record.tick = tick;
     record.from = open_from_;
     record.to = to;
@@ -58,6 +70,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     open_from_ = farthest_ = to;
     farthest_motion_ = 0.0;
     closed_[static_cast<std::size_t>(closed_count_++)] = record;
+    recent_[closed_ever_++ % recent_capacity] = record;
     if (!record.removes) return;
 
     last_removing_ = to;

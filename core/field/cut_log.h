@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "core/field/cut_field.h"
@@ -15,6 +16,7 @@ namespace kerf {
 class CutTracker {
 public:
     static constexpr std::size_t pending_capacity = 128;
+    static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
     static constexpr int bricks_per_tick = 32;  ///< stamped at most, for each record that waits; the rest stays pending
 
@@ -23,6 +25,12 @@ public:
 
     /// Starts at a pose: nothing is cut on the way there.   [haptic, nonblocking]
     void restart(const Pose& body_from_tool) noexcept;
+
+    /// Takes over from the tracker of a body that came apart, whose field holds all closed records: the open stretch goes on.
+    /// Records are numbered on from `next`.   [haptic, nonblocking]
+    void go_on_from(const CutTracker& other, std::uint64_t next) noexcept;
+    /// The number of the next record.
+    [[nodiscard]] std::uint64_t next_sequence() const noexcept { return sequence_; }
 
     /// The tool moved while cutting. Returns how many records were closed, 0 … 2; read them with `closed(i)`.
     /// [haptic, nonblocking]
@@ -41,6 +49,13 @@ public:
     [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
     /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
+    /// The last records that were closed, the oldest first.
+    [[nodiscard]] std::size_t recent_count() const noexcept { return std::min(static_cast<std::size_t>(closed_ever_), recent_capacity); }
+    [[nodiscard]] const CutRecord& recent(std::size_t i) const noexcept {
+        return recent_[(static_cast<std::size_t>(closed_ever_) - recent_count() + i) % recent_capacity];
+    }
+    [[nodiscard]] std::uint16_t body_id() const noexcept { return body_id_; }
+    void name(std::uint16_t body_id) noexcept { body_id_ = body_id; }
     /// Of one of them, 0 … pending_count() − 1, the newest last.
     [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
         return -solid_->distance(tool_from_body(i) * point_in_body);
@@ -95,7 +110,9 @@ private:
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
-    std::uint64_t sequence_ = 0;
+    std::uint64_t sequence_ = 0, closed_ever_ = 0;
+    std::array<CutRecord, recent_capacity> recent_{};
+    std::uint16_t body_id_ = 0;  ///< records say it
     std::uint64_t last_reversal_ = 0;  ///< sequence of the first record after the path last turned back
     std::array<CutRecord, 2> closed_{};
     int closed_count_ = 0;

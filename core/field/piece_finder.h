@@ -11,7 +11,7 @@
 /// Which bone hangs together, and when it comes apart.
 namespace kerf {
 
-/// Samples of some bricks, each brick once. Those that are full take no bits.
+/// Samples of some bricks. Those that are full take no bits.
 class SampleSet {
 public:
     void add(std::size_t brick, const BrickBits& bits) {
@@ -25,6 +25,11 @@ public:
         some_.reserve(others);
     }
     void add_full(std::size_t brick) { full_.push_back(static_cast<std::uint32_t>(brick)); }
+    /// Others of the same bricks; a brick may then come twice, with other samples.
+    void add(const SampleSet& others) {
+        full_.insert(full_.end(), others.full_.begin(), others.full_.end());
+        some_.insert(some_.end(), others.some_.begin(), others.some_.end());
+    }
     /// Calls `what(brick, bits)`: the full ones first.
     template <class Do>
     void for_each(const Do& what) const {

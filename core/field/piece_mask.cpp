@@ -87,11 +87,11 @@ PieceMask::PieceMask(const Grid& grid, const SampleSet& all, const SampleSet& pi
                     what(grid_.brick_index(i, j, k), i - at[0] + 1, j - at[1] + 1, k - at[2] + 1);
     };
     piece.for_each([&](std::size_t brick, const BrickBits& bits) {
-        own[brick] = bits;
+        own[brick] |= bits;
         around(brick, [&](std::size_t b, int, int, int) { is_near_own[b] = 1; });
     });
     all.for_each([&](std::size_t brick, const BrickBits& bits) {
-        others[brick] = bits.without(own[brick]);
+        others[brick] |= bits.without(own[brick]);
         if (!others[brick].is_empty()) around(brick, [&](std::size_t b, int, int, int) { is_near_others[b] = 1; });
     });
 

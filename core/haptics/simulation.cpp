@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t first_reserve = 512;  // bricks
 constexpr std::size_t free_margin = 128;    // bricks kept ready for one tick
 constexpr double fastest = 1.0;             // [m/s] of a tool that bone resists (B9)
-constexpr std::size_t stamp_room = 64;      // records of two ticks at their most
+constexpr std::size_t closed_room = 2 * 16 * most_bodies, stamp_room = 2 * closed_room;  // records of a tick at their most
+constexpr std::uint64_t most_behind = 8;    // records that an adoption may lack
 
 void add(const Vec6& v, double share, Vec6& sum) noexcept {
     for (std::size_t i = 0; i < 6; ++i) sum[i] += share * v[i];
@@ -90,13 +91,11 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
 Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains,
                        const Pose& start, double period)
     : period_(period),
-      body_(&body),
+      spacing_(body.grid().spacing),
       setup_(std::move(setup)),
       outline_(std::move(outline)),
-      committed_(body, first_reserve),
-      exact_(body, first_reserve),
-      tracker_(body, outline_.cutting, committed_),
-      view_(body, committed_, tracker_),
+      present_(body, first_reserve),
+      view_(body),
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, {0, 0, outline_.grip_z}),
@@ -112,8 +111,11 @@ Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, c
         coupling_.let_go(start, world_from_tool_);
         is_drawn_back_ = true;
     }
-    tracker_.restart(world_from_tool_);
-    view_.place(world_from_tool_);
+    bodies_.reserve(most_bodies);
+    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, first_reserve), outline_.cutting));
+    bodies_.front()->tracker.restart(world_from_tool_);
+    look_around();
+    closed_.reserve(closed_room);
     to_stamp_.reserve(stamp_room);
 }
 
@@ -144,7 +146,11 @@ bool Simulation::ask(double step) noexcept {
         notes_[i] = law.note[i];
     }
     channel_count_ = law_channel_count_ = law.count;
-    if (region_wall(*body_, view_, outline_.cutting, world_from_tool_, channels_[channel_count_])) ++channel_count_;
+    for (const LiveBody* body : view_.near())
+        if (region_wall(*body->bone, body->view, outline_.cutting, body->body_from(world_from_tool_), channels_[channel_count_])) {
+            ++channel_count_;
+            break;
+        }
     return true;
 }
 
@@ -162,6 +168,7 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
 
 TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     TickResult result;
+    closed_.clear();
     if (tick_ == 0 && is_drawn_back_) result.add_event("haptics.started_in_bone");
     const Pose last_handle = hand_.pose();
     const bool is_steady = hand_.take(sample, period_);
@@ -211,7 +218,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     Motion motion;
     if (!find_motion(hand_.pose(), period_, balance, motion)) return false;
 
-    const double half_voxel = 0.5 * body_->grid().spacing;
+    const double half_voxel = 0.5 * spacing_;
     const auto motion_in = [&](double step) {
         return largest_motion(outline_.whole, world_from_tool_, advanced(world_from_tool_, motion.rate, step));
     };
@@ -221,8 +228,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     };
     const double moved = motion_in(period_);
     double step = period_;
-    if (moved > half_voxel &&
-        is_in_reach_of_bone(*body_, outline_.whole, world_from_tool_, body_->grid().clamp() + moved)) {
+    if (moved > half_voxel && is_bone_in_reach(clamp_voxels * spacing_ + moved)) {
         result.parts = static_cast<int>(std::min(std::ceil(moved / half_voxel), static_cast<double>(most_parts)));
         step = period_ / result.parts;
         if (!find_motion(handle_in(1), step, balance, motion)) return false;
@@ -312,6 +318,7 @@ void Simulation::command(TickResult& result) noexcept {
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     TickResult result;
+    closed_.clear();
     const Pose last_handle = hand_.pose();
     if (hand_.take(sample, period_))
         guard_.observe(commanded_, make_vec6(hand_.pose().position - last_handle.position, {}), 0.0, 0.0);
@@ -378,36 +385,106 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
         if (actions[a].kind == KERF_ACTION_CUT) is_cutting = true;
         if (actions[a].kind == KERF_ACTION_EVENT) result.add_event(actions[a].event);
     }
-    if (is_cutting) {
-        result.is_cutting = true;
-        const int closed = tracker_.advance(world_from_tool_, tick_);
-        for (int i = 0; i < closed; ++i) {
-            closed_[static_cast<std::size_t>(result.closed_records++)] = tracker_.closed(i);
-            if (tracker_.closed(i).removes) {
-                KERF_ASSERT(to_stamp_.size() < to_stamp_.capacity(), "call after_tick() after every tick");
-                to_stamp_.push_back(tracker_.closed(i));
-            }
+    if (is_cutting) result.is_cutting = true;
+    for (const auto& body : bodies_) {
+        const Pose body_from_tool = body->body_from(world_from_tool_);
+        if (is_cutting && body->is_near) {
+            take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_), &result);
+            body->tracker.commit_passed(body_from_tool, is_at_front);
+        } else {
+            body->tracker.restart(body_from_tool);
         }
-        tracker_.commit_passed(world_from_tool_, is_at_front);
-    } else {
-        tracker_.restart(world_from_tool_);
     }
-    view_.place(world_from_tool_);
+    look_around();
+}
+
+void Simulation::take_closed(CutTracker& tracker, int count, TickResult* result) noexcept {
+    for (int i = 0; i < count; ++i) {
+        const CutRecord& record = tracker.closed(i);
+        if (result != nullptr) {
+            KERF_ASSERT(closed_.size() < closed_.capacity(), "there is room for the records of all parts and bodies");
+            closed_.push_back(record);
+            ++result->closed_records;
+        }
+        if (!record.removes) continue;
+        KERF_ASSERT(to_stamp_.size() < to_stamp_.capacity(), "call after_tick() after every tick");
+        to_stamp_.push_back(record);
+    }
+}
+
+bool Simulation::is_bone_in_reach(double margin) const noexcept {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
+        return body->is_present && is_in_reach_of_bone(*body->bone, outline_.whole, body->body_from(world_from_tool_), margin);
+    });
 }
 
 void Simulation::after_tick() {
-    for (const auto& record : to_stamp_) exact_.stamp(record, outline_.cutting);
+    for (const auto& record : to_stamp_)
+        for (Separation& separation : present_.apply(record, outline_.cutting)) waiting_.push_back(std::move(separation));
     to_stamp_.clear();
-    exact_.reserve(free_margin);
-    committed_.reserve(free_margin);
+    present_.reserve(free_margin);
+    for (const auto& body : bodies_) body->committed.reserve(free_margin);
+    adopt_what_is_due(false);
 }
 
 void Simulation::finish() {
-    const int closed = tracker_.close(tick_);
-    for (int i = 0; i < closed; ++i)
-        if (tracker_.closed(i).removes) to_stamp_.push_back(tracker_.closed(i));
+    for (const auto& body : bodies_) take_closed(body->tracker, body->tracker.close(tick_), nullptr);
     after_tick();
-    tracker_.flush();
+    for (const auto& body : bodies_) body->tracker.flush();
+    adopt_what_is_due(true);  // nobody cuts any more
+}
+
+// ---- bodies -------------------------------------------------------------------------------------------------------
+
+void Simulation::adopt_what_is_due(bool all) {
+    while (!waiting_.empty() && (all || waiting_.front().tick + adoption_delay <= tick_)) {
+        Separation separation = std::move(waiting_.front());
+        waiting_.erase(waiting_.begin());
+        const std::uint64_t through = bodies_[separation.parent]->tracker.next_sequence();
+        Adoption adoption = adoption_of(separation, present_, outline_.cutting, through);
+        const bool is_adopted = adopt(adoption);
+        KERF_ASSERT(is_adopted, "in lock-step the present bone holds every record");
+        static_cast<void>(is_adopted);
+        present_.adopted(separation);
+        separations_.push_back(std::move(separation));
+    }
+}
+
+bool Simulation::adopt(Adoption& adoption) noexcept {
+    if (adoption.parent >= bodies_.size() || bodies_.size() + adoption.parts.size() > most_bodies) return false;
+    LiveBody& parent = *bodies_[adoption.parent];
+    const std::uint64_t next = parent.tracker.next_sequence();
+    if (adoption.through + most_behind < next) return false;
+
+    // The last few records, which the parent's tracker still knows, are stamped here; the open stretch goes on in all parts.
+    const auto live_on = [&](LiveBody& body, std::uint64_t next_record) {
+        for (std::size_t i = 0; i < parent.tracker.recent_count(); ++i)
+            if (const CutRecord& record = parent.tracker.recent(i); record.sequence >= adoption.through && record.removes)
+                body.committed.stamp(record, outline_.cutting);
+        body.world_from_body = parent.world_from_body;
+        body.is_present = parent.is_present;
+        body.tracker.go_on_from(parent.tracker, next_record);
+    };
+    live_on(*adoption.renewed, next);
+    for (auto& part : adoption.parts) {
+        live_on(*part, 0);
+        bodies_.push_back(std::move(part));
+    }
+    std::swap(bodies_[adoption.parent], adoption.renewed);
+    look_around();
+    return true;
+}
+
+void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexcept {
+    LiveBody& moved = *bodies_[body];
+    moved.world_from_body = world_from_body;
+    moved.tracker.restart(moved.body_from(world_from_tool_));
+    look_around();
+}
+
+void Simulation::show_body(std::size_t body, bool is_present) noexcept {
+    bodies_[body]->is_present = is_present;
+    look_around();
 }
 
 }  // namespace kerf

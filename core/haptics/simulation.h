@@ -4,17 +4,19 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/field/bone_view.h"
+#include "core/haptics/bodies_view.h"
 #include "core/haptics/coupling.h"
 #include "core/haptics/following.h"
 #include "core/haptics/force_gate.h"
 #include "core/haptics/hand_motion.h"
 #include "core/haptics/passivity.h"
 
-/// One tool in one body: the haptic loop's tick, from pose read to force out.
+/// One tool among bodies: the haptic loop's tick, from pose read to force out.
 namespace kerf {
 
 /// What one tick came to. Wrenches: world frame. Bone newtons unless said otherwise. In fast motion a tick has several
@@ -94,22 +96,42 @@ public:
     /// held at the end of it.   [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept;
 
-    /// Stamps the records closed since the last call into the exact field and makes room for coming cuts. In lock-step
-    /// it follows every tick; it may allocate.   [worker]
+    /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and, if pieces
+    /// are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks after the record that
+    /// parted it. It follows every tick; it may allocate.   [worker]
     void after_tick();
-    /// Closes and commits everything: both fields then hold the same bits.   [main]
+    /// Closes and commits everything: both fields of a body then hold the same bits.   [main]
     void finish();
+
+    /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to make them.
+    static constexpr std::uint64_t adoption_delay = 20;
+    /// Lock-step: bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
+    void look_for_pieces(double crumb) { present_.look_for_pieces(crumb); }
+    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it holds less than the last
+    /// `Adoption`'s records but eight: the worker is to bring it up to date. What was replaced comes back in it.
+    /// [haptic, nonblocking]
+    bool adopt(Adoption& adoption) noexcept;
+    /// What came apart since the last call and is adopted.   [main]
+    [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
+
+    [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_; }
+    /// Moves a body, between ticks; nothing is cut on the way.   [haptic, nonblocking]
+    void place_body(std::size_t body, const Pose& world_from_body) noexcept;
+    /// Takes a body out of the scene, or puts it back.   [haptic, nonblocking] between ticks
+    void show_body(std::size_t body, bool is_present) noexcept;
 
     /// 0 … TickResult::closed_records − 1, of the last tick.
     [[nodiscard]] const CutRecord& closed_record(int i) const noexcept { return closed_[static_cast<std::size_t>(i)]; }
-    [[nodiscard]] const CutField& exact() const noexcept { return exact_; }
-    [[nodiscard]] CutField& exact() noexcept { return exact_; }
-    [[nodiscard]] const CutField& committed() const noexcept { return committed_; }
-    [[nodiscard]] const BoneView& bone() const noexcept { return view_; }
+    /// Without lag, in lock-step.
+    [[nodiscard]] const PresentBone& present() const noexcept { return present_; }
+    [[nodiscard]] PresentBone& present() noexcept { return present_; }
+    [[nodiscard]] const CutField& exact(std::size_t body = 0) const noexcept { return present_.cut(body); }
+    [[nodiscard]] const CutField& committed(std::size_t body = 0) const noexcept { return bodies_[body]->committed; }
+    [[nodiscard]] const BodiesView& bone() const noexcept { return view_; }
     [[nodiscard]] const Pose& world_from_tool() const noexcept { return world_from_tool_; }
     [[nodiscard]] const ToolOutline& outline() const noexcept { return outline_; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
-    [[nodiscard]] const CutTracker& tracker() const noexcept { return tracker_; }
+    [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body]->tracker; }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
     /// The plugin's state, as bytes.
@@ -130,13 +152,19 @@ private:
     void commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept;
     void command(TickResult& result) noexcept;
 
+    /// Whether any bone that can be felt comes within `margin` [m] of the tool.
+    [[nodiscard]] bool is_bone_in_reach(double margin) const noexcept;
+    void take_closed(CutTracker& tracker, int count, TickResult* result) noexcept;
+    void adopt_what_is_due(bool all);
+    void look_around() noexcept { view_.place(bodies_, outline_.whole, world_from_tool_); }
+
     double period_;  ///< [s] of a tick
-    const Body* body_;
+    double spacing_;
     ToolSetup setup_;
     ToolOutline outline_;
-    CutField committed_, exact_;
-    CutTracker tracker_;
-    BoneView view_;
+    PresentBone present_;
+    std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the place of their id; room for all there may be
+    BodiesView view_;
 
     std::unique_ptr<std::byte[]> state_storage_;
     std::byte* state_ = nullptr;
@@ -160,8 +188,9 @@ private:
     double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
     bool is_drawn_back_ = false;
     std::uint64_t tick_ = 0;
-    std::array<CutRecord, 2 * most_parts> closed_{};
+    std::vector<CutRecord> closed_;    ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
+    std::vector<Separation> waiting_, separations_;
 };
 
 }  // namespace kerf

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "core/field/removed_volume.h"
 #include "tests/support/layered_slab.h"
 
 namespace kerf {
@@ -82,26 +81,23 @@ TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     const ToolSetup setup = test::twist_drill({{"chisel_edge", 0.0}, {"chisel_chip", 0.0}, {"thrust_edge", 0.0}, {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */}, {"web", 0.05}});
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
-    RemovedVolume volume(body);
     double work = 0.0, at = -1.0_mm, from_volume = 0.0, revolutions = 0.0;
     while (at < 6.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt)});
         simulation.after_tick();
         at += rate * Simulation::dt;
         if (at < 2.5_mm) {
-            volume.update(simulation.exact());
-            from_volume = volume.total();
+            from_volume = simulation.present().removed();
             continue;
         }
         work += (r.torque * 2.0 * pi * n + r.thrust * rate) * Simulation::dt;
         revolutions += n * Simulation::dt;
     }
-    volume.update(simulation.exact());
 
     const Lip lip = make_lip(drill_of(setup.tool_parameters), 0.1_mm);
     double edge_area_per_turn = 0.0;
     for (std::size_t i = 0; i < lip.count; ++i) edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
-    const double cost = setup.force_parameters[force_cutting_chip] * (volume.total() - from_volume) +
+    const double cost = setup.force_parameters[force_cutting_chip] * (simulation.present().removed() - from_volume) +
                         setup.force_parameters[force_cutting_edge] * edge_area_per_turn * revolutions;
     EXPECT_NEAR(work / cost, 1.0, 0.02);
 }
@@ -261,12 +257,11 @@ TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     EXPECT_GT(thrust / count, 0.65 * both);
 
     simulation.finish();
-    RemovedVolume removed(body);
-    removed.update(simulation.exact());
+    const double removed = simulation.present().removed();
     // A frustum from the runout to the corner, and the cylinder behind it.
     const double r = 1.6_mm + e, tip = 0.9614_mm, depth = 4.0_mm;
     const double frustum = pi * tip / 3.0 * (e * e + e * r + r * r);
-    EXPECT_NEAR(removed.total() / (frustum + pi * r * r * (depth - tip)), 1.0, 0.01);
+    EXPECT_NEAR(removed / (frustum + pi * r * r * (depth - tip)), 1.0, 0.01);
 }
 
 // A step drill: whatever the angles of its cones, the lips together clear the widest circle.
@@ -295,11 +290,10 @@ TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
         simulation.after_tick();
     }
     simulation.finish();
-    RemovedVolume removed(body);
-    removed.update(simulation.exact());
+    const double removed = simulation.present().removed();
     const double tip = 0.9614_mm, cone = 0.9_mm, r = 1.6_mm, w = 2.5_mm;
     const double volume = pi * r * r * (tip / 3.0 + 3.0_mm - tip) + pi * cone / 3.0 * (r * r + r * w + w * w) + pi * w * w * (5.0_mm - 3.0_mm - cone);
-    EXPECT_NEAR(removed.total() / volume, 1.0, 0.005);
+    EXPECT_NEAR(removed / volume, 1.0, 0.005);
 }
 
 TEST(StepDrill, RefusesAShoulderThatIsNone) {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/field/present_bone.h"
+
+#include <algorithm>
+
+#include "core/field/fnv1a.h"
+#include "core/field/piece_mask.h"
+
+namespace kerf {
+
+std::vector<std::size_t> BrickList::take() {
+    std::vector<std::size_t> bricks = std::exchange(bricks_, {});
+    std::sort(bricks.begin(), bricks.end());
+    for (const std::size_t b : bricks) is_listed_[b] = 0;
+    return bricks;
+}
+
+PresentPiece::PresentPiece(const Body& whole, CutField field)
+    : bone(&whole), cut(std::move(field)), removed(whole), uncounted(whole.grid().brick_count()), changed(whole.grid().brick_count()) {}
+
+PresentBone::PresentBone(const Body& body, std::size_t reserve_bricks) {
+    pieces_.reserve(most_bodies);
+    pieces_.push_back(std::make_unique<PresentPiece>(body, CutField(body, reserve_bricks)));
+}
+
+void PresentBone::look_for_pieces(double crumb) {
+    looks_for_pieces_ = true;
+    crumb_ = crumb;
+    for (auto& piece : pieces_)
+        if (!piece->finder) piece->finder.emplace(*piece->bone, piece->cut);
+}
+
+std::vector<Separation> PresentBone::apply(const CutRecord& record, const RevolutionSolid& solid) {
+    std::vector<Separation> separations;
+    for (std::size_t body = 0, count = pieces_.size(); body < count; ++body)
+        if (body == record.body || pieces_[body]->still_in == record.body)
+            if (auto separation = apply_to(static_cast<std::uint16_t>(body), record, solid)) separations.push_back(std::move(*separation));
+    return separations;
+}
+
+void PresentBone::adopted(const Separation& separation) {
+    for (std::size_t n = 1; n < separation.parts.size(); ++n) pieces_[separation.parts[n].body]->still_in.reset();
+}
+
+std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record, const RevolutionSolid& solid) {
+    PresentPiece& piece = *pieces_[body];
+    piece.cut.stamp(record, solid);
+    const std::vector<std::size_t> changed = piece.cut.take_changed();
+    for (const std::size_t b : changed) {
+        piece.uncounted.add(b);
+        piece.changed.add(b);
+    }
+    if (!piece.finder) return {};
+    std::vector<LoosePart> loose = piece.finder->update(piece.cut, changed);
+    if (loose.empty()) return {};
+    return part(body, record, std::move(loose));
+}
+
+Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose) {
+    PresentPiece& parent = *pieces_[body];
+    const Grid& g = parent.bone->grid();
+    const double voxel = g.spacing * g.spacing * g.spacing;
+    Separation separation;
+    separation.sequence = record.sequence;
+    separation.tick = record.tick;
+    separation.parent = body;
+
+    // All the bone there was when it came apart.
+    SampleSet stays = parent.finder->bone();
+    SampleSet all = stays;
+    for (const LoosePart& part : loose) all.add(part.bone);
+
+    const auto volume_of = [&](std::size_t samples) { return static_cast<double>(samples) * voxel; };
+    std::vector<const LoosePart*> kept;
+    for (const LoosePart& part : loose) {
+        if (volume_of(part.samples) < crumb_) {
+            ++separation.crumbs;
+            separation.crumb_volume += volume_of(part.samples);
+        } else if (pieces_.size() + kept.size() < most_bodies) {
+            kept.push_back(&part);
+        } else {
+            ++refused_;
+            stays.add(part.bone);
+        }
+    }
+    crumbs_ += separation.crumbs;
+    crumb_volume_ += separation.crumb_volume;
+
+    const auto mask_of = [&](const SampleSet& bone) { return std::make_shared<const PieceMask>(g, all, bone); };
+    separation.parts.push_back({body, volume_of(parent.finder->samples()), mask_of(stays)});
+    count_removed();
+    const CutField whole = std::move(parent.cut);
+    for (const LoosePart* part : kept) {
+        const auto id = static_cast<std::uint16_t>(pieces_.size());
+        separation.parts.push_back({id, volume_of(part->samples), mask_of(part->bone)});
+        auto piece = std::make_unique<PresentPiece>(*parent.bone, CutField(whole, *separation.parts.back().mask, 0));
+        piece->removed.go_on_with(piece->cut);
+        piece->finder.emplace(*piece->bone, piece->cut);
+        piece->still_in = parent.still_in.value_or(body);
+        pieces_.push_back(std::move(piece));
+    }
+    parent.cut = CutField(whole, *separation.parts.front().mask, 0);
+    parent.removed.go_on_with(parent.cut);
+    for (std::size_t b = 0; b < g.brick_count(); ++b)  // its surface has changed wherever the others were
+        if (separation.parts.front().mask->gone_in(b) != PieceMask::Share::nothing) parent.changed.add(b);
+    return separation;
+}
+
+void PresentBone::reserve(std::size_t bricks) {
+    for (auto& piece : pieces_) piece->cut.reserve(bricks);
+}
+
+void PresentBone::count_removed() {
+    for (auto& piece : pieces_) piece->removed.update(piece->cut, piece->uncounted.take());
+}
+
+double PresentBone::removed_of_material(std::size_t m) {
+    count_removed();
+    double sum = 0.0;
+    for (const auto& piece : pieces_) sum += piece->removed.of_material(m);
+    return sum;
+}
+
+double PresentBone::removed() {
+    count_removed();
+    double sum = 0.0;
+    for (const auto& piece : pieces_) sum += piece->removed.total();
+    return sum;
+}
+
+std::uint64_t PresentBone::hash() const noexcept {
+    if (pieces_.size() == 1) return pieces_.front()->cut.hash();
+    Fnv1a hash;
+    for (const auto& piece : pieces_) hash.add_bytes(piece->cut.hash(), 8);
+    return hash.value();
+}
+
+double bone_volume(const Body& body, const CutField& cut) noexcept {
+    const Grid& g = body.grid();
+    const double voxels_per_quantum = g.quantum() / g.spacing;
+    double voxels = 0.0;
+    for (std::size_t b = 0; b < g.brick_count(); ++b) {
+        if (body.surface.is_all_air(b) || cut.is_gone(b)) continue;
+        const std::int16_t *bone = body.surface.stored(b), *removed = cut.stored(b);
+        const auto [i, j, k] = g.brick_place(b);
+        for (int z = 0; z < brick_edge; ++z)
+            for (int y = 0; y < brick_edge; ++y)
+                for (int x = 0; x < brick_edge; ++x) {
+                    const int o = (z * stored_edge + y) * stored_edge + x;
+                    if (!body.region.contains(g.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z))) continue;
+                    const int left = std::max(bone != nullptr ? int{bone[o]} : int{body.surface.uniform_value(b)}, removed != nullptr ? int{removed[o]} : -32767);
+                    voxels += std::clamp(0.5 - voxels_per_quantum * left, 0.0, 1.0);
+                }
+    }
+    return voxels * g.spacing * g.spacing * g.spacing;
+}
+
+}  // namespace kerf

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/bodies_view.h"
+
+namespace kerf {
+
+BodiesView::BodiesView(const Body& first) {
+    query_.size = sizeof(kerf_bone_query);
+    query_.reach = first.grid().clamp();
+    query_.tissue_count = static_cast<std::uint32_t>(first.materials.size());
+    query_.sample = &BodiesView::sample_entry;
+    query_.nearest = &BodiesView::nearest_entry;
+    query_.bone = reinterpret_cast<const kerf_bone*>(this);
+}
+
+void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const RevolutionSolid& tool, const Pose& world_from_tool) noexcept {
+    near_count_ = 0;
+    for (const auto& body : bodies) {
+        const Pose body_from_tool = body->body_from(world_from_tool);
+        body->view.place(body_from_tool);
+        body->is_near = body->is_present;
+        if (bodies.size() > 1 && body->is_present) {
+            const double reach = body->bone->grid().clamp();
+            const auto box = tool.box(body_from_tool);
+            const auto meets = [&](double l, double h, double bone_l, double bone_h) { return l - reach <= bone_h && h + reach >= bone_l; };
+            body->is_near = meets(box.low.x, box.high.x, body->low.x, body->high.x) && meets(box.low.y, box.high.y, body->low.y, body->high.y) &&
+                            meets(box.low.z, box.high.z, body->low.z, body->high.z);
+        }
+        if (body->is_near) near_[near_count_++] = body.get();
+    }
+}
+
+void BodiesView::sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
+    if (near_count_ == 0) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            out[i] = kerf_bone_sample{};
+            out[i].body = -1;
+        }
+        return;
+    }
+    near_[0]->view.sample(points, count, direction, out);
+    std::array<kerf_bone_sample, block_capacity> other;
+    for (std::size_t n = 1; n < near_count_; ++n)
+        for (std::uint32_t first = 0; first < count; first += block_capacity) {
+            const auto some = std::min(static_cast<std::uint32_t>(block_capacity), count - first);
+            near_[n]->view.sample(points + first, some, direction, other.data());
+            for (std::uint32_t i = 0; i < some; ++i)
+                if (other[i].engagement > out[first + i].engagement) out[first + i] = other[i];
+        }
+}
+
+void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
+    if (near_count_ == 0) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            out[i] = kerf_surface_point{};
+            out[i].distance = query_.reach;
+            out[i].body = -1;
+        }
+        return;
+    }
+    near_[0]->view.nearest(points, count, out);
+    std::array<kerf_surface_point, block_capacity> other;
+    for (std::size_t n = 1; n < near_count_; ++n)
+        for (std::uint32_t first = 0; first < count; first += block_capacity) {
+            const auto some = std::min(static_cast<std::uint32_t>(block_capacity), count - first);
+            near_[n]->view.nearest(points + first, some, other.data());
+            for (std::uint32_t i = 0; i < some; ++i)
+                if (other[i].distance < out[first + i].distance) out[first + i] = other[i];
+        }
+}
+
+}  // namespace kerf

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "core/haptics/live_body.h"
+
+/// All bodies near a tool as one bone, which is how a plugin asks.
+namespace kerf {
+
+/// An edge is answered by the body it is engaged in most, a contact point by the body it is deepest in; the answer names it.
+/// With one body near, its own answer is handed through.
+class BodiesView {
+public:
+    explicit BodiesView(const Body& first);
+    BodiesView(const BodiesView&) = delete;
+    BodiesView& operator=(const BodiesView&) = delete;
+
+    /// Points are asked about at this pose until the next call, of the bodies that come near the tool.   [haptic, nonblocking]
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const RevolutionSolid& tool, const Pose& world_from_tool) noexcept;
+    [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
+    [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
+
+    void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept;
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+
+private:
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_vec3 direction, kerf_bone_sample* out) {
+        reinterpret_cast<const BodiesView*>(bone)->sample(points, count, direction, out);
+    }
+    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_surface_point* out) {
+        reinterpret_cast<const BodiesView*>(bone)->nearest(points, count, out);
+    }
+
+    std::array<LiveBody*, most_bodies> near_{};
+    std::size_t near_count_ = 0;
+    kerf_bone_query query_{};
+};
+
+}  // namespace kerf

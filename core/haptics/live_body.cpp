@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/live_body.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace kerf {
+
+LiveBody::LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const RevolutionSolid& solid)
+    : id(number), bone(&of_bone), committed(std::move(field)), tracker(of_bone, solid, committed), view(of_bone, committed, tracker) {
+    tracker.name(number);
+    view.name(number);
+    find_box();
+}
+
+void LiveBody::find_box() {
+    const Grid& g = bone->grid();
+    std::array<int, 3> first{g.bricks[0], g.bricks[1], g.bricks[2]}, last{-1, -1, -1};
+    for (std::size_t b = 0; b < g.brick_count(); ++b) {
+        if (bone->surface.is_all_air(b) || committed.is_gone(b)) continue;
+        const auto at = g.brick_place(b);
+        for (std::size_t a = 0; a < 3; ++a) {
+            first[a] = std::min(first[a], at[a]);
+            last[a] = std::max(last[a], at[a]);
+        }
+    }
+    low = g.sample_position(first[0] * brick_edge, first[1] * brick_edge, first[2] * brick_edge);
+    high = g.sample_position((last[0] + 1) * brick_edge, (last[1] + 1) * brick_edge, (last[2] + 1) * brick_edge);
+    if (!bone->region.is_bounded()) return;
+    // Bone goes on beyond a face that it reaches.
+    constexpr double far = 1.0;  // [m]
+    const auto reach = [&](double& l, double& h, double face_low, double face_high) {
+        if (l <= face_low) l -= far;
+        if (h >= face_high) h += far;
+    };
+    reach(low.x, high.x, bone->region.low.x, bone->region.high.x);
+    reach(low.y, high.y, bone->region.low.y, bone->region.high.y);
+    reach(low.z, high.z, bone->region.low.z, bone->region.high.z);
+}
+
+Adoption adoption_of(const Separation& separation, const PresentBone& bone, const RevolutionSolid& solid, std::uint64_t through) {
+    Adoption adoption;
+    adoption.sequence = separation.sequence;
+    adoption.tick = separation.tick;
+    adoption.parent = separation.parent;
+    adoption.through = through;
+    const auto body = [&](std::uint16_t id) {
+        const PresentPiece& piece = bone.piece(id);
+        constexpr std::size_t reserve = 512;  // bricks
+        CutField field = piece.cut;
+        field.reserve(reserve);
+        return std::make_unique<LiveBody>(id, *piece.bone, std::move(field), solid);
+    };
+    adoption.renewed = body(separation.parent);
+    for (std::size_t n = 1; n < separation.parts.size(); ++n) adoption.parts.push_back(body(separation.parts[n].body));
+    return adoption;
+}
+
+}  // namespace kerf

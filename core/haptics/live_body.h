@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/field/bone_view.h"
+#include "core/field/piece_mask.h"
+#include "core/field/present_bone.h"
+
+namespace kerf {
+
+enum class BodyKind : std::uint8_t { bone, implant, graft };
+
+/// A body as the loop meets it: its bone, what edges see cut of it, and where it is. Does not move in memory.
+struct LiveBody {
+    /// Pre: `bone` and `solid` outlive it. Where `bone` has one material, `material` is which of the scene's it is.   [main, worker]
+    LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const RevolutionSolid& solid);
+    LiveBody(const LiveBody&) = delete;
+    LiveBody& operator=(const LiveBody&) = delete;
+
+    /// Looks for the box again that holds its bone.   [main, worker]
+    void find_box();
+    [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept { return inverse(world_from_body) * world_from_tool; }
+
+    std::uint16_t id;
+    BodyKind kind = BodyKind::bone;
+    const Body* bone;
+    CutField committed;
+    CutTracker tracker;
+    BoneView view;
+    Pose world_from_body = identity_pose();
+    Vec3 low{}, high{};      ///< holds its bone, body frame [m]
+    bool is_present = true;  ///< false: taken out of the scene
+    bool is_near = true;     ///< of the tool, in this tick
+};
+
+/// What the loop adopts when bone came apart: a new field for the parent and a body for each part, all made beforehand, so that
+/// taking them over neither allocates nor waits. What they replace goes back in their place.
+struct Adoption {
+    std::uint64_t sequence = 0, tick = 0;  ///< of the record that parted the parent
+    std::uint16_t parent = 0;
+    std::uint64_t through = 0;             ///< the parent's first record that the fields do not hold
+    std::unique_ptr<LiveBody> renewed;     ///< the parent, with less bone
+    std::vector<std::unique_ptr<LiveBody>> parts;
+};
+
+/// Fields that hold all records of `from` before `through`.   [worker]
+[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const RevolutionSolid& solid, std::uint64_t through);
+
+}  // namespace kerf
