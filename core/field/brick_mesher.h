@@ -49,7 +49,7 @@ private:
 
 /// Marching cubes of max(surface, cut), cut off flat at the body's region, with the table and the rule of `isosurface`:
 /// zero counts as outside, and what lies outside the grid as a quarter of the clamp, one voxel. Single precision: a
-/// vertex is off by half of what its coordinate's last bit is worth, 15 nm at 0.3 m.
+/// vertex is off by what its coordinate's last bit is worth, 30 nm at 0.3 m.
 ///
 /// Not for two threads at once: it owns what it works in.
 class BrickMesher {

@@ -7,17 +7,19 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "kerf/units.hpp"
+#include "tests/support/mesh_checks.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
+using test::open_edges;
+using test::pieces;
+using test::Random;
+using test::volume;
 
 // ---- given -------------------------------------------------------------------------------------------------------
 
@@ -37,21 +39,6 @@ struct StoredField {
                 .value = [this](int i, int j, int k) { return at(i, j, k); },
                 .may_cross = {}};
     }
-};
-
-/// Reproducible numbers in 0 … 1; the standard's distributions differ between libraries.
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U + 1) {}
-    double next() {
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 7;
-        state_ ^= state_ << 17;
-        return static_cast<double>(state_ >> 11) * 0x1p-53;
-    }
-
-private:
-    std::uint64_t state_;
 };
 
 /// Noise with as many ambiguous faces as can be: `share_inside` of the samples negative, each alone decided.
@@ -84,43 +71,6 @@ struct Ball {
 };
 
 // ---- what is asked of a mesh -------------------------------------------------------------------------------------
-
-/// Edges that are not run along exactly once in each direction.
-int open_edges(const Mesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
-    for (const auto& triangle : mesh.triangles)
-        for (std::size_t m = 0; m < 3; ++m) ++runs[{triangle[m], triangle[(m + 1) % 3]}];
-    int open = 0;
-    for (const auto& [edge, count] : runs) {
-        const auto back = runs.find({edge.second, edge.first});
-        if (count != 1 || back == runs.end() || back->second != 1) ++open;
-    }
-    return open;
-}
-
-/// Volume enclosed, positive when the triangles run anticlockwise seen from outside.
-double volume(const Mesh& mesh) {
-    double six_volumes = 0.0;
-    for (const auto& [a, b, c] : mesh.triangles)
-        six_volumes += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
-    return six_volumes / 6.0;
-}
-
-int pieces(const Mesh& mesh) {
-    std::vector<std::uint32_t> parent(mesh.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto root = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-        parent[root(a)] = root(b);
-        parent[root(b)] = root(c);
-    }
-    int count = 0;
-    for (std::uint32_t v = 0; v < parent.size(); ++v) count += parent[v] == v;
-    return count;
-}
 
 bool is_sound(const Mesh& mesh) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](Vec3 v) { return is_finite(v); }) &&
