@@ -16,11 +16,7 @@
 #include <tbb/global_control.h>
 #endif
 #ifdef KERF_HAS_VTK
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkPolyData.h>
-#include <vtkSMPTools.h>
-#include <vtkSmartPointer.h>
+#include "bench/flying_edges.h"
 #endif
 
 #include "conformance/times.h"
@@ -73,16 +69,12 @@ void whole(int rounds) {
     std::printf("whole: %d x %d x %d samples, %zu triangles\n", g.samples(0), g.samples(1), g.samples(2), triangles);
 
 #ifdef KERF_HAS_VTK
-    vtkSMPTools::Initialize(1);
-    const auto image = vtkSmartPointer<vtkImageData>::New();
-    image->SetDimensions(g.samples(0), g.samples(1), g.samples(2));
-    image->SetSpacing(g.spacing, g.spacing, g.spacing);
-    image->SetOrigin(g.origin.x, g.origin.y, g.origin.z);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    auto* dense = static_cast<float*>(image->GetScalarPointer());
+    std::vector<float> dense;
+    dense.reserve(g.brick_count() * brick_edge * brick_edge * brick_edge);
     for (int k = 0; k < g.samples(2); ++k)
         for (int j = 0; j < g.samples(1); ++j)
-            for (int i = 0; i < g.samples(0); ++i) *dense++ = static_cast<float>(g.quantum() * body.surface.sample(i, j, k));
+            for (int i = 0; i < g.samples(0); ++i) dense.push_back(static_cast<float>(g.quantum() * body.surface.sample(i, j, k)));
+    const FlyingEdges flying({g.samples(0), g.samples(1), g.samples(2)}, g.spacing, {g.origin.x, g.origin.y, g.origin.z}, dense);
     std::vector<double> vtk;
     std::size_t vtk_triangles = 0;
 #endif
@@ -110,35 +102,26 @@ void whole(int rounds) {
     std::vector<double> ours, portable, with_tissues, patches, welded;
     std::size_t sum = 0;
     for (int round = 0; round < rounds; ++round) {
-        ours.push_back(time_of([&] { sum += bone_surface(body, cut).triangles.size(); }));
+        ours.push_back(processor_time_of([&] { sum += bone_surface(body, cut).triangles.size(); }));
 #ifdef KERF_HAS_VTK
-        vtk.push_back(time_of([&] {
-            const auto edges = vtkSmartPointer<vtkFlyingEdges3D>::New();
-            edges->SetInputData(image);
-            edges->ComputeNormalsOn();
-            edges->ComputeGradientsOff();
-            edges->ComputeScalarsOff();
-            edges->SetValue(0, 0.0);
-            edges->Update();
-            vtk_triangles = static_cast<std::size_t>(edges->GetOutput()->GetNumberOfPolys());
-        }));
+        vtk.push_back(processor_time_of([&] { vtk_triangles = flying.mesh(); }));
 #endif
 #ifdef KERF_HAS_OPENVDB
-        openvdb.push_back(time_of([&] {
+        openvdb.push_back(processor_time_of([&] {
             std::vector<openvdb::Vec3s> points;
             std::vector<openvdb::Vec4I> quads;
             openvdb::tools::volumeToMesh(*sparse, points, quads);
             sum += quads.size();
         }));
 #endif
-        with_tissues.push_back(time_of([&] { sum += bone_surface(shelled, shelled_cut).triangles.size(); }));
+        with_tissues.push_back(processor_time_of([&] { sum += bone_surface(shelled, shelled_cut).triangles.size(); }));
         {
             const test::WithKernel with(portable_kernel());
-            portable.push_back(time_of([&] { sum += bone_surface(body, cut).triangles.size(); }));
+            portable.push_back(processor_time_of([&] { sum += bone_surface(body, cut).triangles.size(); }));
         }
         SurfacePatches kept(body);
-        patches.push_back(time_of([&] { sum += kept.update_all(cut).size(); }));
-        welded.push_back(time_of([&] { sum += kept.welded().triangles.size(); }));
+        patches.push_back(processor_time_of([&] { sum += kept.update_all(cut).size(); }));
+        welded.push_back(processor_time_of([&] { sum += kept.welded().triangles.size(); }));
     }
     std::printf("  [ms]                                 median    p99.9      max   ns/triangle   ratio\n");
     const double our_median = times_of(ours).median;
@@ -176,7 +159,7 @@ void frames(const char* what, const Body& body, const RevolutionSolid& tool, Pos
         }
         std::size_t bricks_changed = 0;
         std::vector<SurfacePatches::Published> news;
-        times.push_back(time_of([&] {
+        times.push_back(processor_time_of([&] {
             const std::vector<std::size_t> changed = cut.take_changed();
             bricks_changed = changed.size();
             news = surface.update(cut, changed);

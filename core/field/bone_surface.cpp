@@ -19,7 +19,10 @@ Mesh every_sample(const Body& body, const CutField& cut) {
         if (mesher->may_cross(cut, brick)) bricks.push_back(brick);
     // A little more than a wall through the middle of every brick takes.
     PatchWeld weld(body.grid(), 128 * bricks.size(), 256 * bricks.size());
-    for (const std::size_t brick : bricks) weld.add(brick, mesher->mesh(cut, brick));
+    for (std::size_t n = 0; n < bricks.size(); ++n) {
+        if (n + 1 < bricks.size()) mesher->expect(cut, bricks[n + 1]);
+        weld.add(bricks[n], mesher->mesh(cut, bricks[n]));
+    }
     return std::move(weld).mesh();
 }
 

@@ -35,9 +35,10 @@ constexpr std::array<SetBits, 256> set_bits = [] {
 
 /// Writes `first` + n for each bit n of a byte that is set, and rubbish behind them, eight in all. Where the next goes.
 inline std::uint16_t* list(std::uint16_t* to, unsigned byte, int first) noexcept {
-    const SetBits& bits = set_bits[byte & 255];
-    for (std::size_t n = 0; n < 8; ++n) to[n] = static_cast<std::uint16_t>(first + bits.at[n]);
-    return to + bits.count;
+    std::array<std::uint16_t, 8> places = set_bits[byte & 255].at;  // a copy, which nothing else can be in
+    for (std::uint16_t& place : places) place = static_cast<std::uint16_t>(place + first);
+    std::memcpy(to, places.data(), sizeof places);
+    return to + set_bits[byte & 255].count;
 }
 
 }  // namespace
@@ -86,7 +87,11 @@ std::array<int, 3> BrickMesher::place_in_grid(std::size_t brick) const noexcept 
 }
 
 bool BrickMesher::may_cross(const CutField& cut, std::size_t brick) const noexcept {
-    if (!body_->surface.has_inside(brick)) return false;
+    const LevelSet& surface = body_->surface;
+    if (!surface.has_inside(brick)) return false;
+    const bool has_both = surface.has_outside(brick) || cut.stored(brick) != nullptr;
+    if (has_both && !body_->region.is_bounded()) return true;
+
     const std::array<int, 3> at = place_in_grid(brick);
     bool is_closed_here = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,7 +102,7 @@ bool BrickMesher::may_cross(const CutField& cut, std::size_t brick) const noexce
         if (*least >= 0) return false;
         is_closed_here = is_closed_here || *most >= 0;
     }
-    return is_closed_here || body_->surface.has_outside(brick) || cut.stored(brick) != nullptr;
+    return has_both || is_closed_here;
 }
 
 BrickAround BrickMesher::around(const FieldShape& field, const std::array<int, 3>& at) const noexcept {
@@ -162,6 +167,22 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
             {triangles_.data(), triangle_count_}};
 }
 
+void BrickMesher::expect(const CutField& cut, std::size_t brick) const noexcept {
+    const auto fetch = [](const std::int16_t* first, int count) {
+        constexpr int line = 32;
+        for (int n = 0; n < count; n += line) __builtin_prefetch(first + n);
+    };
+    constexpr int stored_layer = stored_edge * stored_edge;
+    const std::size_t row = static_cast<std::size_t>(body_->grid().bricks[0]), layer = row * static_cast<std::size_t>(body_->grid().bricks[1]);
+    for (const FieldShape& field : {body_->surface.shape(), cut.shape()}) {
+        const auto samples_of = [&](std::size_t other) { return field.samples + field.start[std::min(other, body_->grid().brick_count())]; };
+        fetch(samples_of(brick), stored_samples);
+        fetch(samples_of(brick + layer) + stored_layer, stored_layer);
+        const std::int16_t* next = samples_of(brick + row) + stored_edge;
+        for (int z = 0; z < stored_edge; ++z) fetch(next + z * stored_layer, stored_edge);
+    }
+}
+
 bool BrickMesher::is_near_region_faces(const std::array<int, 3>& at) const noexcept {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (beyond_[axis].empty()) continue;
@@ -207,7 +228,8 @@ void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept
             const std::uint16_t* inside = &inside_[static_cast<std::size_t>(row)];
             const unsigned here = inside[0], next = inside[1], above = inside[16], both = inside[17];
 
-            const unsigned crosses_x = here ^ here >> 1;
+            const unsigned crosses_x = (here ^ here >> 1) & 0x1ff;
+            if (((crosses_x & (is_closed_at_x ? 0x1ff : 0x1fe)) | (here ^ next) | (here ^ above) | (here ^ both)) == 0) continue;
             if (is_closed_at_x && (crosses_x & 1) != 0) *along_x++ = static_cast<std::uint16_t>(place - 1);
             along_x = list(along_x, crosses_x >> 1, place);
             if (y < brick_edge) {

@@ -59,6 +59,8 @@ public:
 
     /// False where no cell of the brick can have a surface, by what is kept of it.   [worker]
     [[nodiscard]] bool may_cross(const CutField& cut, std::size_t brick) const noexcept;
+    /// Says that `mesh` will be asked about this brick soon, so that its samples are near by then.   [worker]
+    void expect(const CutField& cut, std::size_t brick) const noexcept;
     /// The patch of a brick; empty where nothing crosses. It lasts until the next call.   [worker]
     PatchView mesh(const CutField& cut, std::size_t brick) noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/patch_weld.h"
 
-#include "kerf/assert.hpp"
+#include "core/field/brick_memory.h"
 
 namespace kerf {
 
@@ -22,10 +22,14 @@ constexpr std::array<std::uint8_t, 10 * place_layer> faces_of_place = [] {
 }  // namespace
 
 PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangles) : grid_(grid), first_shared_(grid.brick_count()) {
-    mesh_.vertices.reserve(vertices);
-    mesh_.normals.reserve(vertices);
-    mesh_.tissue.reserve(vertices);
-    mesh_.triangles.reserve(triangles);
+    const auto reserve = [](auto& list, std::size_t count) {
+        list.reserve(count);
+        prefer_huge_pages(list.data(), count * sizeof(*list.data()));
+    };
+    reserve(mesh_.vertices, vertices);
+    reserve(mesh_.normals, vertices);
+    reserve(mesh_.tissue, vertices);
+    reserve(mesh_.triangles, triangles);
 }
 
 void PatchWeld::add(std::size_t brick, const PatchView& patch) {
@@ -42,52 +46,70 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
         lower_faces |= unsigned{has_lower[axis]} << axis;
     }
 
-    const std::size_t count = patch.vertices.size(), first = mesh_.vertices.size();
-    mesh_.vertices.resize(first + count);
-    mesh_.normals.resize(first + count);
-    mesh_.tissue.resize(first + count);
+    // Those on no face are new; of the others, those on no lower face.
+    const std::size_t count = patch.vertices.size();
     number_.resize(count);
-    for (auto& upper : upper_) upper.resize(count);
-    Vec3 *vertices = mesh_.vertices.data(), *normals = mesh_.normals.data();
-    std::uint8_t* tissue = mesh_.tissue.data();
+    fresh_.resize(count + 1);
+    on_face_.resize(count + 1);
+    std::uint32_t fresh = 0, on_face = 0, *fresh_list = fresh_.data(), *face_list = on_face_.data(), *numbers = number_.data();
+    const std::uint16_t* edges = patch.edges.data();
+    const auto faces_of = [&](std::size_t v) -> unsigned {
+        return faces_of_place[edges[v] & 0xfff] & ~(9U << (edges[v] >> 12)) & (lower_faces | 0x38);
+    };
+    for (std::uint32_t v = 0; v < count; ++v) {
+        const bool is_inner = faces_of(v) == 0;
+        fresh_list[fresh] = face_list[on_face] = v;
+        fresh += is_inner;
+        on_face += !is_inner;
+    }
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (std::uint32_t n = 0; n < fresh; ++n) numbers[fresh_list[n]] = first + n;
+    for (auto& upper : upper_) upper.resize(on_face + 1);
     std::array<std::uint32_t*, 3> upper{upper_[0].data(), upper_[1].data(), upper_[2].data()};
-    auto next = static_cast<std::uint32_t>(first);
-    for (std::size_t v = 0; v < count; ++v) {
-        const unsigned axis = patch.edges[v] >> 12;
-        const unsigned faces = faces_of_place[patch.edges[v] & 0xfff] & ~(9U << axis) & (lower_faces | 0x38);
-        const SurfaceVertex& vertex = patch.vertices[v];
-        vertices[next] = {vertex.position[0], vertex.position[1], vertex.position[2]};
-        normals[next] = {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
-        tissue[next] = patch.tissue[v];
-        std::uint32_t number = next;
-        for (unsigned n = 0; n < 3; ++n) {
-            const bool is_known = (faces >> n & 1) != 0;
-            number = is_known ? *known[n] : number;
-            known[n] += is_known;
+    for (std::uint32_t n = 0; n < on_face; ++n) {
+        const std::uint32_t v = face_list[n];
+        const unsigned faces = faces_of(v);
+        std::uint32_t number = first + fresh;
+        fresh_list[fresh] = v;
+        fresh += (faces & 7) == 0;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const bool is_known = (faces >> axis & 1) != 0;
+            number = is_known ? *known[axis] : number;
+            known[axis] += is_known;
         }
-        next += (faces & 7) == 0;
-        number_[v] = number;
-        for (unsigned n = 0; n < 3; ++n) {
-            *upper[n] = number;
-            upper[n] += faces >> (3 + n) & 1;
+        numbers[v] = number;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            *upper[axis] = number;
+            upper[axis] += faces >> (3 + axis) & 1;
         }
     }
-    mesh_.vertices.resize(next);
-    mesh_.normals.resize(next);
-    mesh_.tissue.resize(next);
+
+    // Put together here, where it is near, and then taken over in one go.
+    vertices_.resize(fresh);
+    normals_.resize(fresh);
+    tissue_.resize(fresh);
+    for (std::uint32_t n = 0; n < fresh; ++n) {
+        const SurfaceVertex& vertex = patch.vertices[fresh_list[n]];
+        vertices_[n] = {vertex.position[0], vertex.position[1], vertex.position[2]};
+        normals_[n] = {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
+        tissue_[n] = patch.tissue[fresh_list[n]];
+    }
+    triangles_.resize(patch.triangles.size());
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+        const auto& [a, b, c] = patch.triangles[t];
+        triangles_[t] = {numbers[a], numbers[b], numbers[c]};
+    }
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(mesh_.vertices, vertices_);
+    append(mesh_.normals, normals_);
+    append(mesh_.tissue, tissue_);
+    append(mesh_.triangles, triangles_);
 
     for (std::size_t axis = 0; axis < 3; ++axis) {
         first_shared_[brick][axis] = static_cast<std::uint32_t>(shared_.size());
         shared_.insert(shared_.end(), upper_[axis].data(), upper[axis]);
     }
     shared_.push_back(none);  // so that who reads one too many reads something
-
-    const std::size_t triangle = mesh_.triangles.size();
-    mesh_.triangles.resize(triangle + patch.triangles.size());
-    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-        const auto& [a, b, c] = patch.triangles[t];
-        mesh_.triangles[triangle + t] = {number_[a], number_[b], number_[c]};
-    }
 }
 
 }  // namespace kerf

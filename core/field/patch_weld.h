@@ -30,7 +30,11 @@ private:
     std::vector<std::uint32_t> shared_;
     std::vector<std::array<std::uint32_t, 3>> first_shared_;  ///< by brick
     std::vector<std::uint32_t> number_;                       ///< in the mesh, of the vertices of the patch
-    std::array<std::vector<std::uint32_t>, 3> upper_;         ///< of those that are shared
+    std::vector<std::uint32_t> fresh_, on_face_;              ///< vertices of the patch: that are new, that may be shared
+    std::array<std::vector<std::uint32_t>, 3> upper_;         ///< numbers of those that are shared
+    std::vector<Vec3> vertices_, normals_;                    ///< what a patch adds
+    std::vector<std::uint8_t> tissue_;
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
 }  // namespace kerf
