@@ -16,7 +16,6 @@ namespace kerf {
 namespace {
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
-constexpr int block_cells = 8;
 
 /// One pass through the cells, layer by layer in z. Cell (i, j, k) lies between samples (i, j, k) and (i+1, j+1, k+1);
 /// the outermost ones, from −1 on, reach out of the grid and close the surface.
@@ -34,8 +33,7 @@ public:
         for (int k = -1; k < grid_.size[2]; ++k) {
             begin_layer(k);
             for (int j = -1; j < grid_.size[1]; ++j)
-                for (int i = -1; i < grid_.size[0]; ++i)
-                    if (is_worth_a_look(i, j, k)) add_cell(i, j, k);
+                for (int i = -1; i < grid_.size[0]; ++i) add_cell(i, j, k);
         }
         return std::move(mesh_);
     }
@@ -79,23 +77,6 @@ private:
             vertex_on_edge_[axis + 2].assign(layer_, no_vertex);
         }
         vertex_on_edge_[4].assign(layer_, no_vertex);
-        if (k >= 0 && k % block_cells == 0) ask_about_blocks(k / block_cells);
-    }
-
-    void ask_about_blocks(int block_k) {
-        if (!grid_.may_cross) return;
-        blocks_per_row_ = (grid_.size[0] + block_cells - 1) / block_cells;
-        const int rows = (grid_.size[1] + block_cells - 1) / block_cells;
-        block_may_cross_.clear();
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < blocks_per_row_; ++i) block_may_cross_.push_back(grid_.may_cross(i, j, block_k));
-    }
-
-    bool is_worth_a_look(int i, int j, int k) const {
-        const bool reaches_out =
-            i < 0 || j < 0 || k < 0 || i + 1 == grid_.size[0] || j + 1 == grid_.size[1] || k + 1 == grid_.size[2];
-        if (reaches_out || !grid_.may_cross) return true;
-        return block_may_cross_[static_cast<std::size_t>(j / block_cells * blocks_per_row_ + i / block_cells)];
     }
 
     void add_cell(int i, int j, int k) {
@@ -160,8 +141,6 @@ private:
     std::array<std::vector<float>, 4> samples_;
     /// Along x and y on the lower side of the layer, the same on its upper side, and along z.
     std::array<std::vector<std::uint32_t>, 5> vertex_on_edge_;
-    std::vector<bool> block_may_cross_;
-    int blocks_per_row_ = 0;
     Mesh mesh_;
 };
 

@@ -99,8 +99,7 @@ Mesh slowly(const Body& body, const CutField& cut) {
     return isosurface({.size = {g.samples(0), g.samples(1), g.samples(2)},
                        .spacing = g.spacing,
                        .origin = g.origin,
-                       .value = [&](int i, int j, int k) { return static_cast<float>(bone_at(body, cut, i, j, k)) / 8192.0F; },
-                       .may_cross = {}});
+                       .value = [&](int i, int j, int k) { return static_cast<float>(bone_at(body, cut, i, j, k)) / 8192.0F; }});
 }
 
 /// By the edges of the grid that its vertices stand on.
