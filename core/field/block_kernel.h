@@ -121,6 +121,24 @@ struct Walls {
     float *x, *y, *z;     ///< the way in, in the frame of the points; where the depth is not negative
 };
 
+/// Samples −1 … 9 of a brick along each axis, as the surface of its cells needs them: at a *place* each, which is
+/// (x + 1) | (y + 1) << 4 | (z + 1) << 8.
+inline constexpr int place_row = 16, place_layer = 256;
+/// Where the 9³ samples begin of a brick and of its neighbours at −x, +x, −y, +y, −z, +z; of a uniform brick too.
+struct BrickAround {
+    const std::int16_t *own, *beside[6];
+};
+/// A vertex of a surface.
+struct SurfaceVertex {
+    float position[3];  ///< [m] body frame
+    float normal[3];    ///< unit, outwards
+};
+/// Where the samples of a brick lie: origin + spacing (first + (x, y, z)).
+struct SampleFrame {
+    float origin[3], spacing;  ///< [m]
+    std::int32_t first[3];     ///< of its own samples, counted from the grid's
+};
+
 struct BlockKernel {
     const char* name;
 
@@ -158,6 +176,16 @@ struct BlockKernel {
                   std::int16_t& lowest, std::int16_t& highest) noexcept;
     /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
+    /// The larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[place]`. Bit x + 1 of
+    /// `inside[place >> 4]` says which of samples 0 … 8 of a row are negative.
+    void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples, std::uint16_t* inside) noexcept;
+    /// The same at samples −1 and 9 along y and z, 0 … 8 along the other axes.
+    void (*larger_beside)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
+    /// Where a field, linear along the grid's edge from each place along `axis`, is zero, and which way it rises there, by
+    /// central differences at both ends. Reads up to seven places behind the last and writes as many vertices, and eight
+    /// bytes more. Pre: one end negative, the other not.
+    void (*crossings)(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
+                      const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 };
 
 /// For any machine.

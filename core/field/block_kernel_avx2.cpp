@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/field/block_kernel.h"
+#include "core/field/surface_kernel.h"
 
 namespace kerf {
 
@@ -769,6 +770,9 @@ constinit const BlockKernel avx2_kernel_table{
     .deepest = deepest,
     .raise = raise,
     .find = find,
+    .larger_rows = avx2::larger_rows,
+    .larger_beside = avx2::larger_beside,
+    .crossings = avx2::crossings,
 };
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/field/block_kernel.h"
+#include "core/field/surface_kernel.h"
 #include "core/field/point_block.h"
 
 namespace kerf {
@@ -518,6 +519,9 @@ constexpr BlockKernel table{
     .deepest = deepest,
     .raise = raise,
     .find = find,
+    .larger_rows = portable::larger_rows,
+    .larger_beside = portable::larger_beside,
+    .crossings = portable::crossings,
 };
 
 }  // namespace

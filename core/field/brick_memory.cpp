@@ -39,8 +39,15 @@ void unmap_brick_memory(void* memory, std::size_t bytes) noexcept {
         munmap(memory, bytes);
 }
 
+void prefer_huge_pages(void* memory, std::size_t bytes) noexcept {
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory), end = begin + bytes;
+    const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page;
+    if (first < end) madvise(reinterpret_cast<void*>(first), (end - first) / huge_page * huge_page, MADV_HUGEPAGE);
+}
+
 #else
 
+void prefer_huge_pages(void*, std::size_t) noexcept {}
 void* map_brick_memory(std::size_t bytes) { return ::operator new(bytes); }
 void unmap_brick_memory(void* memory, std::size_t) noexcept { ::operator delete(memory); }
 

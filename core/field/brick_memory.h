@@ -11,6 +11,8 @@ namespace kerf {
 /// the system has them. Throws std::bad_alloc.   [main, worker]
 [[nodiscard]] void* map_brick_memory(std::size_t bytes);
 void unmap_brick_memory(void* memory, std::size_t bytes) noexcept;
+/// Asks for huge pages in memory from elsewhere, of which much will soon be touched for the first time.   [main, worker]
+void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 
 /// For std::vector: what it reserves costs nothing before it is used, so a vector that reserves all it can ever need grows
 /// without moving.

@@ -9,119 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/field/cell_cases.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
 namespace {
 
-// ---- the table of cases ------------------------------------------------------------------------------------------
-
-// A cell's corner c stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Its edge e runs along axis e / 4 from corner
-// `edge_start[e]`; bit c of a case says that corner c is inside.
-constexpr int cell_corners = 8, cell_edges = 12, cell_cases = 256;
-constexpr int max_triangles = 5;  // found while generating; the compiler stops if it were more
-constexpr std::array<int, cell_edges> edge_start{0, 2, 4, 6, 0, 1, 4, 5, 0, 1, 2, 3};
-
-constexpr int edge_between(int a, int b) {
-    for (int e = 0; e < cell_edges; ++e) {
-        const int start = edge_start[static_cast<std::size_t>(e)], end = start | 1 << (e / 4);
-        if ((a == start && b == end) || (a == end && b == start)) return e;
-    }
-    return -1;
-}
-
-using Face = std::array<int, 4>;  // corners, anticlockwise seen from outside the cell
-
-constexpr Face cell_face(int f) {
-    const int axis = f / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-    const int base = f % 2 << axis;
-    if (f % 2 == 0) return {base, base | v, base | u | v, base | u};
-    return {base, base | u, base | u | v, base | v};
-}
-
-constexpr bool lie_on_one_face(int edge_a, int edge_b) {
-    const auto touches = [](int edge, int axis, int side) {
-        const int start = edge_start[static_cast<std::size_t>(edge)];
-        return edge / 4 != axis && (start >> axis & 1) == side;
-    };
-    for (int f = 0; f < 6; ++f)
-        if (touches(edge_a, f / 2, f % 2) && touches(edge_b, f / 2, f % 2)) return true;
-    return false;
-}
-
-struct CellCase {
-    int count = 0;
-    std::array<std::array<std::uint8_t, 3>, max_triangles> triangles{};  ///< by the cell's edges their corners lie on
-};
-
-// The outline of a case on the cell's faces: next[e] is where it goes from edge e, −1 where it does not pass.
-// On each face one segment cuts off each run of inside corners, so two of them facing each other stay apart. It runs
-// with the inside on its right, seen from outside the cell; the neighbour, who sees the face from behind, runs back.
-constexpr std::array<int, cell_edges> outline(int inside) {
-    std::array<int, cell_edges> next{};
-    next.fill(-1);
-    for (int f = 0; f < 6; ++f) {
-        const Face face = cell_face(f);
-        const auto corner = [&](int m) { return face[static_cast<std::size_t>(m % 4)]; };
-        const auto is_inside = [&](int m) { return (inside >> corner(m) & 1) != 0; };
-        for (int m = 0; m < 4; ++m) {
-            if (is_inside(m) || !is_inside(m + 1)) continue;
-            int last = m + 1;
-            while (is_inside(last + 1)) ++last;
-            const int enter = edge_between(corner(m), corner(m + 1)),
-                      leave = edge_between(corner(last), corner(last + 1));
-            next[static_cast<std::size_t>(enter)] = leave;
-        }
-    }
-    return next;
-}
-
-// Fans each closed loop of the outline from the first corner none of whose diagonals lies on a face of the cell: there
-// the neighbour could draw the same diagonal, and an edge would belong to four triangles. There always is one.
-constexpr CellCase triangulated(int inside) {
-    CellCase result;
-    std::array<int, cell_edges> next = outline(inside);
-    for (int first = 0; first < cell_edges; ++first) {
-        if (next[static_cast<std::size_t>(first)] < 0) continue;
-        std::array<int, cell_edges> loop{};
-        int length = 0;
-        for (int e = first; next[static_cast<std::size_t>(e)] >= 0;) {
-            loop[static_cast<std::size_t>(length++)] = e;
-            const int after = next[static_cast<std::size_t>(e)];
-            next[static_cast<std::size_t>(e)] = -1;
-            e = after;
-        }
-        const auto at = [&](int n) { return loop[static_cast<std::size_t>(n % length)]; };
-        int start = 0;
-        const auto has_diagonal_on_a_face = [&] {
-            for (int n = 2; n < length - 1; ++n)
-                if (lie_on_one_face(at(start), at(start + n))) return true;
-            return false;
-        };
-        while (has_diagonal_on_a_face()) {
-            if (++start == length) throw "no fan without a diagonal on a face";  // compile time only
-        }
-        for (int n = 1; n + 1 < length; ++n) {
-            result.triangles[static_cast<std::size_t>(result.count++)] = {static_cast<std::uint8_t>(at(start)),
-                                                                          static_cast<std::uint8_t>(at(start + n)),
-                                                                          static_cast<std::uint8_t>(at(start + n + 1))};
-        }
-    }
-    return result;
-}
-
-consteval std::array<CellCase, cell_cases> all_cases() {
-    std::array<CellCase, cell_cases> cases;
-    for (int inside = 0; inside < cell_cases; ++inside) cases[static_cast<std::size_t>(inside)] = triangulated(inside);
-    return cases;
-}
-
-constexpr std::array<CellCase, cell_cases> cases = all_cases();
-
-// ---- the walk through the grid -----------------------------------------------------------------------------------
-
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
-constexpr int block_cells = 8;
 
 /// One pass through the cells, layer by layer in z. Cell (i, j, k) lies between samples (i, j, k) and (i+1, j+1, k+1);
 /// the outermost ones, from −1 on, reach out of the grid and close the surface.
@@ -139,8 +33,7 @@ public:
         for (int k = -1; k < grid_.size[2]; ++k) {
             begin_layer(k);
             for (int j = -1; j < grid_.size[1]; ++j)
-                for (int i = -1; i < grid_.size[0]; ++i)
-                    if (is_worth_a_look(i, j, k)) add_cell(i, j, k);
+                for (int i = -1; i < grid_.size[0]; ++i) add_cell(i, j, k);
         }
         return std::move(mesh_);
     }
@@ -184,30 +77,13 @@ private:
             vertex_on_edge_[axis + 2].assign(layer_, no_vertex);
         }
         vertex_on_edge_[4].assign(layer_, no_vertex);
-        if (k >= 0 && k % block_cells == 0) ask_about_blocks(k / block_cells);
-    }
-
-    void ask_about_blocks(int block_k) {
-        if (!grid_.may_cross) return;
-        blocks_per_row_ = (grid_.size[0] + block_cells - 1) / block_cells;
-        const int rows = (grid_.size[1] + block_cells - 1) / block_cells;
-        block_may_cross_.clear();
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < blocks_per_row_; ++i) block_may_cross_.push_back(grid_.may_cross(i, j, block_k));
-    }
-
-    bool is_worth_a_look(int i, int j, int k) const {
-        const bool reaches_out =
-            i < 0 || j < 0 || k < 0 || i + 1 == grid_.size[0] || j + 1 == grid_.size[1] || k + 1 == grid_.size[2];
-        if (reaches_out || !grid_.may_cross) return true;
-        return block_may_cross_[static_cast<std::size_t>(j / block_cells * blocks_per_row_ + i / block_cells)];
     }
 
     void add_cell(int i, int j, int k) {
         unsigned inside = 0;
         for (int c = 0; c < cell_corners; ++c)
             if (is_inside({i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1)})) inside |= 1U << c;
-        const CellCase& cell = cases[inside];
+        const CellCase& cell = cell_cases[inside];
         for (int n = 0; n < cell.count; ++n) {
             std::array<std::uint32_t, 3> triangle{};
             for (std::size_t m = 0; m < 3; ++m)
@@ -265,8 +141,6 @@ private:
     std::array<std::vector<float>, 4> samples_;
     /// Along x and y on the lower side of the layer, the same on its upper side, and along z.
     std::array<std::vector<std::uint32_t>, 5> vertex_on_edge_;
-    std::vector<bool> block_may_cross_;
-    int blocks_per_row_ = 0;
     Mesh mesh_;
 };
 

@@ -14,11 +14,8 @@ struct SampleGrid {
     std::array<int, 3> size{};  ///< samples along x, y, z
     double spacing = 0.0;       ///< [m]
     Vec3 origin{};              ///< [m] of sample (0, 0, 0)
-    /// At sample (i, j, k), inside the grid only. Asked about samples near the surface, and at most a few times each.
+    /// At sample (i, j, k), inside the grid only. Asked about each sample once.
     std::function<float(int, int, int)> value;
-    /// Can the sign change in block (i, j, k): between samples 8i … 8i+8, and likewise in j and k? A wrong "no" leaves
-    /// a hole. May be empty: then every cell is looked at.
-    std::function<bool(int, int, int)> may_cross;
 };
 
 /// The surface where `grid` is zero, as one welded mesh without holes.
@@ -29,9 +26,9 @@ struct SampleGrid {
 /// the grid's border is closed there. Vertices stand where the field, linear along the grid's edge, is zero; where a
 /// sample is exactly zero, several stand on one spot and triangles may have no area. Numbering follows from the field
 /// alone. Normals come from central differences of the field; on the closing faces they are the face's own. Leaves
-/// `Mesh::tissue` empty: that is the caller's.   [worker] pure if `value` and `may_cross` are.
+/// `Mesh::tissue` empty: that is the caller's.   [worker] pure if `value` is.
 ///
-/// Source: [lorensen-1987]; the table of cases is generated, not copied.
+/// The plain way, for any function; bone is meshed faster by `BrickMesher`. Source: [lorensen-1987].
 [[nodiscard]] Mesh isosurface(const SampleGrid& grid);
 
 }  // namespace kerf

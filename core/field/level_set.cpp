@@ -13,6 +13,7 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
     set.start_.assign(grid.brick_count() + 1, air);
     set.samples_.assign(stored_samples, 32767);
     set.samples_.resize(first_stored, -32767);
+    set.signs_.assign(grid.brick_count(), outside);
 
     // A brick whose centre is farther from the surface than its own corner plus the band is uniform.
     const double reach = (0.5 * brick_edge * std::sqrt(3.0) + clamp_voxels) * grid.spacing;
@@ -20,20 +21,24 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
                 auto& start = set.start_[grid.brick_index(i, j, k)];
+                auto& signs = set.signs_[grid.brick_index(i, j, k)];
                 const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
                 const double half = 0.5 * brick_edge * grid.spacing;
                 const double at_centre = distance(low + Vec3{half, half, half});
                 if (std::abs(at_centre) > reach) {
                     start = at_centre > 0.0 ? air : solid;
+                    signs = at_centre > 0.0 ? outside : inside;
                     continue;
                 }
                 start = static_cast<std::int32_t>(set.samples_.size());
+                signs = 0;
                 for (int z = 0; z < stored_edge; ++z)
                     for (int y = 0; y < stored_edge; ++y)
                         for (int x = 0; x < stored_edge; ++x) {
                             const Vec3 p =
                                 grid.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z);
                             set.samples_.push_back(quantised(distance(p), set.quantum_));
+                            signs |= set.samples_.back() < 0 ? inside : outside;
                         }
             }
     set.samples_.shrink_to_fit();

@@ -50,21 +50,26 @@ public:
     [[nodiscard]] std::int16_t uniform_value(std::size_t brick_index) const noexcept {
         return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
+    /// Whether any of a brick's 9³ samples is negative, or is not.
+    [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept { return (signs_[brick_index] & inside) != 0; }
+    [[nodiscard]] bool has_outside(std::size_t brick_index) const noexcept { return (signs_[brick_index] & outside) != 0; }
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
     [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
     [[nodiscard]] std::size_t memory_bytes() const noexcept {
-        return start_.size() * sizeof(std::int32_t) + samples_.size() * sizeof(std::int16_t);
+        return start_.size() * sizeof(std::int32_t) + samples_.size() * sizeof(std::int16_t) + signs_.size();
     }
 
 private:
     // Uniform bricks have samples too, one brick of each kind: who interpolates need not tell them apart.
     static constexpr std::int32_t air = 0, solid = stored_samples, first_stored = 2 * stored_samples;
+    static constexpr std::uint8_t inside = 1, outside = 2;
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
 
     Grid grid_;
     double clamp_ = 0.0, quantum_ = 0.0;
     std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
     BrickSamples<std::int16_t> samples_;
+    std::vector<std::uint8_t> signs_;  ///< of each brick's samples
 };
 
 /// Metres to the nearest quantum, clamped.

@@ -10,6 +10,7 @@
 #include "core/field/cut_log.h"
 #include "core/field/removed_volume.h"
 #include "tests/support/block.h"
+#include "tests/support/mesh_checks.h"
 
 namespace kerf {
 namespace {
@@ -197,20 +198,9 @@ TEST(BoneSurface, IsClosedAndEnclosesWhatIsLeft) {
     cut.stamp(stretch(test::pointing({0, 0, 1.0_mm}, {0, 0, -1}), test::pointing({0, 0, -8.0_mm}, {0, 0, -1})), tool);
 
     const Mesh mesh = bone_surface(body, cut);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    double volume = 0.0;
-    for (const auto& t : mesh.triangles) {
-        for (std::size_t c = 0; c < 3; ++c) edges.emplace_back(t[c], t[(c + 1) % 3]);
-        volume += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
-    }
-
-    std::sort(edges.begin(), edges.end());
-    for (const auto& [a, b] : edges) {
-        const auto opposite = std::equal_range(edges.begin(), edges.end(), std::pair{b, a});
-        ASSERT_EQ(opposite.second - opposite.first, 1);
-    }
+    EXPECT_EQ(test::open_edges(mesh), 0);
     const double exact = 400.0 - pi * 1.6 * 1.6 * 4.0;  // [mm³]
-    EXPECT_NEAR(volume * 1e9 / exact, 1.0, 0.01);
+    EXPECT_NEAR(test::volume(mesh) * 1e9 / exact, 1.0, 0.01);
 }
 
 }  // namespace

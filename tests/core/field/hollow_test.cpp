@@ -6,6 +6,7 @@
 #include "core/field/bone_view.h"
 #include "core/field/removed_volume.h"
 #include "tests/support/block.h"
+#include "tests/support/mesh_checks.h"
 
 namespace kerf {
 namespace {
@@ -116,10 +117,7 @@ TEST(Hollow, IsNoBoneForContactAndInTheSurface) {
     EXPECT_NEAR(view.present_distance({0, 0, 8.5_mm}), 0.5_mm, 1e-6);
     EXPECT_LT(view.present_distance({0, 0, 7.5_mm}), -0.4_mm);
 
-    const Mesh surface = bone_surface(body, committed);
-    double volume = 0.0;
-    for (const auto& [a, b, c] : surface.triangles)
-        volume += dot(surface.vertices[a], cross(surface.vertices[b], surface.vertices[c])) / 6.0;
+    const double volume = test::volume(bone_surface(body, committed));
     const double exact = 16.0_mm * 16.0_mm * 16.0_mm - 8.0_mm * 8.0_mm * 11.0_mm;
     EXPECT_NEAR(volume, exact, 0.01 * exact);
 }

@@ -7,17 +7,19 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "kerf/units.hpp"
+#include "tests/support/mesh_checks.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
+using test::open_edges;
+using test::pieces;
+using test::Random;
+using test::volume;
 
 // ---- given -------------------------------------------------------------------------------------------------------
 
@@ -34,24 +36,8 @@ struct StoredField {
         return {.size = size,
                 .spacing = 1.0,
                 .origin = {},
-                .value = [this](int i, int j, int k) { return at(i, j, k); },
-                .may_cross = {}};
+                .value = [this](int i, int j, int k) { return at(i, j, k); }};
     }
-};
-
-/// Reproducible numbers in 0 … 1; the standard's distributions differ between libraries.
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U + 1) {}
-    double next() {
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 7;
-        state_ ^= state_ << 17;
-        return static_cast<double>(state_ >> 11) * 0x1p-53;
-    }
-
-private:
-    std::uint64_t state_;
 };
 
 /// Noise with as many ambiguous faces as can be: `share_inside` of the samples negative, each alone decided.
@@ -78,49 +64,11 @@ struct Ball {
                     [*this](int i, int j, int k) {
                         const Vec3 at = origin + spacing * Vec3{double(i), double(j), double(k)};
                         return static_cast<float>(length(at - centre) - radius);
-                    },
-                .may_cross = {}};
+                    }};
     }
 };
 
 // ---- what is asked of a mesh -------------------------------------------------------------------------------------
-
-/// Edges that are not run along exactly once in each direction.
-int open_edges(const Mesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
-    for (const auto& triangle : mesh.triangles)
-        for (std::size_t m = 0; m < 3; ++m) ++runs[{triangle[m], triangle[(m + 1) % 3]}];
-    int open = 0;
-    for (const auto& [edge, count] : runs) {
-        const auto back = runs.find({edge.second, edge.first});
-        if (count != 1 || back == runs.end() || back->second != 1) ++open;
-    }
-    return open;
-}
-
-/// Volume enclosed, positive when the triangles run anticlockwise seen from outside.
-double volume(const Mesh& mesh) {
-    double six_volumes = 0.0;
-    for (const auto& [a, b, c] : mesh.triangles)
-        six_volumes += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
-    return six_volumes / 6.0;
-}
-
-int pieces(const Mesh& mesh) {
-    std::vector<std::uint32_t> parent(mesh.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto root = [&](std::uint32_t v) {
-        while (parent[v] != v) v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-        parent[root(a)] = root(b);
-        parent[root(b)] = root(c);
-    }
-    int count = 0;
-    for (std::uint32_t v = 0; v < parent.size(); ++v) count += parent[v] == v;
-    return count;
-}
 
 bool is_sound(const Mesh& mesh) {
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](Vec3 v) { return is_finite(v); }) &&
@@ -222,8 +170,7 @@ TEST(Isosurface, AnEmptyGridHasNoSurface) {
     EXPECT_TRUE(isosurface({.size = {0, 4, 4},
                             .spacing = 1.0,
                             .origin = {},
-                            .value = [](int, int, int) { return -1.0F; },
-                            .may_cross = {}})
+                            .value = [](int, int, int) { return -1.0F; }})
                     .vertices.empty());
 }
 
@@ -285,8 +232,7 @@ TEST(Isosurface, ATiltedPlaneStandsWithinA256thOfAVoxel) {
                     .value =
                         [&](int i, int j, int k) {
                             return static_cast<float>(dot(normal, {double(i), double(j), double(k)}) - offset);
-                        },
-                    .may_cross = {}});
+                        }});
     const auto is_on_border = [](double x) { return x < 0.0 || x > 15.0; };
     int counted = 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -306,36 +252,13 @@ TEST(Isosurface, TheSameFieldGivesTheSameMesh) {
     expect_same(isosurface(field.grid()), isosurface(field.grid()));
 }
 
-TEST(Isosurface, LeavingOutBlocksWithoutASurfaceChangesNothingButTheNumberOfQuestions) {
-    // Given a ball, and a grid that knows in which blocks its surface may be
-    const Ball ball;
-    SampleGrid all = ball.grid();
-    all.size = {61, 62, 63};
-    SampleGrid some = all;
-    int asked_all = 0, asked_some = 0;
-    all.value = [&asked_all, value = all.value](int i, int j, int k) { return ++asked_all, value(i, j, k); };
-    some.value = [&asked_some, value = some.value](int i, int j, int k) { return ++asked_some, value(i, j, k); };
-    some.may_cross = [&ball](int i, int j, int k) {
-        const Vec3 middle = ball.origin + ball.spacing * Vec3{8.0 * i + 4.0, 8.0 * j + 4.0, 8.0 * k + 4.0};
-        const double reach = 0.5 * std::sqrt(3.0) * 8.0 * ball.spacing;
-        return std::abs(length(middle - ball.centre) - ball.radius) <= reach;
-    };
-
-    // When both are meshed
-    const Mesh from_all = isosurface(all), from_some = isosurface(some);
-
-    // Then the meshes are the same, and the second asked for far fewer samples
-    expect_same(from_all, from_some);
-    EXPECT_EQ(asked_all, 61 * 62 * 63) << "each sample once";
-    EXPECT_LT(asked_some, asked_all / 2);
-}
-
-TEST(Isosurface, ABlockWithoutASurfaceIsStillClosedAtTheBorder) {
-    StoredField solid = StoredField::filled({16, 9, 8}, -1.0F);
-    SampleGrid grid = solid.grid();
-    const Mesh with_every_cell = isosurface(grid);
-    grid.may_cross = [](int, int, int) { return false; };
-    expect_same(isosurface(grid), with_every_cell);
+TEST(Isosurface, EachSampleIsAskedForOnce) {
+    SampleGrid grid = Ball{}.grid();
+    grid.size = {61, 62, 63};
+    int asked = 0;
+    grid.value = [&asked, value = grid.value](int i, int j, int k) { return ++asked, value(i, j, k); };
+    EXPECT_FALSE(isosurface(grid).triangles.empty());
+    EXPECT_EQ(asked, 61 * 62 * 63);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/field/bone_view.h"
 #include "core/field/removed_volume.h"
 #include "tests/support/block.h"
+#include "tests/support/mesh_checks.h"
 
 namespace kerf {
 namespace {
@@ -133,13 +134,6 @@ TEST(Region, BeyondItNothingIsEverCut) {
     EXPECT_GT(cut, 100);
 }
 
-double volume_of(const Mesh& mesh) {
-    double volume = 0.0;
-    for (const auto& t : mesh.triangles)
-        volume += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
-    return volume;
-}
-
 TEST(Region, MeshAndVolumesKeepToIt) {
     Drilled bone(10.0_mm);
     RemovedVolume removed(bone.body);
@@ -157,10 +151,10 @@ TEST(Region, MeshAndVolumesKeepToIt) {
     for (const Vec3& v : mesh.vertices) ASSERT_LT(outside_region(bone.body, v), 1e-9);
 
     const Mesh whole = bone_surface(bone.body, CutField(bone.body, 1));
-    EXPECT_NEAR((volume_of(whole) - volume_of(mesh)) / hole, 1.0,
+    EXPECT_NEAR((test::volume(whole) - test::volume(mesh)) / hole, 1.0,
                 0.1 /* its rim is cut off like the box's edges, 3 %; its bottom is round */);
     const double box = 8.0_mm * 8.0_mm * 6.0_mm, edge_length = 4.0 * (8.0_mm + 8.0_mm + 6.0_mm);
-    EXPECT_NEAR(volume_of(whole), box - 0.5 * h * h * edge_length, 0.005 * box) << "its edges are cut off by a voxel";
+    EXPECT_NEAR(test::volume(whole), box - 0.5 * h * h * edge_length, 0.005 * box) << "its edges are cut off by a voxel";
 }
 
 }  // namespace
