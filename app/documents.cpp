@@ -53,6 +53,8 @@ void make_tool(Documents& documents, const PluginRegistry& plugins, Diagnostics&
     documents.setup.drives = instrument->drives;
     if (std::string why; !outline_of(documents.setup, documents.outline, why))
         refuse_tool(documents.procedure, why, diagnostics);
+    else
+        check_kerf(documents.procedure, documents.outline.cutting, diagnostics);
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/run_checks.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/haptics/device_record.h"
 #include "core/procedure/document.h"
+#include "core/procedure/quantity.h"
 #include "core/procedure/read_procedure.h"
 #include "core/procedure/read_map.h"
 
@@ -30,6 +34,16 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
     report.error(Code::unknown_device, device != nullptr ? device->span : TextSpan{},
                  "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant), meant);
 }
+
+/// What the document says of the first step's instrument under `key`; the instrument where it says nothing.
+TextSpan span_of_instrument(const Document& document, const Procedure& procedure, const char* key) {
+    const Node* instruments = document.root.find("instruments");
+    const Node* instrument = instruments != nullptr ? instruments->find(procedure.steps.front().instrument) : nullptr;
+    const Node* value = instrument != nullptr ? instrument->find(key) : nullptr;
+    return value != nullptr ? value->span : instrument != nullptr ? instrument->span : TextSpan{};
+}
+
+std::string in_mm(double length) { return quantity_text(length, "mm"); }
 
 }  // namespace
 
@@ -73,6 +87,33 @@ void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics
     Report(document, diagnostics)
         .error(Code::impossible_tool, tool != nullptr ? tool->span : node != nullptr ? node->span : TextSpan{},
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
+}
+
+void check_kerf(const Procedure& procedure, const RevolutionSolid& cutting, Diagnostics& diagnostics) {
+    if (!cutting.is_prism() || cutting.thickness() >= 2.0 * procedure.spacing * (1.0 - 1e-9)) return;
+    const auto document = document_of(procedure);
+    const Node* accuracy = document->root.find("accuracy");
+    const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
+    const double needed = std::floor(0.5 * cutting.thickness() / 0.01e-3 + 1e-6) * 0.01e-3;
+    Report(*document, diagnostics)
+        .warning(Code::narrow_kerf, spacing != nullptr ? spacing->span : span_of_instrument(*document, procedure, "tool"),
+                 "The saw's kerf of " + in_mm(cutting.thickness()) + " is narrower than two voxels of " + in_mm(procedure.spacing) +
+                     ": its slot is lost between samples. It needs a spacing of " + in_mm(needed) + " or less.",
+                 in_mm(needed));
+}
+
+void check_blade_fits(const Procedure& procedure, const RevolutionSolid& cutting, const Region& region, Diagnostics& diagnostics) {
+    if (!cutting.is_prism() || !region.is_bounded()) return;
+    const Vec3 size = region.high - region.low;
+    const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}), width = 2.0 * cutting.largest_radius();
+    const bool is_thick = cutting.thickness() >= least;
+    if (!is_thick && width < most) return;
+    const auto document = document_of(procedure);
+    Report(*document, diagnostics)
+        .error(Code::blade_beyond_region, span_of_instrument(*document, procedure, "tool"),
+               "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) + (is_thick ? " across" : " of width") +
+                   "; bone can be cut in a region of " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
+                   ". Take a blade that fits in, or plan the axis so that the region is larger.");
 }
 
 }  // namespace kerf

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/region.h"
+#include "core/field/revolution_solid.h"
 #include "core/procedure/procedure.h"
 #include "core/procedure/source.h"
 
@@ -13,5 +15,11 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 
 /// The plugin refuses the first step's instrument, and `why`.   [main]
 void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics& diagnostics);
+
+/// Warns of a blade whose kerf is under two voxels.   [main]
+void check_kerf(const Procedure& procedure, const RevolutionSolid& cutting, Diagnostics& diagnostics);
+
+/// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
+void check_blade_fits(const Procedure& procedure, const RevolutionSolid& cutting, const Region& region, Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/run_checks.h"
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
@@ -34,6 +35,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
+    check_blade_fits(scene.procedure, scene.outline.cutting, scene.body.region, diagnostics);
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {

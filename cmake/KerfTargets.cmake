@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# The few functions every folder uses.
+# The few functions every folder uses; kerf_add_plugin() is in KerfPlugin, which is installed, too.
+
+# No path of this machine in what is installed: neither in asserts nor in what a debugger reads.
+add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 
 add_library(kerf_warnings INTERFACE)
 add_library(kerf::warnings ALIAS kerf_warnings)
@@ -17,21 +20,6 @@ function(kerf_add_layer name)
   add_library(kerf::${name} ALIAS kerf_${name})
   target_include_directories(kerf_${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(kerf_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS} kerf::warnings)
-endfunction()
-
-# kerf_add_plugin(drilling SOURCES edge_law.cpp ENTRY plugin.cpp)
-#   → kerf::drilling, a static library that tests link; kerf_drilling.so, the module the host loads
-function(kerf_add_plugin name)
-  cmake_parse_arguments(arg "" "ENTRY" "SOURCES;LINKS" ${ARGN})
-  add_library(kerf_${name}_parts STATIC ${arg_SOURCES})
-  add_library(kerf::${name} ALIAS kerf_${name}_parts)
-  target_include_directories(kerf_${name}_parts PUBLIC ${CMAKE_SOURCE_DIR})
-  target_link_libraries(kerf_${name}_parts PUBLIC kerf::sdk ${arg_LINKS} PRIVATE kerf::warnings)
-  add_library(kerf_${name} MODULE ${arg_ENTRY})
-  target_link_libraries(kerf_${name} PRIVATE kerf_${name}_parts kerf::warnings)
-  set_target_properties(kerf_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL)
-  target_compile_options(kerf_${name} PRIVATE -fno-gnu-unique)
 endfunction()
 
 # kerf_add_test(field_test SOURCES a_test.cpp LINKS kerf::field)

@@ -13,6 +13,7 @@ namespace {
 constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
+constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
 }  // namespace
 
@@ -191,7 +192,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     if ((inverse(last_removing_) * at).position.z > 1e-9) return true;
 
     // Elsewhere: does the outline stand in present bone by more than the wall is exact?
-    const double limit = -wall_voxels * body_->grid().spacing;
+    const double h = body_->grid().spacing;
     const auto& outline = solid_->outline();
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
         for (int step = 0; step <= 4; ++step) {
@@ -200,6 +201,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
             for (const Vec3 in_tool : solid_->around(r, z)) {
                 const Vec3 p = at * in_tool;
+                const double limit = -(solid_->is_prism() && in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
                 if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);
                 if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)

@@ -135,24 +135,4 @@ std::uint64_t PresentBone::hash() const noexcept {
     return hash.value();
 }
 
-double bone_volume(const Body& body, const CutField& cut) noexcept {
-    const Grid& g = body.grid();
-    const double voxels_per_quantum = g.quantum() / g.spacing;
-    double voxels = 0.0;
-    for (std::size_t b = 0; b < g.brick_count(); ++b) {
-        if (body.surface.is_all_air(b) || cut.is_gone(b)) continue;
-        const std::int16_t *bone = body.surface.stored(b), *removed = cut.stored(b);
-        const auto [i, j, k] = g.brick_place(b);
-        for (int z = 0; z < brick_edge; ++z)
-            for (int y = 0; y < brick_edge; ++y)
-                for (int x = 0; x < brick_edge; ++x) {
-                    const int o = (z * stored_edge + y) * stored_edge + x;
-                    if (!body.region.contains(g.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z))) continue;
-                    const int left = std::max(bone != nullptr ? int{bone[o]} : int{body.surface.uniform_value(b)}, removed != nullptr ? int{removed[o]} : -32767);
-                    voxels += std::clamp(0.5 - voxels_per_quantum * left, 0.0, 1.0);
-                }
-    }
-    return voxels * g.spacing * g.spacing * g.spacing;
-}
-
 }  // namespace kerf

@@ -101,7 +101,4 @@ private:
     std::size_t crumbs_ = 0, refused_ = 0;
 };
 
-/// [m³] of bone that a cut leaves, partial voxels counted by their share.   [worker] pure.
-[[nodiscard]] double bone_volume(const Body& body, const CutField& cut) noexcept;
-
 }  // namespace kerf

@@ -33,4 +33,7 @@ private:
     std::array<double, KERF_MAX_TISSUES> total_{};
 };
 
+/// [m³] of bone that a cut leaves in the body's region, partial voxels counted by their share.   [worker] pure.
+[[nodiscard]] double bone_volume(const Body& body, const CutField& cut) noexcept;
+
 }  // namespace kerf

@@ -49,9 +49,8 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline, double
 
 std::array<Vec3, 8> RevolutionSolid::around(double radius, double z) const noexcept {
     std::array<Vec3, 8> points;
-    const double y = half_thickness_;
-    if (is_prism())
-        return {{{radius, -y, z}, {radius, 0, z}, {radius, y, z}, {0, y, z}, {-radius, y, z}, {-radius, 0, z}, {-radius, -y, z}, {0, -y, z}}};
+    const double y = half_thickness_, x = 0.75 * radius;
+    if (is_prism()) return {{{radius, 0, z}, {x, y, z}, {0, y, z}, {-x, y, z}, {-radius, 0, z}, {-x, -y, z}, {0, -y, z}, {x, -y, z}}};
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = {radius * azimuths[i][0], radius * azimuths[i][1], z};
     return points;
 }

@@ -73,7 +73,8 @@ public:
     [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
     [[nodiscard]] double thickness() const noexcept { return 2.0 * half_thickness_; }  ///< [m] of a prism; else 0
 
-    /// Eight points around the solid where its outline has `radius` at `z`.   [any] pure.
+    /// Eight points around the solid where its outline has `radius` at `z`. Of a prism those on its flat sides stand away from
+    /// its edges, which a grid rounds off.   [any] pure.
     [[nodiscard]] std::array<Vec3, 8> around(double radius, double z) const noexcept;
     /// A box in the other frame that holds the solid.   [any] pure.
     struct Box {

@@ -11,8 +11,10 @@ double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose
     const double r = solid.largest_radius();
     double largest = 0.0;
     if (solid.is_prism()) {
+        const double y = 0.5 * solid.thickness();
         for (const double z : {solid.tip_z(), solid.end_z()})
-            for (const Vec3 corner : solid.around(r, z)) largest = std::max(largest, length(to * corner - from * corner));
+            for (const Vec3 corner : {Vec3{r, y, z}, Vec3{-r, y, z}, Vec3{r, -y, z}, Vec3{-r, -y, z}})
+                largest = std::max(largest, length(to * corner - from * corner));
         return largest;
     }
     for (const double z : {solid.tip_z(), solid.end_z()})

@@ -163,6 +163,8 @@ constexpr CodeEntry entries[] = {
     {703, "impossible tool", "The plugin refuses a tool with these parameters.", "Each value is within its range, but together they make no tool.", "Follow the plugin's own words in the message; `kerf describe` tells what the parameters mean."},
     {704, "rehearsal without a way", "A rehearsal has fewer than two waypoints.", "It needs to start somewhere and to go somewhere.", "Add a waypoint."},
     {705, "rehearsal starts in bone", "The first waypoint of a rehearsal is inside the bone.", "The tool cannot appear in the middle of bone: it must come there.", "Let it start outside, as in `- {depth: -5 mm}`."},
+    {706, "narrow kerf", "A saw's kerf is narrower than two voxels.", "Its slot would be lost between samples: volumes go wrong, and the blade feels walls that are not where it cut. Only a warning.", "Write the spacing that the message gives.", true},
+    {707, "blade beyond region", "A saw's blade does not fit into the region in which bone can be cut.", "It would stand against the region's border as against a wall.", "Take a smaller blade, or plan the axis so that the region is larger."},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

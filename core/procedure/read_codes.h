@@ -79,6 +79,8 @@ enum class Code {
     impossible_tool = 703,   ///< the plugin refuses these parameters
     no_way = 704,            ///< a rehearsal with fewer than two waypoints
     starts_in_bone = 705,
+    narrow_kerf = 706,       ///< under two voxels
+    blade_beyond_region = 707,
 };
 
 /// `E0412`; `W0412` for a warning.

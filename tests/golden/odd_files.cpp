@@ -284,6 +284,15 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {652, surface(652, Surface().cube(20, 500, 0, 0).text)},
         {653, surface(653, Surface().cube(20, 0, 0, 0).cube(5, 5, 5, 5).text)},
         {655, surface(655, Surface().cube(20, 0, 0, 0).box(12, 1, 0, 0, 12).text)},
+        {707, [](const std::string& folder) {
+             surface(707, Surface().cube(100, 0, 0, 0).text)(folder);
+             std::filesystem::rename(folder + "/E0707.yaml", folder + "/large.yaml");
+             std::string procedure = contents_of(folder + "/W0706.yaml");
+             procedure.replace(procedure.find("block.yaml"), 10, "large.yaml");
+             procedure.replace(procedure.find("spacing: 1 mm"), 13, "spacing: 0.5 mm");
+             procedure.replace(procedure.find("blade_thickness: 0.8 mm"), 23, "tooth_count: 40");
+             write(folder + "/E0707.yaml", procedure);
+         }},
         {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
         {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
         {660, [](const std::string& folder) {

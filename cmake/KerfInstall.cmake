@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# What is installed, below one prefix that may be moved as a whole: everything finds the rest from where it is itself.
+#
+#   bin/kerf                 the program, core's runtime in it
+#   lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
+#   include/kerf             the headers of core/sdk: target kerf::sdk, which needs nothing
+#   lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin()
+#   share/kerf/procedures    procedures and their anatomies
+include(CMakePackageConfigHelpers)
+set(kerf_package lib/cmake/kerf)
+
+install(EXPORT kerfTargets NAMESPACE kerf:: DESTINATION ${kerf_package})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake COMPATIBILITY SameMinorVersion)   # ABI 0 promises no more
+install(FILES
+  ${CMAKE_CURRENT_LIST_DIR}/kerfConfig.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/KerfPlugin.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake
+  ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake
+  DESTINATION ${kerf_package})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/procedures/ DESTINATION share/kerf/procedures FILES_MATCHING PATTERN "*.yaml")
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION share/doc/kerf)

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: Apache-2.0
+# find_package(kerf): kerf::sdk (headers, no dependency), kerf::program (`kerf`), kerf_add_plugin().
+include(${CMAKE_CURRENT_LIST_DIR}/kerfTargets.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/KerfPlugin.cmake)
+
+# A law that is not optimised does not keep its tick.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "saw_cutting.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+namespace kerf::sawing {
+
+namespace {
+
+/// The oscillation as the law takes it now: in the mean in two parts, else at its phase.
+struct Parts {
+    std::array<StrokePart, part_count> part;
+    std::size_t count;
+};
+Parts parts_now(const Going& going) noexcept {
+    if (going.is_averaged) return {parts_of(going.stroke), part_count};
+    return {{{{1.0, chip_per_feed(going.stroke, sin_cos_exact(going.phase).cos)}, {}}}, 1};
+}
+
+/// Which way the teeth go, without a jump where they turn [–].
+double sense_of(const Going& going) noexcept {
+    constexpr double turning = 0.1;  // of the highest speed [assumed]
+    return std::clamp(sin_cos_exact(going.phase).cos / turning, -1.0, 1.0);
+}
+
+/// A short row of points that one channel stands for.
+struct Row {
+    static constexpr std::size_t count = 5;
+    std::array<Vec3, count> point;
+    std::array<kerf_bone_sample, count> sample;
+};
+
+}  // namespace
+
+double mean_cutting_force(const SawBlade& blade, const Tick& tick, const Stroke& stroke, double feed_rate) noexcept {
+    const ToothCoefficients cutting = coefficients(tick.force).cutting;
+    double sum = 0.0;
+    for (const StrokePart& part : parts_of(stroke)) sum += part.share * force_per_width(part.chip_per_feed * feed_rate, cutting);
+    return blade.kerf() * sum;
+}
+
+void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const Going& going,
+                      double last_feed_rate, Channels& channels) noexcept {
+    const Coefficients k = coefficients(tick.force);
+    const Parts parts = parts_now(going);
+    const std::size_t n = in_bone.teeth.count;
+    for (std::size_t sector = 0; sector < sector_count; ++sector) {
+        const std::size_t first = sector * n / sector_count, last = (sector + 1) * n / sector_count;
+        double least = 1e300;
+        for (std::size_t i = 2 * first; i < 2 * last; ++i)
+            if (in_bone.resisted[i] > 0.0) least = std::min(least, in_bone.gap[i]);
+
+        // Teeth that meet bone at the same time, in the mean: one direction, one wrench of what goes along.
+        double total = 0.0;
+        Vec6 d{}, aside{}, along{};
+        for (std::size_t i = 2 * first; i < 2 * last; ++i) {
+            const double m = 0.5 * in_bone.resisted[i];
+            if (m <= 0.0 || in_bone.gap[i] > least + left_behind) continue;
+            const Tooth& tooth = in_bone.teeth.tooth[i / 2];
+            const Vec6 into = rate_at(tooth.tip, tooth.normal), by = rate_at(tooth.tip, {0, -tooth.side, 0}), with = rate_at(tooth.tip, tooth.along);
+            for (std::size_t c = 0; c < 6; ++c) {
+                d[c] += m * into[c];
+                aside[c] += m * by[c];
+                along[c] += m * with[c];
+            }
+            total += m;
+        }
+        if (total <= 0.0) continue;
+        for (std::size_t c = 0; c < 6; ++c) {
+            d[c] /= total;
+            aside[c] /= total;
+            along[c] /= total;
+        }
+        for (std::size_t p = 0; p < parts.count; ++p) {
+            const StrokePart& part = parts.part[p];
+            const double width = part.share * total * blade.kerf();
+            ChannelSum sum;
+            sum.add(width * k.thrust.edge, width * k.thrust.chip * part.chip_per_feed, k.thrust.edge_depth / part.chip_per_feed);
+            kerf_channel* feed = channels.add(KERF_CUT, id_feed + static_cast<std::uint32_t>(sector * part_count + p));
+            sum.write(d, going.cut_share, least, feed);
+            if (feed == nullptr) continue;
+            for (std::size_t c = 0; c < 6; ++c) feed->follow[c] = tick.force[force_set_share] * aside[c];
+            if (going.is_averaged) continue;  // to and fro alike: it goes into `vibration`
+            const double t = part.chip_per_feed * std::max(last_feed_rate, 1e-6), thrust = force_per_width(t, k.thrust);
+            const double against = thrust > 0.0 ? -sense_of(going) * force_per_width(t, k.cutting) / thrust : 0.0;
+            for (std::size_t c = 0; c < 6; ++c) feed->follow[c] += against * along[c];
+        }
+    }
+}
+
+void add_side_cutting(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
+                      Channels& channels) noexcept {
+    const Coefficients k = coefficients(tick.force);
+    const double reference = tick.force[force_reference_density];
+    // The points stand a little inside what the blade sweeps, so that they lie free in a slot as wide as the kerf: by an
+    // eighth of a voxel a wall is known (B5).
+    const double inside = std::max(0.125 * 0.25 * bone.reach(), 0.02e-3);
+    constexpr double play = 1e-8;  // [m] so that a rounding across does not count as a cut
+    const auto add = [&](Row& row, Vec3 way, double edge_length, double chip_per_feed, std::uint32_t id) {
+        bone.sample(row.point, way, row.sample);
+        double least = 1e300, total = 0.0;
+        Vec3 at{0, 0, 0};
+        for (auto& one : row.sample) {
+            one.gap = std::max(0.0, one.gap - inside) + play;
+            if (one.engagement > 0.0) least = std::min(least, one.gap);
+        }
+        for (std::size_t i = 0; i < Row::count; ++i) {
+            const double m = resistance(row.sample[i], bone.tissue_count(), reference);
+            if (m <= 0.0 || row.sample[i].gap > least + left_behind) continue;
+            at = at + m * row.point[i];
+            total += m;
+        }
+        if (total <= 0.0) return;
+        const double width = total / static_cast<double>(Row::count) * edge_length;
+        ChannelSum sum;
+        sum.add(width * k.thrust.edge, width * k.thrust.chip * chip_per_feed, k.thrust.edge_depth / chip_per_feed);
+        sum.write(rate_at((1.0 / total) * at, way), going.cut_share, least, channels.add(KERF_CUT, id));
+    };
+
+    // Every other tooth is set to a side: its flank takes what two pitches have gained.
+    Stroke by_twos = going.stroke;
+    by_twos.pitch *= 2.0;
+    const double flank_chip = mean_chip_per_feed(by_twos), deep = 0.5 * blade.tooth_height;
+    for (const double side : {1.0, -1.0}) {
+        Row row;
+        for (std::size_t i = 0; i < Row::count; ++i) {
+            const double share = 0.5 * static_cast<double>(i) - 1.0;  // −1 … 1
+            const SinCos angle = sin_cos_exact(0.9 * share * blade.half_front());
+            row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), -deep};
+        }
+        add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip, id_side + (side > 0.0 ? 0 : 1));
+    }
+    // At an end the last tooth comes by once an oscillation.
+    const SinCos end = sin_cos_exact(blade.half_sweep());
+    for (const double side : {1.0, -1.0}) {
+        Row row;
+        for (std::size_t i = 0; i < Row::count; ++i) {
+            const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(Row::count);
+            row.point[i] = {side * (blade.radius * end.sin - inside), 0.0, blade.radius * (end.cos - 1.0) - share * blade.tooth_height};
+        }
+        add(row, {side, 0, 0}, blade.tooth_height, 1.0 / going.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
+    }
+}
+
+}  // namespace kerf::sawing

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kerf/force.hpp"
+#include "saw_parameters.h"
+
+/// The teeth in the bone: where they are, what they meet.
+namespace kerf::sawing {
+
+inline constexpr double left_behind = 0.1e-3;  ///< [m] teeth farther from the front than the nearest by this wait (R2)
+
+/// How the saw goes, as the law takes it.
+struct Going {
+    Stroke stroke;            ///< its rate never below the slowest that cuts
+    double cut_share = 0.0;   ///< [–] of the cutting forces: 1 while bone is taken
+    double phase = 0.0;       ///< [rad]
+    bool is_averaged = true;  ///< over the oscillation: above 100 Hz, and on the way there and back
+
+    [[nodiscard]] bool drags() const noexcept { return cut_share > 0.0; }     ///< the teeth resist
+    [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
+    /// Where the blade is in its swing [rad]. In the mean: in the middle.
+    [[nodiscard]] double swing(const SawBlade& blade) const noexcept {
+        return is_averaged ? 0.0 : 0.5 * blade.arc * sin_cos_exact(phase).sin;
+    }
+};
+
+/// Share of the reference tissue's resistance at a sample, zero in air.
+[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
+
+/// All teeth, sampled once. As they swing, each stands for a pitch of the front: two points a tooth, a quarter of a pitch to
+/// either side of its tip, each for a half of it. Where forces are not averaged both are the tip itself.
+struct TeethInBone {
+    Teeth teeth;
+    std::array<double, 2 * most_teeth> resisted;  ///< [–] of each point: share of the reference tissue's resistance
+    std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
+    double engaged = 0.0;                     ///< [–] how many are in bone
+
+    void ask(const Tick& tick, const BoneQuery& bone, const SawBlade& blade, const Going& going) noexcept;
+    /// What they resist together, in teeth.
+    [[nodiscard]] double resisting() const noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 2 * teeth.count; ++i) sum += 0.5 * resisted[i];
+        return sum;
+    }
+};
+
+}  // namespace kerf::sawing

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// In the slot it has cut a saw is held by nothing until it is moved farther than its teeth stand out; then it binds.
+#include "plugins/sawing/own_slot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plugins/sawing/saw_parameters.h"
+#include "tests/support/saw_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using sawing::OwnSlot;
+
+TEST(OwnSlot, StaysWhereItIsWhileTheBladeMoves) {
+    OwnSlot slot;
+    slot.move(make_vec6({0, 2.0_mm_per_s, 0}, {}), 0.05, 0.0, 1.0_mm);
+    EXPECT_NEAR(slot.middle(0, 0), -0.1_mm, 1e-15) << "the blade went aside, the slot is behind it";
+    slot.move(make_vec6({0, -2.0_mm_per_s, 0}, {}), 0.05, 0.0, 1.0_mm);
+    EXPECT_NEAR(slot.middle(5.0_mm, -5.0_mm), 0.0, 1e-15);
+}
+TEST(OwnSlot, TiltsAgainstTheBlade) {
+    OwnSlot slot;
+    slot.move(make_vec6({}, {0.01, 0, 0}), 1.0, 0.0, 1.0_mm);  // about x: what is behind the tip goes towards +y of the blade
+    EXPECT_NEAR(slot.middle(0, -10.0_mm), -0.1_mm, 1e-9);
+    slot = {};
+    slot.move(make_vec6({}, {0, 0, 0.01}), 1.0, 0.0, 1.0_mm);  // about z
+    EXPECT_NEAR(slot.middle(10.0_mm, 0), -0.1_mm, 1e-9);
+}
+TEST(OwnSlot, IsWhereTheBladeIsOnceItHasCutOn) {
+    OwnSlot slot;
+    slot.move(make_vec6({0, 2.0_mm_per_s, 0}, {}), 0.05, 0.0, 1.0_mm);
+    slot.move(make_vec6({0, 0, 1.0_mm_per_s}, {}), 1.0, 1.0_mm, 1.0_mm);
+    EXPECT_EQ(slot.middle(0, 0), 0.0);
+    EXPECT_NEAR(slot.depth, 1.0_mm, 1e-15);
+}
+
+/// Cut to 10 mm, then drawn back from the front by a millimetre.
+struct InItsSlot {
+    double h;
+    Body body = test::block({-18.0_mm, -4.0_mm, -14.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73});
+    ToolSetup setup = test::saw();
+    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm)};
+    Pose still;
+
+    explicit InItsSlot(double spacing) : h(spacing) {
+        for (double depth = -1.0_mm; depth < 10.0_mm; depth += 4.0_um) tick(test::at_depth(depth));
+        for (double depth = 10.0_mm; depth > 9.0_mm; depth -= 10.0_um) tick(test::at_depth(depth));
+        still = simulation.world_from_tool();
+    }
+    TickResult tick(const Pose& pose) {
+        const TickResult r = simulation.tick_direct({pose});
+        simulation.after_tick();
+        return r;
+    }
+    void switch_off() {
+        simulation.command_drive(0, 0.0);
+        for (int i = 0; i < 50; ++i) (void)tick(still);
+    }
+    /// The largest force across the blade in 10 s of a hand that shakes with up to 1 mm/s each way.
+    double largest_side_force_while_shaken() {
+        double most = 0.0;
+        for (int i = 0; i < 10000; ++i) {
+            const double t = i * Simulation::dt;
+            // Physiological tremor, 8 … 12 Hz: three tones of a third of the speed each.
+            const auto shake = [&](double phase) {
+                double at = 0.0;
+                for (const double hz : {8.0, 9.7, 11.9}) at += 1.0_mm_per_s / 3.0 / (2.0 * pi * hz) * std::sin(2.0 * pi * hz * t + phase * hz);
+                return at;
+            };
+            // About the grip, 140 mm behind the tip, the same speed at the tip.
+            const Pose moved = still * Pose{{0.3 * shake(1.0), 0.5 * shake(2.0), 0.3 * shake(3.0)},
+                                            quat_from_rotation_vector({0.5 / 140e-3 * shake(4.0), 0.0, 0.5 / 140e-3 * shake(5.0)})};
+            const Vec6 wrench = tick(moved).bone_on_tool;
+            most = std::max(most, std::abs(wrench[1]));
+        }
+        return most;
+    }
+};
+
+// B5
+TEST(BladeInItsSlot, HandNoiseIsNotFeltAcrossTheBlade) {
+    for (const double h : {0.5_mm, 0.2_mm})
+        for (const bool is_on : {true, false}) {
+            InItsSlot saw(h);
+            if (!is_on) saw.switch_off();
+            const double most = saw.largest_side_force_while_shaken();
+            RecordProperty("side_force_mN_at_" + std::to_string(static_cast<int>(h * 1e6)) + (is_on ? "_on" : "_off"), std::to_string(1e3 * most));
+            EXPECT_LT(most, 0.05) << "N, at " << h << (is_on ? ", going" : ", still");
+        }
+}
+
+TEST(BladeInItsSlot, BindsWhenItIsPushedFartherThanItsTeethStandOut) {
+    InItsSlot saw(0.25_mm);
+    saw.switch_off();
+    double free = 0.0, bound = 0.0;
+    for (double aside = 0.0; aside < 0.3_mm; aside += 2.0_um) {
+        Pose at = saw.still;
+        at.position.y += aside;
+        const double side = -saw.tick(at).bone_on_tool[1];
+        if (aside < 0.07_mm) free = std::max(free, std::abs(side));
+        bound = side;
+    }
+    EXPECT_LT(free, 0.05);
+    EXPECT_GT(bound, 0.2) << "N: a blade of 0.8 mm bends; 0.2 mm at some 3 N/mm";
+    EXPECT_GT(saw.simulation.signals()[sawing::signal_binding], 0.2);
+}
+
+TEST(BladeInItsSlot, IsTwistedBackWhenItIsTwisted) {
+    InItsSlot saw(0.25_mm);
+    saw.switch_off();
+    TickResult last;
+    for (double angle = 0.0; angle < 3.0_deg; angle += 0.01_deg) last = saw.tick(saw.still * Pose{{0, 0, 0}, quat_from_rotation_vector({0, 0, angle})});
+    // The shaft points along −z of the world: a turn about it comes back as a torque about it.
+    EXPECT_LT(-last.bone_on_tool[5], -1.0_Nmm);
+    double work = 0.0;
+    for (double angle = 3.0_deg; angle > 0.0; angle -= 0.01_deg) {
+        last = saw.tick(saw.still * Pose{{0, 0, 0}, quat_from_rotation_vector({0, 0, angle})});
+        work += last.bone_on_tool[5];
+    }
+    EXPECT_LT(std::abs(last.bone_on_tool[5]), 0.05_Nmm) << "and is let go";
+}
+
+}  // namespace
+}  // namespace kerf
