@@ -598,7 +598,7 @@ ImageFile checked(const std::string& file) {
         image = check_meta(file);
     else
         refuse("E0621", "the file's ending names no format that can be read.",
-               "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd).");
+               "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd); for a surface STL, OBJ or PLY.");
     check_bytes(image);
     return image;
 }

@@ -194,7 +194,8 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
     if (!scan.file_) return std::nullopt;
     scan.segments_ = scan.file_->segments;
     scan.grid_ = placed(*scan.file_);
-    scan.notes_.push_back(std::string(name_of(scan.file_->format)) + ": " + size_text(scan.grid_) + ".");
+    const std::string sort = scan.segments_.empty() ? "" : ", a segmentation: labels, no values";
+    scan.notes_.push_back(std::string(name_of(scan.file_->format)) + sort + ": " + size_text(scan.grid_) + ".");
     for (const std::string& doubt : scan.file_->doubts) {
         diagnostics.push_back(warning_about(path, "W0673", doubt));
         scan.notes_.push_back(doubt);
