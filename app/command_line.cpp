@@ -173,6 +173,12 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
                not_empty("a file, as in `--out preview.html`"));
 
+    CLI::App* report = add("report", "Write report.html again, from a session.db alone");
+    report->add_option("SESSION", line.source, "session.db of a run; of one that was cut short, too")
+        ->type_name("")->required()->check(not_empty("the name of a session.db"));
+    add_option(report, "-o,--out", line.out, "FILE", "An .html file; report.html beside the session if not given",
+               not_empty("a file, as in `--out report.html`"));
+
     CLI::App* privacy = add("privacy", "Tell what files would tell of a person: names, numbers, dates, paths");
     privacy->add_option("FILE", line.files, "DICOM, an image, or what Kerf has written")
         ->type_name("")->required()->check(not_empty("the name of a file"))->expected(1, many);
@@ -267,6 +273,7 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
     return command == nullptr
                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
                : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
+           : command->get_name() == "report" ? "of which run? Write `kerf report SESSION.db`."
            : command->get_name() == "anatomy"
                ? "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`."
                : "which procedure? Write " + quoted("kerf " + command->get_name() + " PROCEDURE.yaml") + ".";

@@ -16,7 +16,7 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "privacy", "stability", "chart"; empty: `answer` is all
+    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "privacy", "report", "stability", "chart"; empty: `answer` is all
     std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
     std::string code;                ///< of explain; empty: all
@@ -26,11 +26,11 @@ struct CommandLine {
     std::vector<std::string> settings;  ///< "path=value" each
     bool is_with_bone = false;          ///< of validate
     std::string hand, replay, learner;
-    std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none
+    std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none; of report: beside the session
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all
-    std::string source;                    ///< of import: a scan, a folder or a surface
+    std::string source;                    ///< of import: a scan, a folder or a surface; of report: a session
     std::string series;                    ///< of import
     bool may_resample = false;             ///< of import
     bool shows_values = false;             ///< of privacy

@@ -23,8 +23,10 @@
 #include "core/procedure/schema.h"
 #include "core/procedure/shapes.h"
 #include "core/session/content_hash.h"
+#include "core/session/read_run.h"
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
+#include "core/session/report.h"
 #include "core/session/write_file.h"
 
 namespace kerf {
@@ -181,6 +183,27 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
 }
 
+// ---- report ------------------------------------------------------------------------------------------------------
+
+ExitCode report(const CommandLine& line) {
+    namespace fs = std::filesystem;
+    const std::string file = line.out.empty() ? (fs::path(line.source).parent_path() / "report.html").string() : line.out;
+    // Never the session itself, nor another record.
+    if (fs::path(file).extension() != ".html") return complain("`--out` is `" + file + "`, and must be an .html file. Write `--out report.html`.", exit_bad_input);
+    std::error_code ignored;
+    if (fs::equivalent(line.source, file, ignored)) return complain("the page would take the place of its session. Give another file with `--out`.", exit_bad_input);
+
+    std::string error;
+    const auto run = read_run(line.source, error);
+    if (!run) return complain(error, exit_bad_input);
+    if (!line.out.empty() && fs::path(file).has_parent_path()) fs::create_directories(fs::path(file).parent_path(), ignored);
+    if (error = write_file(file, report_html(run->summary, run->ticks, run->events, run->bone_after)); !error.empty())
+        return complain(error + (line.out.empty() ? " Give another place with `--out`." : ""), exit_bad_input);
+    if (!run->missing.empty()) std::fprintf(stderr, "%s\n", run->missing.c_str());
+    std::printf("%s\n", file.c_str());
+    return exit_pass;
+}
+
 ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
@@ -324,6 +347,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "schema") return print_schema(line, plugins);
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);
+    if (line.command == "report") return report(line);
     if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);

@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t most_findings = 20;        // of one kind, of one file
 constexpr std::uintmax_t most_bytes = 500'000'000;
+constexpr std::uint64_t most_unpacked = 4'000'000'000;
+constexpr std::size_t most_nested_text = 16'000'000;
 
 // ---- DICOM ------------------------------------------------------------------------------------------------------------
 
@@ -71,16 +73,13 @@ std::string tag_text(const Tag& tag) {
     return tag.name + std::string(text);
 }
 
-void look_at_dicom(const DicomElements& elements, PrivacyReport& report) {
-    for (const Tag& tag : identifying)
-        if (std::string value = elements.text(tag.group, tag.element); !value.empty())
-            report.findings.push_back({tag_text(tag), std::move(value)});
-    if (elements.text(0x0028, 0x0301) == "YES") report.findings.push_back({"writing within the picture (0028,0301)", ""});
-    if (elements.private_elements > 0)
-        report.findings.push_back({std::to_string(elements.private_elements) + " private elements, of which only the manufacturer knows what they hold", ""});
-    if (elements.sequences > 0)
-        report.unseen.push_back(std::to_string(elements.sequences) + " sequences were not looked into: they may hold names and numbers too.");
-    if (!elements.fault.empty()) report.unseen.push_back("The file is damaged: " + elements.fault + ". What follows was not looked at.");
+/// Once only, and no more than a few of a kind.
+void add_finding(PrivacyReport& report, const std::string& what, std::string value) {
+    const auto same = [&](const PrivacyFinding& f) { return f.what == what && f.value == value; };
+    const auto kind = [&](const PrivacyFinding& f) { return f.what == what; };
+    auto& all = report.findings;
+    if (std::any_of(all.begin(), all.end(), same) || std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings)) return;
+    all.push_back({what, std::move(value)});
 }
 
 // ---- text -------------------------------------------------------------------------------------------------------------
@@ -102,7 +101,8 @@ std::vector<std::string> names_of_this_system() {
 
 class Looking {
 public:
-    Looking(const std::string& text, PrivacyReport& report) : text_(text), report_(report) {}
+    /// @param where   stands behind what is found; not empty: the text was picked out of bytes, where letters also come by chance
+    Looking(const std::string& text, PrivacyReport& report, std::string where = "") : text_(text), report_(report), where_(std::move(where)) {}
 
     void all() {
         for (const std::string& name : names_) find_word(name, "the name of this system's user or machine");
@@ -117,12 +117,7 @@ public:
 
 private:
     void add(const char* what, std::size_t from, std::size_t end) {
-        std::string value = text_.substr(from, std::min<std::size_t>(end - from, 200));
-        const auto same = [&](const PrivacyFinding& f) { return f.what == what && f.value == value; };
-        const auto kind = [&](const PrivacyFinding& f) { return f.what == what; };
-        auto& all = report_.findings;
-        if (std::any_of(all.begin(), all.end(), same) || std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings)) return;
-        all.push_back({what, std::move(value)});
+        add_finding(report_, what + where_, text_.substr(from, std::min<std::size_t>(end - from, 200)));
     }
     [[nodiscard]] char at(std::size_t n) const { return n < text_.size() ? text_[n] : '\0'; }
 
@@ -154,7 +149,17 @@ private:
         std::size_t from = caret, end = caret + 1;
         while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
         while (is_letter(at(end)) || at(end) == '-') ++end;
+        // Of a hundred million bytes that mean nothing a few look like that
+        if (!where_.empty() && !(is_name(from, caret) && is_name(caret + 1, end))) return;
         if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
+    }
+    /// Three letters or more, `Doe` or `DOE`, and nothing between.
+    [[nodiscard]] bool is_name(std::size_t from, std::size_t end) const {
+        const auto is_capital = [&](std::size_t n) { return text_[n] >= 'A' && text_[n] <= 'Z'; };
+        if (end - from < 3 || !is_capital(from)) return false;
+        for (std::size_t n = from + 2; n < end; ++n)
+            if (is_capital(n) != is_capital(from + 1)) return false;
+        return true;
     }
     /// A UID (six numbers or more with points between them), 2024-05-17, or 20240517.
     void number(std::size_t from) {
@@ -175,6 +180,7 @@ private:
 
     const std::string& text_;
     PrivacyReport& report_;
+    const std::string where_;
     const std::vector<std::string> names_ = names_of_this_system();
 };
 
@@ -195,10 +201,133 @@ void look_at_text(const std::string& bytes, PrivacyReport& report) {
     Looking(wide, report).all();
 }
 
+// ---- bytes that are no text -------------------------------------------------------------------------------------------
+
+/// Voxels, triangles, pictures: only what stands among them as eight plain letters or more in a row is looked at. However many bytes come,
+/// no more is kept than a few megabytes of that.
+class LookingAmongBytes {
+public:
+    LookingAmongBytes(PrivacyReport& report, std::string where) : report_(report), where_(std::move(where)) {}
+
+    void take(std::string_view bytes) {
+        for (const char c : bytes) {
+            const bool is_plain = c >= 0x20 && c < 0x7f;
+            if (is_plain) run_ += c;
+            if (!is_plain || run_.size() >= most_in_row) keep_run(is_plain);
+        }
+    }
+    void end() {
+        keep_run(false);
+        look();
+    }
+
+private:
+    static constexpr std::size_t least_in_row = 8, most_in_row = 1 << 20, overlap = 1 << 12, most_kept = 4 << 20;
+
+    /// What may go on in the next piece of a long row is looked at there again.
+    void keep_run(bool goes_on) {
+        if (run_.size() >= least_in_row) kept_ += run_ + '\n';
+        if (goes_on) run_.erase(0, run_.size() - overlap);
+        else run_.clear();
+        if (kept_.size() > most_kept) look();
+    }
+    void look() {
+        Looking(kept_, report_, where_).all();
+        kept_.clear();
+    }
+
+    PrivacyReport& report_;
+    const std::string where_;
+    std::string run_, kept_;
+};
+
+/// The rest of a file that may be packed, a buffer at a time.
+void look_at_voxels(PackedBytes& bytes, PrivacyReport& report) {
+    LookingAmongBytes looking(report, ", among the voxels");
+    std::string buffer(1 << 18, '\0');
+    std::uint64_t sum = 0;
+    while (sum < most_unpacked) {
+        const std::uint64_t count = bytes.take(buffer.data(), buffer.size());
+        looking.take(std::string_view(buffer).substr(0, count));
+        sum += count;
+        if (count < buffer.size()) break;
+    }
+    looking.end();
+    if (bytes.is_damaged()) report.unseen.push_back("The packed voxels are damaged, and were not looked at to their end.");
+    if (sum >= most_unpacked) report.unseen.push_back("Only the first 4 GB of the voxels were looked at.");
+    report.unseen.push_back("Among the voxels only plain letters were looked for: not those of two bytes each, and not what a picture of them shows.");
+}
+
+/// What pages hold as base64: surfaces, pictures.
+void look_at_base64(const std::string& text, PrivacyReport& report) {
+    constexpr std::size_t least = 64;  // letters; shorter ones are words
+    const auto digit = [](char c) {
+        return c >= 'A' && c <= 'Z' ? c - 'A' : c >= 'a' && c <= 'z' ? c - 'a' + 26 : is_digit(c) ? c - '0' + 52 : c == '+' ? 62 : c == '/' ? 63 : -1;
+    };
+    LookingAmongBytes looking(report, ", in base64");
+    for (std::size_t from = 0; from < text.size();) {
+        std::size_t end = from;
+        while (end < text.size() && digit(text[end]) >= 0) ++end;
+        if (end - from >= least) {
+            std::uint32_t bits = 0;
+            int count = 0;
+            for (std::size_t at = from; at < end; ++at) {
+                bits = bits << 6 | static_cast<std::uint32_t>(digit(text[at]));
+                if ((count += 6) < 8) continue;
+                count -= 8;
+                const char byte = static_cast<char>(bits >> count & 0xffu);
+                looking.take({&byte, 1});
+            }
+            looking.take(std::string_view("\0", 1));
+        }
+        from = end + 1;
+    }
+    looking.end();
+}
+
+// ---- DICOM, all of it -------------------------------------------------------------------------------------------------
+
+void look_at_dicom(const std::string& file, PrivacyReport& report) {
+    const DicomElements elements = read_dicom_elements(file);
+    for (const Tag& tag : identifying)
+        if (std::string value = elements.text(tag.group, tag.element); !value.empty())
+            report.findings.push_back({tag_text(tag), std::move(value)});
+    if (elements.text(0x0028, 0x0301) == "YES") report.findings.push_back({"writing within the picture (0028,0301)", ""});
+
+    // A walk of its own: where a sequence is wrong, it ends
+    std::size_t nested_private = 0, too_long = 0;
+    std::string texts;
+    bool is_all_kept = true;
+    const auto look_at = [&](std::uint32_t tag, const std::string* value) {
+        if ((tag >> 16) % 2 != 0) ++nested_private;
+        if (value == nullptr) return void(++too_long);
+        const auto known = std::find_if(std::begin(identifying), std::end(identifying), [&](const Tag& t) { return (std::uint32_t{t.group} << 16 | t.element) == tag; });
+        if (known != std::end(identifying)) {
+            const std::string plain = value->substr(0, value->find_last_not_of(std::string_view(" \0", 2)) + 1);
+            if (!plain.empty()) add_finding(report, tag_text(*known) + ", in a sequence", plain);
+            return;
+        }
+        is_all_kept = is_all_kept && texts.size() < most_nested_text;
+        if (is_all_kept) texts += *value + '\n';
+    };
+    const DicomElements nested = read_dicom_elements(file, look_at);
+    LookingAmongBytes looking(report, ", in a sequence");
+    looking.take(texts);
+    looking.end();
+    if (const std::size_t all = elements.private_elements + nested_private; all > 0)
+        report.findings.push_back({std::to_string(all) + " private elements, of which only the manufacturer knows what they hold", ""});
+
+    if (too_long > 0) report.unseen.push_back(std::to_string(too_long) + " long elements of sequences were not looked at.");
+    if (!is_all_kept) report.unseen.push_back("Of the texts in sequences only the first 16 MB were looked at.");
+    if (elements.encoding == "1.2.840.10008.1.2.1.99") report.unseen.push_back("All that follows its first elements is packed, and was not looked at.");
+    if (!elements.fault.empty()) report.unseen.push_back("The file is damaged: " + elements.fault + ". What follows was not looked at.");
+    else if (!nested.fault.empty()) report.unseen.push_back("A sequence is damaged: " + nested.fault + ". Sequences behind it were not looked into.");
+}
+
 // ---- databases --------------------------------------------------------------------------------------------------------
 
-/// All texts of all tables, each on a line of its own; numbers would look like anything. Empty, and `is_whole` false, if it is damaged.
-std::string texts_of_database(const std::string& file, bool& is_whole) {
+/// All texts of all tables, each on a line of its own; numbers would look like anything. Bytes are looked at here. Empty, and `is_whole` false, if it is damaged.
+std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report) {
     sqlite3* raw = nullptr;
     is_whole = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK;
     const std::unique_ptr<sqlite3, int (*)(sqlite3*)> database(raw, &sqlite3_close);
@@ -211,6 +340,7 @@ std::string texts_of_database(const std::string& file, bool& is_whole) {
         is_whole = is_whole && code == SQLITE_DONE;
         sqlite3_finalize(statement);
     };
+    LookingAmongBytes among_bytes(report, ", among bytes");
     std::vector<std::string> tables;
     const auto text_of = [](sqlite3_stmt* row, int column) {
         const auto* bytes = static_cast<const char*>(sqlite3_column_blob(row, column));
@@ -226,9 +356,11 @@ std::string texts_of_database(const std::string& file, bool& is_whole) {
         for (const char c : table) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         each_row("SELECT * FROM \"" + quoted + "\"", [&](sqlite3_stmt* row) {
             for (int column = 0; column < sqlite3_column_count(row); ++column)
-                if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT || type == SQLITE_BLOB) all += text_of(row, column) + "\n";
+                if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT) all += text_of(row, column) + "\n";
+                else if (type == SQLITE_BLOB) among_bytes.take(text_of(row, column) + '\0');
         });
     }
+    among_bytes.end();
     return all;
 }
 
@@ -242,14 +374,47 @@ bool ends_in(const std::string& name, std::string_view ending) {
 void look_at_nifti(const std::string& file, PrivacyReport& report) {
     std::string header(348, '\0');
     const auto packing = ends_in(file, ".gz") ? PackedBytes::Packing::deflated : PackedBytes::Packing::none;
-    header.resize(PackedBytes(file, 0, packing).take(header.data(), header.size()));
+    PackedBytes bytes(file, 0, packing);
+    header.resize(bytes.take(header.data(), header.size()));
     if (header.size() < 348) return void(report.error = file + ": is no NIfTI file. Check its name.");
     struct Field { std::size_t at, size; const char* name; };
     for (const Field& field : {Field{4, 10, "`data_type`"}, Field{14, 18, "`db_name`"}, Field{148, 80, "`descrip`"}, Field{228, 24, "`aux_file`"}, Field{328, 16, "`intent_name`"}}) {
         const std::string value = header.substr(field.at, field.size).c_str();
         if (!value.empty()) report.findings.push_back({std::string("text in the header's ") + field.name, value});
     }
-    report.unseen.push_back("Extensions of the header and the voxels were not looked at.");
+    look_at_voxels(bytes, report);  // and the header's extensions before them
+}
+
+bool is_dicom(const std::string& file) {
+    char head[132] = {};
+    return std::ifstream(file, std::ios::binary).read(head, sizeof head) && std::string_view(head + 128, 4) == "DICM";
+}
+
+/// The value of a header's line, as in `encoding: gzip` or `CompressedData = True`, in lower case.
+std::string header_value(const std::string& header, std::string_view key) {
+    for (std::size_t at = 0; at < header.size();) {
+        const std::size_t end = std::min(header.find('\n', at), header.size());
+        std::string line = header.substr(at, end - at);
+        at = end + 1;
+        for (char& c : line) c = lower(c);
+        if (line.compare(0, key.size(), key) != 0) continue;
+        line.erase(0, key.size());
+        line.erase(0, std::min(line.find_first_not_of(" :="), line.size()));
+        return line.substr(0, line.find_last_not_of(" \r") + 1);
+    }
+    return {};
+}
+
+/// The voxels behind a header of NRRD or MetaImage in the same file.
+void look_behind_header(const std::string& file, const std::string& header, std::uint64_t offset, bool is_nrrd, PrivacyReport& report) {
+    const std::string encoding = is_nrrd ? header_value(header, "encoding") : header_value(header, "compresseddata") == "true" ? "gzip" : "raw";
+    const bool is_packed = encoding == "gzip" || encoding == "gz";
+    if (!is_packed && encoding != "raw" && encoding != "ascii" && encoding != "text" && encoding != "txt")
+        return report.unseen.push_back("The voxels are packed in another way than gzip, and were not looked at.");
+    if (!header_value(header, "data file").empty() || !header_value(header, "datafile").empty())
+        report.unseen.push_back("The voxels are in another file. Name that one, too.");
+    PackedBytes bytes(file, offset, is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
+    look_at_voxels(bytes, report);
 }
 
 }  // namespace
@@ -261,8 +426,8 @@ PrivacyReport privacy_report(const std::string& file) {
         report.error = file + ": there is no such file. Name files one by one; of a series its slices.";
         return report;
     }
-    if (const DicomElements elements = read_dicom_elements(file); elements.is_dicom) {
-        look_at_dicom(elements, report);
+    if (is_dicom(file)) {
+        look_at_dicom(file, report);
         return report;
     }
     if (ends_in(file, ".nii") || ends_in(file, ".nii.gz")) {
@@ -272,7 +437,7 @@ PrivacyReport privacy_report(const std::string& file) {
     char first[16] = {};
     if (std::ifstream(file, std::ios::binary).read(first, sizeof first) && std::string_view(first, 15) == "SQLite format 3") {
         bool is_whole = true;
-        look_at_text(texts_of_database(file, is_whole), report);
+        look_at_text(texts_of_database(file, is_whole, report), report);
         report.unseen.push_back(is_whole ? "What was deleted in the database was not looked at." : "The database is damaged, and was not looked at to its end.");
         return report;
     }
@@ -286,10 +451,17 @@ PrivacyReport privacy_report(const std::string& file) {
         report.error = file + ": cannot be read. Check its permissions.";
         return report;
     }
-    if (is_nrrd) bytes.resize(std::min(bytes.size(), std::min(bytes.find("\n\n"), bytes.find("\n\r\n"))));
-    if (is_meta) bytes.resize(std::min(bytes.size(), bytes.find('\n', std::min(bytes.size(), bytes.find("ElementDataFile")))));
+    if (is_nrrd || is_meta) {
+        // The header ends with an empty line, or with the line that says where the voxels are.
+        const std::size_t data = bytes.find("ElementDataFile");
+        const std::size_t last = is_nrrd ? std::min(bytes.find("\n\n"), bytes.find("\n\r\n")) : data == std::string::npos ? data : bytes.find('\n', data);
+        const std::size_t end = last == std::string::npos ? bytes.size() : is_nrrd ? bytes.find('\n', last + 1) + 1 : last + 1;
+        bytes.resize(end);
+    }
     look_at_text(bytes, report);
-    if (is_nrrd || is_meta) report.unseen.push_back("The voxels were not looked at.");
+    if (is_nrrd || is_meta) look_behind_header(file, bytes, bytes.size(), is_nrrd, report);
+    else if (!is_stl) look_at_base64(bytes, report);
+    else report.unseen.push_back("Behind an STL's first 84 bytes nothing was looked at.");
     if (size > most_bytes && !is_stl && !is_nrrd && !is_meta) report.unseen.push_back("Only the first 500 MB were looked at.");
     return report;
 }

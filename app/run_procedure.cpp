@@ -114,6 +114,11 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             return outcome;
         }
         SessionHeader header;
+        header.procedure = summary.procedure;
+        header.procedure_version = summary.procedure_version;
+        header.anatomy = summary.anatomy;
+        header.rehearsal = summary.rehearsal;
+        header.hand = summary.hand;
         header.procedure_text = scene.procedure.text;
         header.anatomy_hash = scene.anatomy_hash;
         header.anatomy_notes = scene.import.notes;
@@ -149,7 +154,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         event.detail = detail;
         kerf::add_event(hash, event);
         if (recorder) recorder->push_event(event);
-        outcome.events.push_back(std::move(event));
+        outcome.events.push_back(Recorder::as_kept(std::move(event)));
     };
 
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
@@ -219,9 +224,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     if (recorder == nullptr) return outcome;
     if (request.progress) request.progress(1.0, "writing the results");
     const Mesh bone = bone_surface(scene.body, simulation.exact());
-    const Mesh drawn = bone_surface(scene.body, simulation.exact(), 2);
+    const DrawnSurface drawn = drawn_surface(bone_surface(scene.body, simulation.exact(), 2));
     for (const std::string& error :
-         {recorder->finish(summary), write_file(request.out + "/summary.json", summary_json(summary)),
+         {recorder->finish(summary, drawn), write_file(request.out + "/summary.json", summary_json(summary)),
           write_file(request.out + "/bone.stl", stl_bytes(bone)),
           write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
         if (!error.empty()) outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;

@@ -42,7 +42,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
                                        [&](const LandmarkAxis& a) { return a.id == step.axis; });
         const AxisInBone found = axis_in_bone(scene.body, *axis);
-        check_axis(*axis, found, scene.anatomy.file, diagnostics);
+        check_axis(scene.anatomy, *axis, found, diagnostics);
         scene.frames.push_back(axis_frame(*axis, found.entry, scene.anatomy));
         scene.share_in_bone.push_back(found.share);
     }

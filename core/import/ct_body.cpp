@@ -15,6 +15,7 @@
 #include "core/import/planned_region.h"
 #include "core/import/voxel_density.h"
 #include "core/import/voxel_distance.h"
+#include "core/procedure/read_anatomy.h"
 
 namespace kerf {
 namespace {
@@ -28,6 +29,7 @@ constexpr double least_metal = 5e-9;      // [m³] worth a word
 /// What is wrong; becomes a Diagnostic at the only way out.
 struct Refusal {
     const char* code;
+    std::vector<std::string> keys;  ///< that lead to the line of the anatomy that would have to change
     std::string message;
 };
 
@@ -62,7 +64,7 @@ std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment
         if (found == segments.end()) {
             std::string known;
             for (const Segment& segment : segments) known += (known.empty() ? "`" : ", `") + segment.name + "`";
-            throw Refusal{"E0635", "the segmentation has no structure `" + name + "`. " +
+            throw Refusal{"E0635", {"ct", "labels", "keep"}, "the segmentation has no structure `" + name + "`. " +
                                        (known.empty() ? "It names none: write the label's number."
                                                       : "It has " + known + ".")};
         }
@@ -97,7 +99,7 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
     const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
     const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
     if (range.voxels() == 0)
-        throw Refusal{"E0630", "the label map covers nothing of the region around the axes. "
+        throw Refusal{"E0630", {"ct", "labels", "file"}, "the label map covers nothing of the region around the axes. "
                                "Check that it belongs to this image."};
     const std::vector<Segment> kept = kept_segments(ct, sources.segments);
     std::set<int> layers;
@@ -142,14 +144,14 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                        [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
     if (landmark == anatomy.points.end())
-        throw Refusal{"E0634", "there is no landmark point `" + ct.component_at + "`, which `ct.keep` names. "
+        throw Refusal{"E0634", {"ct", "keep", "component_at"}, "there is no landmark point `" + ct.component_at + "`, which `ct.keep` names. "
                                "Add it under `landmarks.points`."};
     const VoxelImage& image = mask.image;
     const double near =
         std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
     const std::optional<double> way = keep_nearest(mask, landmark->at);
     if (way && *way > near)
-        throw Refusal{"E0634", "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
+        throw Refusal{"E0634", {"landmarks", "points", ct.component_at}, "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
                                    "`, must be within " + millimetres(near) +
                                    " mm. Check the landmark, or `ct.threshold`."};
     return way ? "; the piece at " + ct.component_at + " is kept, " + std::to_string(mask.count()) + " voxels" : "";
@@ -190,7 +192,7 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
         note += "; the grey values moved " + std::to_string(moved) + " over the border";
     }
     if (mask.count() == 0)
-        throw Refusal{"E0633", std::string("no voxel around the axes is bone. ") +
+        throw Refusal{"E0633", has_labels ? std::vector<std::string>{"ct", "labels", "keep"} : std::vector<std::string>{"ct", "threshold"}, std::string("no voxel around the axes is bone. ") +
                                    (has_labels ? "Check `ct.labels.keep`." : "Lower `ct.threshold`.")};
     notes.push_back(note + ". In the end " + std::to_string(mask.count()) + " are bone.");
     return mask;
@@ -238,19 +240,14 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     return shifts;
 }
 
-void doubt_values(const CtSource& ct, const VoxelImage& part, const std::string& file, std::vector<std::string>& notes,
-                  Diagnostics& diagnostics) {
+void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes, Diagnostics& diagnostics) {
+    const CtSource& ct = *anatomy.ct;
     if (ct.intensity != CtSource::Intensity::hounsfield) {
         notes.push_back("The values are grey levels, not HU: the threshold holds for this scan alone.");
         return;
     }
     const auto warn = [&](const std::string& message) {
-        Diagnostic d;
-        d.level = Diagnostic::Level::warning;
-        d.code = "W0675";
-        d.place.file = file;
-        d.message = message;
-        diagnostics.push_back(std::move(d));
+        diagnostics.push_back(warning_at(in_anatomy(anatomy, {"ct", "image"}), "W0675", message));
         notes.push_back(message);
     };
     const float least = *std::min_element(part.values.begin(), part.values.end());
@@ -270,7 +267,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
                            const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
-        throw Refusal{"E0632", "the image's axes are not at right angles, as after a tilted gantry. "
+        throw Refusal{"E0632", {"ct", "image"}, "the image's axes are not at right angles, as after a tilted gantry. "
                                "Resample the image onto a straight grid."};
     CtBone bone;
     bone.region = planned_region(anatomy.axes, sources.scan.box());
@@ -279,7 +276,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
     const VoxelRange range = is_empty(bone.region) ? VoxelRange{} : scan.range(grown(bone.region, margin));
     if (range.voxels() == 0)
-        throw Refusal{"E0631", "the landmarks' axes lie outside the image. "
+        throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. "
                                "Check that the axes are LPS, and the image is theirs."};
     const std::optional<VoxelImage> part = sources.read_scan(range);
     if (!part) return std::nullopt;
@@ -290,7 +287,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
                     millimetres(scan.spacing(2)) + " mm; of it " + rounded(extent.x * 1e3, 0) + " × " +
                     rounded(extent.y * 1e3, 0) + " × " + rounded(extent.z * 1e3, 0) +
                     " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
-    doubt_values(ct, *part, anatomy.file, notes, diagnostics);
+    doubt_values(anatomy, *part, notes, diagnostics);
 
     BoneMask blank(*part);
     if (sources.has_labels && !mark_labels(blank, ct, sources, notes)) return std::nullopt;
@@ -320,20 +317,12 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     return bone;
 }
 
-Diagnostic refusal_of(const char* code, const std::string& file, std::string message) {
-    Diagnostic d;
-    d.code = code;
-    d.place.file = file;
-    d.message = std::move(message);
-    return d;
-}
-
 std::optional<CtBone> made_or_refused(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
                                       const ImportOptions& options) {
     try {
         return made(anatomy, sources, diagnostics, options);
     } catch (const Refusal& refusal) {
-        diagnostics.push_back(refusal_of(refusal.code, anatomy.file, refusal.message));
+        diagnostics.push_back(error_at(in_anatomy(anatomy, refusal.keys), refusal.code, refusal.message));
     }
     return std::nullopt;
 }
@@ -355,15 +344,18 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
-    const auto scan = open_scan(found_data_file(ct.image, anatomy.file), {ct.series, ct.may_resample}, options.progress,
-                                diagnostics);
+    const auto opened = [&](const std::string& written, const SeriesChoice& choice, const std::vector<std::string>& keys) {
+        const std::size_t first = diagnostics.size();
+        auto scan = open_scan(found_data_file(written, anatomy.file), choice, options.progress, diagnostics);
+        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        return scan;
+    };
+    const auto scan = opened(ct.image, {ct.series, ct.may_resample}, {"ct", "image"});
     if (!scan) return std::nullopt;
     std::optional<Scan> labels;
-    if (!ct.labels.empty() &&
-        !(labels = open_scan(found_data_file(ct.labels, anatomy.file), {}, options.progress, diagnostics)))
-        return std::nullopt;
+    if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return std::nullopt;
     if (labels && labels->is_resampled()) {
-        diagnostics.push_back(refusal_of("E0630", anatomy.file,
+        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
                                          "the label map is sheared, and labels cannot be mixed. Make the labels on "
                                          "the image that `kerf import IMAGE -o straight.nrrd` writes."));
         return std::nullopt;
@@ -371,13 +363,19 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
 
     Sources sources;
     sources.scan = scan->grid();
-    sources.read_scan = [&](const VoxelRange& range) { return scan->read(range, 0, options.progress, diagnostics); };
+    const auto read = [&](const Scan& from, const VoxelRange& range, int layer, const std::vector<std::string>& keys) {
+        const std::size_t first = diagnostics.size();
+        auto image = from.read(range, layer, options.progress, diagnostics);
+        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        return image;
+    };
+    sources.read_scan = [&](const VoxelRange& range) { return read(*scan, range, 0, {"ct", "image"}); };
     if (labels) {
         sources.has_labels = true;
         sources.labels = labels->grid();
         sources.segments = labels->segments();
         sources.read_labels = [&](const VoxelRange& range, int layer) {
-            return labels->read(range, layer, options.progress, diagnostics);
+            return read(*labels, range, layer, {"ct", "labels", "file"});
         };
     }
     auto bone = made_or_refused(anatomy, sources, diagnostics, options);
@@ -387,7 +385,7 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
         if (one == nullptr) continue;
         const auto hash = one->hash();
         if (!hash) {
-            diagnostics.push_back(refusal_of("E0620", anatomy.file, "a file of the scan could be read once, but not again. Try again."));
+            diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620", "a file of the scan could be read once, but not again. Try again."));
             return std::nullopt;
         }
         bone->report.file_hashes.push_back(*hash);

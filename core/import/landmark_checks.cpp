@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/import/import_report.h"
+#include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -15,14 +16,11 @@ constexpr double most_of_zone = 0.25;  // [–] that may be bone: its border is 
 constexpr double finest = 1e-3;        // [m] between the points a zone is looked at
 constexpr double most_points = 200'000.0;
 
-void add(Diagnostics& diagnostics, Diagnostic::Level level, const char* code, const std::string& file,
-         std::string message) {
-    Diagnostic d;
-    d.level = level;
-    d.code = code;
-    d.place.file = file;
-    d.message = std::move(message);
-    diagnostics.push_back(std::move(d));
+/// Where a landmark stands; one of a markups file has no line of its own.
+Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
+    const Reason list = in_anatomy(anatomy, {"landmarks", sort}), own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
+    const bool has_own = own.place.line != list.place.line || own.place.column != list.place.column;
+    return has_own ? own : in_anatomy(anatomy, {"landmarks", "markups"}, std::move(message));
 }
 
 std::string millimetres(double metres) { return rounded(metres * 1e3, 1); }
@@ -39,18 +37,24 @@ std::string other_side(const std::string& id) {
 }
 
 void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
-    std::map<std::string, Vec3> places;
-    for (const LandmarkPoint& point : anatomy.points) places[point.id] = point.at;
-    for (const LandmarkAxis& axis : anatomy.axes) places[axis.id] = 0.5 * (axis.from + axis.to);
-    for (const LandmarkPlane& plane : anatomy.planes) places[plane.id] = plane.at;
+    struct Place {
+        Vec3 at;
+        const char* sort;
+    };
+    std::map<std::string, Place> places;
+    for (const LandmarkPoint& point : anatomy.points) places[point.id] = {point.at, "points"};
+    for (const LandmarkAxis& axis : anatomy.axes) places[axis.id] = {0.5 * (axis.from + axis.to), "axes"};
+    for (const LandmarkPlane& plane : anatomy.planes) places[plane.id] = {plane.at, "planes"};
     for (const auto& [id, right] : places) {
         const auto left = places.find(other_side(id));
-        if (left == places.end() || left->second.x > right.x) continue;
-        add(diagnostics, Diagnostic::Level::error, "E0612", anatomy.file,
-            "`" + left->first + "` lies at x " + millimetres(left->second.x) + " mm and `" + id + "` at x " +
-                millimetres(right.x) +
-                " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
-                "sign of every x and y.");
+        if (left == places.end() || left->second.at.x > right.at.x) continue;
+        Diagnostic swapped = error_at(named(anatomy, right.sort, id), "E0612",
+                                      "`" + left->first + "` lies at x " + millimetres(left->second.at.x) + " mm and `" + id + "` at x " +
+                                          millimetres(right.at.x) +
+                                          " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
+                                          "sign of every x and y.");
+        swapped.reason = named(anatomy, left->second.sort, left->first, "the other one stands here.");
+        diagnostics.push_back(std::move(swapped));
     }
 }
 
@@ -74,10 +78,10 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
         const char* must = point.lies == Lies::on_bone   ? "on it"
                            : point.lies == Lies::in_bone ? "in it"
                                                          : "outside it";
-        add(diagnostics, Diagnostic::Level::error, "E0613", anatomy.file,
+        diagnostics.push_back(error_at(named(anatomy, "points", point.id), "E0613",
             "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
                 millimetres(point.tolerance) +
-                " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made.");
+                " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
     }
 }
 
@@ -117,9 +121,9 @@ void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diag
     check_points(anatomy, body, diagnostics);
     for (const Zone& zone : anatomy.zones)
         if (const double share = share_in_bone(body, zone); share > most_of_zone)
-            add(diagnostics, Diagnostic::Level::warning, "W0614", anatomy.file,
+            diagnostics.push_back(warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
                 rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
-                    "` lies in bone. If it should be free, check its coordinates (LPS, millimetres).");
+                    "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
 }
 
 }  // namespace kerf

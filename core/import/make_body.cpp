@@ -10,6 +10,7 @@
 #include "core/import/mesh_body.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/signed_distance.h"
+#include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
@@ -23,13 +24,8 @@ constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
-Diagnostic error(std::string code, const std::string& file, std::string message, const std::string& advice) {
-    Diagnostic d;
-    d.code = std::move(code);
-    d.place.file = file;
-    d.message = std::move(message) + " " + advice;
-    return d;
-}
+/// Where the anatomy says what bone is.
+Reason bone_in(const Anatomy& anatomy) { return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"}); }
 
 Box phantom_bounds(const PhantomSource& phantom) {
     Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -115,7 +111,7 @@ ImportReport phantom_report(const Anatomy& anatomy) {
 }
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.
-void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string& file, Diagnostics& diagnostics) {
+void warn_of_thin_walls(const MeshBone& bone, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
     const double needed = least_wall_voxels * spacing;
     const auto least = thinnest(bone.walls);
     if (!least || least->thickness >= needed) return;
@@ -123,13 +119,11 @@ void warn_of_thin_walls(const MeshBone& bone, double spacing, const std::string&
     const double carried = thickness_at(bone.walls, 1e-3);
     const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const double share = share_under(bone.walls, needed);
-    Diagnostic thin = error("W0655", file,
+    Diagnostic thin = warning_at(in_anatomy(anatomy, {"mesh", "file"}), "W0655",
                             "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at) +
                                 ", and " + (share < 1e-3 ? "under 0.1" : rounded(100.0 * share, 1)) +
                                 " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
-                                rounded(spacing * 1e3, 3) + " mm can carry.",
-                            "There it is felt too weakly.");
-    thin.level = Diagnostic::Level::warning;
+                                rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly.");
     if (carried < needed && fine_enough >= finest_spacing) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(thin));
 }
@@ -166,8 +160,8 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
 
     const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
-        diagnostics.push_back(error("E0601", anatomy.file, "the phantom has no part that adds bone.",
-                                    "Give `phantom.parts` at least one part without `subtract`."));
+        diagnostics.push_back(error_at(in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
+                                       "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
         return std::nullopt;
     }
     const double margin = 6.0 * spacing;
@@ -175,10 +169,10 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     const Vec3 extent = bounds.high - bounds.low + 2.0 * around;
     const double edge = spacing * brick_edge;
     if (!(extent.x / edge * (extent.y / edge) * (extent.z / edge) < static_cast<double>(most_bricks))) {
-        diagnostics.push_back(error("E0602", anatomy.file,
+        diagnostics.push_back(error_at(bone_in(anatomy), "E0602",
                                     "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) +
                                         " × " + rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) +
-                                        " mm is too large.",
+                                        " mm is too large. "
                                     "Use a coarser `accuracy.spacing` or a smaller bone."));
         return std::nullopt;
     }
@@ -233,7 +227,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
         body.materials.push_back(std::move(material));
     }
-    if (mesh) warn_of_thin_walls(*mesh, spacing, anatomy.file, diagnostics);
+    if (mesh) warn_of_thin_walls(*mesh, spacing, anatomy, diagnostics);
     check_landmarks(anatomy, body, diagnostics);
     if (report) {
         *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
@@ -262,16 +256,15 @@ AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
     return found;
 }
 
-void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::string& file, Diagnostics& diagnostics) {
+void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics) {
+    const auto at = [&] { return in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
     if (found.entry < 0.0)
-        diagnostics.push_back(error("E0610", file, "the axis `" + axis.id + "` meets no bone.",
-                                    "Check its points: LPS, millimetres, from outside into the bone."));
+        diagnostics.push_back(error_at(at(), "E0610",
+                                       "the axis `" + axis.id + "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.share < least_share)
-        diagnostics.push_back(error("E0611", file,
-                                    "the axis `" + axis.id + "` lies in bone for only " +
-                                        rounded(100.0 * found.share, 0) +
-                                        " % of its length behind the entry, need 80 %.",
-                                    "Check its points, or the tissues of the anatomy."));
+        diagnostics.push_back(error_at(at(), "E0611",
+                                       "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                                           " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
 }
 
 }  // namespace kerf

@@ -23,6 +23,6 @@ struct AxisInBone {
 [[nodiscard]] AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis);
 
 /// Refuses an axis that meets no bone, or lies in bone for less than 80 % behind its entry (E0610, E0611).   [main]
-void check_axis(const LandmarkAxis& axis, const AxisInBone& found, const std::string& file, Diagnostics& diagnostics);
+void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -12,6 +12,7 @@
 #include "core/field/fnv1a.h"
 #include "core/import/data_file.h"
 #include "core/procedure/document.h"
+#include "core/procedure/read_anatomy.h"
 
 namespace kerf {
 namespace {
@@ -272,19 +273,21 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
     const std::vector<MarkupsFile> files = anatomy.markups;
     for (const MarkupsFile& file : files) {
         const std::string path = found_data_file(file.file, anatomy.file);
+        const std::size_t first = diagnostics.size();
+        const auto because_named = [&] { because_of(in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."), diagnostics, first); };
         const std::optional<std::string> text = read_text_file(path, diagnostics);
-        if (!text) continue;
+        if (!text) {
+            because_named();
+            continue;
+        }
         Fnv1a hash;
         hash.add(*text);
         hashes.push_back(hash.value());
         try {
             add(file, path, *text, anatomy);
         } catch (const Refusal& refusal) {
-            Diagnostic d;
-            d.code = refusal.code;
-            d.place.file = path;
-            d.message = refusal.message;
-            diagnostics.push_back(std::move(d));
+            diagnostics.push_back(error_about(path, refusal.code, refusal.message));
+            because_named();
         }
     }
     anatomy.markups.clear();

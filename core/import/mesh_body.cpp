@@ -8,22 +8,13 @@
 #include "core/import/planned_region.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/repair.h"
+#include "core/procedure/read_anatomy.h"
 
 namespace kerf {
 namespace {
 
 constexpr double coarse = 20e-6;    // [m] a step of the file's numbers that is worth a warning
 constexpr double fineness = 0.5e-3;  // [m] between places where walls are measured
-
-Diagnostic finding(Diagnostic::Level level, const char* code, const std::string& file, std::string message,
-                   const std::string& advice) {
-    Diagnostic d;
-    d.level = level;
-    d.code = code;
-    d.place.file = file;
-    d.message = std::move(message) + " " + advice;
-    return d;
-}
 
 /// Metres and LPS.
 void place(SurfaceMesh& mesh, const MeshSource& source) {
@@ -39,10 +30,10 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 /// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
-bool make_sound(SurfaceFile& file, const Anatomy& anatomy, std::vector<std::string>& notes, Diagnostics& diagnostics) {
+bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const std::string& name, std::vector<std::string>& notes, Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
-    const auto warn = [&](const char* code, std::string message, const std::string& advice) {
-        diagnostics.push_back(finding(Diagnostic::Level::warning, code, anatomy.file, std::move(message), advice));
+    const auto warn = [&](const char* code, const std::string& message, const std::string& advice) {
+        diagnostics.push_back(warning_about(name, code, message + " " + advice));
     };
     place(file.mesh, source);
     if (!file.has_topology) weld(file.mesh);  // STL repeats every vertex in each of its faces
@@ -72,8 +63,7 @@ bool make_sound(SurfaceFile& file, const Anatomy& anatomy, std::vector<std::stri
 
     const RepairRules rules{source.holes_up_to, source.pieces_under, source.inner};
     if (const auto error = repair(file.mesh, rules, notes)) {
-        diagnostics.push_back(
-            finding(Diagnostic::Level::error, error->code, anatomy.file, error->message, error->advice));
+        diagnostics.push_back(error_about(name, error->code, error->message + " " + error->advice));
         return false;
     }
     return true;
@@ -128,7 +118,14 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
     std::vector<std::string>& notes = bone.report.notes;
     notes.push_back(std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
                     (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
-    if (!make_sound(surface, anatomy, notes, diagnostics)) return std::nullopt;
+    const auto is_sound = [&](SurfaceFile& file, const std::string& written, const std::vector<std::string>& keys) {
+        const std::size_t first = diagnostics.size();
+        const std::string name = written.empty() ? anatomy.file : found_data_file(written, anatomy.file);  // without a document the surface itself
+        const bool is_made = make_sound(file, anatomy, name, notes, diagnostics);
+        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
+        return is_made;
+    };
+    if (!is_sound(surface, source.file, {"mesh", "file"})) return std::nullopt;
     bone.surface = std::move(surface.mesh);
     if (SurfaceMesh cavities = taken_cavities(bone.surface); !cavities.triangles.empty())
         bone.rooms.push_back(std::move(cavities));
@@ -136,7 +133,7 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
     if (canal) {
         notes.push_back("The canal, a surface of its own:");
         SurfaceFile room = *canal;
-        if (!make_sound(room, anatomy, notes, diagnostics)) return std::nullopt;
+        if (!is_sound(room, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
         bone.rooms.push_back(std::move(room.mesh));
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
@@ -149,10 +146,11 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
         bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));
         bone.is_part = true;
         if (is_empty(bone.region)) {
-            diagnostics.push_back(finding(Diagnostic::Level::error, "E0652", anatomy.file,
-                                          "the landmarks' axes lie outside the surface, which goes from " +
-                                              place_text(bounds.low) + " to " + place_text(bounds.high) + ".",
-                                          "Check that the axes are LPS, and `mesh.unit` and `mesh.frame`."));
+            Diagnostic apart = error_at(in_anatomy(anatomy, {"landmarks", "axes"}), "E0652",
+                                        "the landmarks' axes lie outside the surface, which goes from " + place_text(bounds.low) + " to " +
+                                            place_text(bounds.high) + ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
+            apart.reason = in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
+            diagnostics.push_back(std::move(apart));
             return std::nullopt;
         }
         const Vec3 extent = bone.region.high - bone.region.low;
@@ -168,20 +166,21 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
 
 std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics) {
     ImportReport files;
-    const auto read = [&](const std::string& written) -> std::optional<SurfaceFile> {
+    const auto read = [&](const std::string& written, const std::vector<std::string>& keys) {
         const std::string file = found_data_file(written, anatomy.file);
+        const std::size_t first = diagnostics.size();
         auto surface = read_surface(file, diagnostics);
         if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
-            diagnostics.push_back(finding(Diagnostic::Level::error, "E0640", file, "the file could be read once, but not again.",
-                                          "Try again."));
-            return std::nullopt;
+            diagnostics.push_back(error_about(file, "E0640", "the file could be read once, but not again. Try again."));
+            surface.reset();
         }
+        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return surface;
     };
-    auto surface = read(anatomy.mesh->file);
+    auto surface = read(anatomy.mesh->file, {"mesh", "file"});
     if (!surface) return std::nullopt;
     std::optional<SurfaceFile> canal;
-    if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file))) return std::nullopt;
+    if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file, {"mesh", "canal", "file"}))) return std::nullopt;
     auto bone = make_mesh_bone(anatomy, std::move(*surface), canal ? &*canal : nullptr, diagnostics);
     if (bone) bone->report.file_hashes = std::move(files.file_hashes);
     return bone;

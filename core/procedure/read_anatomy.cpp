@@ -334,4 +334,19 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
     return anatomy;
 }
 
+Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message) {
+    Reason reason{{anatomy.file}, std::move(message), {}};
+    if (anatomy.text.empty()) return reason;  // made by a program
+    const Document document = read_again(anatomy.file, anatomy.text);
+    const Node* node = &document.root;
+    const Node* last = nullptr;
+    for (const std::string& key : keys)
+        if (const Node* within = node->find(key)) last = node = within;
+    if (last == nullptr) return reason;
+    const TextSpan span = last->kind == Node::Kind::scalar && last->span.size > 0 ? last->span : last->key_span;
+    reason.place = document.place(span);
+    reason.source_line = document.source_line(span);
+    return reason;
+}
+
 }  // namespace kerf

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/procedure/anatomy.h"
 
@@ -14,5 +15,9 @@ std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagno
 
 /// The same for text that is in memory already, as in a recorded session. `file` is only its name.   [main]
 std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics);
+
+/// Where something stands in an anatomy: the last of `keys`, each within the one before, that it has; of a single value the value, else the key.
+/// Without any of them the file as a whole.   [main]
+[[nodiscard]] Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message = {});
 
 }  // namespace kerf

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/procedure/patch.h"
+#include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
 
@@ -497,19 +498,6 @@ void append_ids(const std::vector<T>& things, std::vector<std::string>& ids) {
 /// The place of item `index` of `list`, or of the whole document if its text does not have it.
 TextSpan span_of_item(const Node* list, std::size_t index) {
     return list && index < list->children.size() ? list->children[index].span : TextSpan{};
-}
-
-/// The anatomy's own place for what is wrong with it here: the first of `keys`, each within the one before, that it has.
-Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, const std::string& message) {
-    const Document document = read_again(anatomy.file, anatomy.text);
-    const Node* node = &document.root;
-    TextSpan span;
-    for (const std::string& key : keys)
-        if (const Node* within = node ? node->find(key) : nullptr) {
-            node = within;
-            span = node->key_span;
-        }
-    return {document.place(span), message, document.source_line(span)};
 }
 
 void check_names(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,

@@ -2,6 +2,7 @@
 #include "core/procedure/source.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -27,6 +28,34 @@ std::string underlined(const SourcePlace& place, const std::string& line) {
 
 std::string to_text(const SourcePlace& place) {
     return place.line > 0 ? place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) : place.file;
+}
+
+Diagnostic error_at(const Reason& at, std::string code, std::string message) {
+    Diagnostic d;
+    d.code = std::move(code);
+    d.place = at.place;
+    d.message = std::move(message);
+    d.source_line = at.source_line;
+    return d;
+}
+
+Diagnostic warning_at(const Reason& at, std::string code, std::string message) {
+    Diagnostic d = error_at(at, std::move(code), std::move(message));
+    d.level = Diagnostic::Level::warning;
+    return d;
+}
+
+Diagnostic error_about(const std::string& file, std::string code, std::string message) {
+    return error_at({{file}, {}, {}}, std::move(code), std::move(message));
+}
+
+Diagnostic warning_about(const std::string& file, std::string code, std::string message) {
+    return warning_at({{file}, {}, {}}, std::move(code), std::move(message));
+}
+
+void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first) {
+    for (std::size_t i = first; i < diagnostics.size(); ++i)
+        if (named.place.line > 0 && !diagnostics[i].reason && diagnostics[i].place.line == 0) diagnostics[i].reason = named;
 }
 
 bool has_error(const Diagnostics& diagnostics) noexcept {

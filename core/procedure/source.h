@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,17 @@ struct Diagnostic {
 };
 
 using Diagnostics = std::vector<Diagnostic>;
+
+/// What is wrong with a file as a whole. `message` says what to do, too.
+[[nodiscard]] Diagnostic error_about(const std::string& file, std::string code, std::string message);
+[[nodiscard]] Diagnostic warning_about(const std::string& file, std::string code, std::string message);
+
+/// The same where a place is known: that of `at`, whose message is not used.
+[[nodiscard]] Diagnostic error_at(const Reason& at, std::string code, std::string message);
+[[nodiscard]] Diagnostic warning_at(const Reason& at, std::string code, std::string message);
+
+/// Gives everything from `first` on, which is about a file, the place that names this file as its reason; if that has a line.
+void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first);
 
 /// `file:14:22`, or `file` for the file as a whole.
 std::string to_text(const SourcePlace& place);

@@ -115,7 +115,7 @@ struct Recorder::Impl {
     void write_tick(const TickRow& row);
     void close(const char* state);
     void set(const char* table, std::string_view key, std::string_view value);
-    void write_results(const RunSummary& summary);
+    void write_results(const RunSummary& summary, const DrawnSurface& bone_after);
 };
 
 // ---- before the first tick ---------------------------------------------------------------------------------------
@@ -137,6 +137,11 @@ void Recorder::Impl::create(const SessionHeader& header) {
     SqliteStatement(database, "INSERT INTO notice VALUES('" + std::string(notice_line) + "')").run();
 
     set("session", "state", "running");
+    set("session", "run.procedure", header.procedure);
+    set("session", "run.procedure_version", header.procedure_version);
+    set("session", "run.anatomy", header.anatomy);
+    set("session", "run.rehearsal", header.rehearsal);
+    set("session", "run.hand", header.hand);
     set("session", "procedure_text", header.procedure_text);
     set("session", "anatomy_hash", hex16(header.anatomy_hash));
     std::string notes;
@@ -271,7 +276,7 @@ void Recorder::Impl::stop() {
 
 // ---- after the last tick -----------------------------------------------------------------------------------------
 
-void Recorder::Impl::write_results(const RunSummary& summary) {
+void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface& bone_after) {
     SqliteStatement insert_step(database, insert_sql(find_table(tables, "steps")));
     for (std::size_t i = 0; i < summary.steps.size(); ++i) {
         const StepRow& step = summary.steps[i];
@@ -288,6 +293,29 @@ void Recorder::Impl::write_results(const RunSummary& summary) {
         insert_metric << metric.status << metric.help;
         insert_metric.run();
     }
+    SqliteStatement insert_reason(database, insert_sql(find_table(tables, "reasons")));
+    for (std::size_t i = 0; i < summary.reasons.size(); ++i) {
+        insert_reason << integer(i) << summary.reasons[i];
+        insert_reason.run();
+    }
+    SqliteStatement insert_removed(database, insert_sql(find_table(tables, "removed")));
+    for (std::size_t i = 0; i < summary.removed_by_tissue.size(); ++i) {
+        insert_removed << integer(i) << summary.removed_by_tissue[i].first << summary.removed_by_tissue[i].second;
+        insert_removed.run();
+    }
+    if (!bone_after.is_empty()) {
+        SqliteStatement insert_surface(database, insert_sql(find_table(tables, "surface")));
+        insert_surface << bone_after.step << bone_after.half_size.x << bone_after.half_size.y << bone_after.half_size.z;
+        for (const auto* bytes : {&bone_after.positions, &bone_after.normals, &bone_after.tissues, &bone_after.triangles})
+            insert_surface << std::span<const unsigned char>(*bytes);
+        insert_surface.run();
+    }
+    set("session", "result.verdict", to_text(summary.verdict));
+    set("session", "result.score", text_of(summary.score));
+    set("session", "result.duration", text_of(summary.duration));
+    set("session", "result.ticks", std::to_string(summary.ticks));
+    set("session", "result.late_ticks", std::to_string(summary.late_ticks));
+    set("session", "result.removed", text_of(summary.removed));
     set("session", "summary", summary_json(summary));
     set("session", "hash", hex16(summary.hash));
 }
@@ -366,12 +394,21 @@ RecorderLosses Recorder::losses() const noexcept {
     return {impl_->lost_ticks.load(), impl_->lost_events.load(), impl_->lost_cuts.load()};
 }
 
-std::string Recorder::finish(const RunSummary& summary) {
+EventRow Recorder::as_kept(EventRow event) {
+    EventSlot slot;
+    copy_text(slot.id, event.id);
+    copy_text(slot.detail, event.detail);
+    event.id = slot.id;
+    event.detail = slot.detail;
+    return event;
+}
+
+std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone_after) {
     if (impl_->is_closed) return "this session is finished already";
     impl_->stop();
 
     impl_->database.run("BEGIN");
-    impl_->write_results(summary);
+    impl_->write_results(summary, bone_after);
     impl_->database.run("COMMIT");
     impl_->close(losses().any() ? "incomplete" : "finished");
     return impl_->error.empty() ? std::string() : impl_->path + " is incomplete: " + for_people(impl_->error);

@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/drawn_surface.h"
 #include "core/session/recording.h"
 
 namespace kerf {
 
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
-inline constexpr std::int32_t session_schema_version = 1;
+inline constexpr std::int32_t session_schema_version = 2;
 /// Stands in every file a run writes.
 inline constexpr const char* notice_line = "For training and research; not for diagnosis, planning or deciding treatment";
 
@@ -38,6 +39,7 @@ struct SessionConditions {
 
 /// Everything known before the first tick.
 struct SessionHeader {
+    std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
     std::string procedure_text;
     std::uint64_t anatomy_hash = 0;           ///< of the anatomy's text and data files
     std::vector<std::string> anatomy_notes;   ///< what import did, for people
@@ -75,6 +77,8 @@ public:
     void push_cut(const CutRow& cut) noexcept;
     /// Ids over 63 bytes and details over 255 are cut short.   [haptic, nonblocking] the same thread
     void push_event(const EventRow& event) noexcept;
+    /// The event with the texts that push_event would keep.   [any]
+    [[nodiscard]] static EventRow as_kept(EventRow event);
 
     /// Lock-step: waits until the queues can take the next few thousand rows. Returns at once while they are less
     /// than half full. False when the file cannot be written any more.   [the pushing thread, may block]
@@ -82,10 +86,10 @@ public:
 
     [[nodiscard]] RecorderLosses losses() const noexcept;
 
-    /// Writes what is left, steps, metrics, summary and hash, and closes to a single file. The session's state
+    /// Writes what is left, the result, the bone as it is drawn and the hash, and closes to a single file. The session's state
     /// becomes "finished", or "incomplete" when rows were lost. Returns what went wrong, empty if nothing did;
     /// once only.   [main, after the last push]
-    [[nodiscard]] std::string finish(const RunSummary& summary);
+    [[nodiscard]] std::string finish(const RunSummary& summary, const DrawnSurface& bone_after = {});
 
 private:
     struct Impl;

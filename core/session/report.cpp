@@ -86,7 +86,7 @@ std::string facts_html(const RunSummary& summary) {
     if (summary.coupling_stiffness > 0.0)
         add("Coupling", sensible_number(summary.coupling_stiffness * 1e-3) + " N/mm at the device");
     add("Ticks", std::to_string(summary.ticks) + ", " + std::to_string(summary.late_ticks) + " late");
-    add("Hash", "<code>" + hex16(summary.hash) + "</code>");
+    add("Hash", summary.hash == 0 ? "" : "<code>" + hex16(summary.hash) + "</code>");
     return html + "</dl><p class=\"soft small\" style=\"margin:12px 0 0\">Forces are those of the bone, in newtons; the hand felt them "
                   "times the force scale.</p></section>\n";
 }
@@ -205,7 +205,7 @@ std::string footer_html(const RunSummary& summary) {
 }  // namespace
 
 std::string report_html(const RunSummary& summary, const std::vector<TickRow>& rows, const std::vector<EventRow>& events,
-                        const Mesh& bone_after) {
+                        const DrawnSurface& bone_after) {
     std::string html =
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"

@@ -26,11 +26,16 @@ void put(Bytes& bytes, std::uint32_t value, int size) {
     for (int i = 0; i < size; ++i) bytes.push_back(static_cast<unsigned char>(value >> (8 * i)));
 }
 
+/// A session keeps neither the sign of a zero nor the bits of a NaN, so the page has neither: it is the same made from a session.
+float plain(double value) {
+    return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value) + 0.0f;
+}
+
 template <class GetValue>
 std::string packed_floats(const std::vector<std::size_t>& drawn, GetValue get_value) {
     Bytes bytes;
     bytes.reserve(4 * drawn.size());
-    for (const std::size_t row : drawn) put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(get_value(row))), 4);
+    for (const std::size_t row : drawn) put(bytes, std::bit_cast<std::uint32_t>(plain(get_value(row))), 4);
     return base64(bytes);
 }
 
@@ -79,54 +84,21 @@ Vec3 direction_of_view(const std::vector<TickRow>& rows) {
                                           [](const TickRow& a, const TickRow& b) { return a.depth < b.depth; });
     const Vec3 from_the_front{0, -1, 0};
     if (deepest == rows.end() || !is_finite(deepest->world_from_tool)) return from_the_front;
-    const Vec3 back = -normalized(rotate(deepest->world_from_tool.rotation, {0, 0, 1}));
+    const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation, {0, 0, 1}));  // zeros without a sign, as above
     return length(back) > 0.5 ? back : from_the_front;
 }
 
-std::vector<Vec3> normals_of(const Mesh& mesh) {
-    if (mesh.normals.size() == mesh.vertices.size()) return mesh.normals;
-    std::vector<Vec3> normals(mesh.vertices.size(), Vec3{0, 0, 0});
-    for (const auto& [a, b, c] : mesh.triangles) {
-        if (std::max({a, b, c}) >= mesh.vertices.size()) continue;
-        const Vec3 twice_area = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
-        for (const std::uint32_t corner : {a, b, c}) normals[corner] = normals[corner] + twice_area;
-    }
-    for (Vec3& normal : normals) normal = normalized(normal);
-    return normals;
-}
-
-/// Positions as 16-bit steps from the middle of the box around them: 3 µm in a bone of 20 cm.
-Json mesh_json(const Mesh& mesh, Vec3 look) {
-    if (mesh.vertices.empty() || mesh.triangles.empty()) return nullptr;
-
-    Vec3 low = mesh.vertices.front(), high = low;
-    for (const Vec3 v : mesh.vertices) {
-        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    }
-    const Vec3 centre = 0.5 * (low + high), half = 0.5 * (high - low);
-    const double step = std::max({half.x, half.y, half.z, 1e-9}) / 32767.0;  // [m]
-
-    Bytes positions, normals, tissues, triangles;
-    const auto whole = [](double value) { return static_cast<std::uint32_t>(std::lround(value)); };
-    for (const Vec3 v : mesh.vertices)
-        for (const double offset : {v.x - centre.x, v.y - centre.y, v.z - centre.z, 0.0}) put(positions, whole(offset / step), 2);
-    for (const Vec3 n : normals_of(mesh))
-        for (const double part : {n.x, n.y, n.z, 0.0}) put(normals, whole(127.0 * std::clamp(part, -1.0, 1.0)), 1);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) tissues.push_back(i < mesh.tissue.size() ? mesh.tissue[i] : 0);
-    const bool is_short = mesh.vertices.size() <= 65'535;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        if (std::max({a, b, c}) >= mesh.vertices.size()) continue;
-        for (const std::uint32_t corner : {a, b, c}) put(triangles, corner, is_short ? 2 : 4);
-    }
-    return {{"unit", step * 1e3},
+Json mesh_json(const DrawnSurface& surface, Vec3 look) {
+    if (surface.is_empty()) return nullptr;
+    const Vec3 half = surface.half_size;
+    return {{"unit", surface.step * 1e3},
             {"halfSize", {half.x * 1e3, half.y * 1e3, half.z * 1e3}},
             {"look", {look.x, look.y, look.z}},
-            {"positions", base64(positions)},
-            {"normals", base64(normals)},
-            {"tissue", base64(tissues)},
-            {"isShort", is_short},
-            {"triangles", base64(triangles)}};
+            {"positions", base64(surface.positions)},
+            {"normals", base64(surface.normals)},
+            {"tissue", base64(surface.tissues)},
+            {"isShort", surface.is_short()},
+            {"triangles", base64(surface.triangles)}};
 }
 
 }  // namespace
@@ -247,7 +219,7 @@ std::string_view tissue_colour(std::size_t tissue) noexcept {
 }
 
 std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
-                             const std::vector<EventRow>& events, const Mesh& bone_after) {
+                             const std::vector<EventRow>& events, const DrawnSurface& bone_after) {
     Json tissues = Json::array();
     for (std::size_t i = 0; i < summary.tissues.size(); ++i)
         tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/session/drawn_surface.h"
 #include "core/session/recording.h"
 
 /// How numbers get into report.html.
@@ -41,7 +42,7 @@ namespace kerf {
 
 /// What the page's script reads, as JSON that is safe inside <script>.   [any]
 [[nodiscard]] std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
-                                           const std::vector<EventRow>& events, const Mesh& bone_after);
+                                           const std::vector<EventRow>& events, const DrawnSurface& bone_after);
 
 /// Thrust over depth as a picture that needs no script.   [any]
 [[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& rows);

@@ -131,6 +131,20 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"uncertainty", "REAL", "SI", "see display_unit", "", "half width; empty when not stated"},
           {"status", "TEXT", "", "", "", "ok, broken or info"},
           {"help", "TEXT", "", "", "", "meaning"}}},
+        {"reasons", {{"position", "INTEGER", "", "", "", "order in which they are told"}, {"reason", "TEXT", "", "", "", "of the verdict, for people"}}},
+        {"removed",
+         {{"position", "INTEGER", "", "", "", "as in ticks.tissue"},
+          {"tissue", "TEXT", "", "", "", "name of the tissue"},
+          {"volume", "REAL", "m^3", "volume", "", "removed of it"}}},
+        {"surface",
+         {{"step", "REAL", "m", "length", "", "one step of a position"},
+          {"half_x", "REAL", "m", "length", "world", "half the size of the box around it, along x"},
+          {"half_y", "REAL", "m", "length", "world", "half the size of the box around it, along y"},
+          {"half_z", "REAL", "m", "length", "world", "half the size of the box around it, along z"},
+          {"positions", "BLOB", "", "", "world", "of each vertex x, y, z and 0 in steps from the middle of the box, int16, little-endian"},
+          {"normals", "BLOB", "", "", "world", "of each vertex x, y, z and 0 in 127ths, int8"},
+          {"tissues", "BLOB", "", "", "", "of each vertex, as in ticks.tissue, uint8"},
+          {"triangles", "BLOB", "", "", "", "three vertices each: uint16 up to 65535 vertices, else uint32, little-endian"}}},
     };
 }
 

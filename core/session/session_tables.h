@@ -12,7 +12,7 @@ namespace kerf {
 /// One column of one table, as the file itself describes it in its table `columns`.
 struct TableColumn {
     std::string name;
-    std::string type;       ///< "INTEGER", "REAL" or "TEXT"
+    std::string type;       ///< "INTEGER", "REAL", "TEXT" or "BLOB"
     std::string unit;       ///< SI; empty for none
     std::string dimension;  ///< "force", "length" …; empty for none
     std::string frame;      ///< in which it is expressed; empty for none

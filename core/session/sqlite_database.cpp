@@ -68,6 +68,12 @@ SqliteStatement& SqliteStatement::operator<<(std::string_view text) {
     return *this;
 }
 
+SqliteStatement& SqliteStatement::operator<<(std::span<const unsigned char> bytes) {
+    if (statement_ != nullptr)
+        database_->check(sqlite3_bind_blob64(statement_, ++column_, bytes.data(), bytes.size(), SQLITE_STATIC));
+    return *this;
+}
+
 SqliteStatement& SqliteStatement::null() {
     if (statement_ != nullptr) database_->check(sqlite3_bind_null(statement_, ++column_));
     return *this;

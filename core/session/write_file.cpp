@@ -55,6 +55,14 @@ std::string OutputLock::take(const std::string& folder) {
     return {};
 }
 
+bool is_being_written(const std::string& folder) {
+    const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return false;
+    const bool is_taken = flock(opened, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    close(opened);
+    return is_taken;
+}
+
 std::string write_file(const std::string& path, std::string_view contents) {
     const fs::path target(path);
     fs::path temporary = target;

@@ -82,6 +82,14 @@ TEST(CommandLine, ReadsEveryOptionOfChart) {
     EXPECT_EQ(read({"chart", "--out", "p"}).out, "p");
 }
 
+TEST(CommandLine, ReportsOneSession) {
+    const CommandLine line = read({"report", "session.db", "--out", "r.html"});
+    ASSERT_EQ(line.answer, "");
+    EXPECT_EQ(line.source, "session.db");
+    EXPECT_EQ(line.out, "r.html");
+    EXPECT_NE(read({"report"}).answer.find("of which run? Write `kerf report SESSION.db`."), std::string::npos);
+}
+
 TEST(CommandLine, HelpMayStandBeforeOrAfterTheCommandAndBesideAnything) {
     for (const std::vector<const char*>& words :
          {std::vector<const char*>{"run", "--help"}, {"--help", "run"}, {"run", "p.yaml", "-h"}, {"help", "run"}}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing of whose a scan is goes into a file that Kerf writes; and `kerf privacy` sees what others have left in theirs.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <fstream>
 
 #include "app/privacy.h"
+#include "core/session/report_data.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
 
@@ -181,7 +183,7 @@ TEST_F(Privacy, TellsWhichElementsOfASliceSaySomethingAndNotWhat) {
     EXPECT_NE(text.find("patient's name (0010,0010): Q…"), std::string::npos) << text;
     EXPECT_NE(text.find("date of birth (0010,0030): 1… (8 characters)"), std::string::npos) << text;
     EXPECT_NE(text.find("3 private elements"), std::string::npos) << text;
-    EXPECT_NE(text.find("1 sequences were not looked into"), std::string::npos) << text;
+    EXPECT_NE(shown.find("patient's name (0010,0010), in a sequence: Qzx"), std::string::npos) << shown;
     for (const std::string& one : planted.strings) EXPECT_EQ(text.find(one), std::string::npos) << one;
     EXPECT_NE(shown.find("19610307"), std::string::npos);
 
@@ -216,6 +218,128 @@ TEST(PrivacyReport, SeesWhatOthersLeaveInFiles) {
     std::ofstream(folder / "some.txt") << "version 1.2.3 of 3.14159, 12345678, 2 ^ 3, x^2, http://www.w3.org/2000/svg, and/or, 20191399, f81d4fae-7dec-41d0-a765-00a0c91e6bf6";
     const PrivacyReport report = privacy_report(folder / "some.txt");
     EXPECT_TRUE(report.findings.empty()) << privacy_text("some.txt", report, true);
+}
+
+// ---- where nobody looks ------------------------------------------------------------------------------------------------
+
+/// An element as explicit little-endian files have it, of a sort with two bytes of length.
+std::string element(int group, int number, const std::string& sort, std::string value) {
+    if (value.size() % 2 != 0) value += ' ';
+    const auto two = [](std::size_t n) { return std::string{static_cast<char>(n & 0xff), static_cast<char>(n >> 8 & 0xff)}; };
+    return two(static_cast<std::size_t>(group)) + two(static_cast<std::size_t>(number)) + sort + two(value.size()) + value;
+}
+std::string bytes_of(std::uint32_t n) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(n >> (8 * i) & 0xff);
+    return bytes;
+}
+/// A sequence of one item, with lengths or with marks where they end.
+std::string sequence(int group, int number, const std::string& inside, bool has_length) {
+    const std::string tag{static_cast<char>(group & 0xff), static_cast<char>(group >> 8), static_cast<char>(number & 0xff), static_cast<char>(number >> 8)};
+    const std::string item("\xfe\xff\x00\xe0", 4), item_end("\xfe\xff\x0d\xe0\0\0\0\0", 8), end("\xfe\xff\xdd\xe0\0\0\0\0", 8);
+    const std::string all = has_length ? item + bytes_of(static_cast<std::uint32_t>(inside.size())) + inside : item + bytes_of(0xffffffffu) + inside + item_end + end;
+    return tag + std::string("SQ\0\0", 4) + bytes_of(has_length ? static_cast<std::uint32_t>(all.size()) : 0xffffffffu) + all;
+}
+
+std::vector<std::string> kinds_of(const PrivacyReport& report) {
+    std::vector<std::string> kinds;
+    for (const PrivacyFinding& f : report.findings) kinds.push_back(f.what + "=" + f.value);
+    return kinds;
+}
+bool has(const std::vector<std::string>& all, const std::string& one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+TEST(PrivacyReport, LooksIntoSequencesHoweverDeepAndHoweverTheyEnd) {
+    const TemporaryFolder folder;
+    for (const bool has_length : {true, false}) {
+        const std::string who = element(0x0010, 0x0010, "PN", "Doe^Jane"), study = element(0x0040, 0xa160, "LO", "seen at /home/jane/scans/1");
+        const std::string deep = sequence(0x0008, 0x1140, sequence(0x0040, 0xa730, who + study, has_length), has_length);
+        const std::string meta = element(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.1");
+        std::ofstream(folder / "a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM" + meta + deep + element(0x0010, 0x0020, "LO", "4711");
+        const PrivacyReport report = privacy_report(folder / "a.dcm");
+        const auto kinds = kinds_of(report);
+        EXPECT_TRUE(has(kinds, "patient's name (0010,0010), in a sequence=Doe^Jane")) << privacy_text("a.dcm", report, true);
+        EXPECT_TRUE(has(kinds, "a path, in a sequence=/home/jane/scans/1")) << privacy_text("a.dcm", report, true);
+        EXPECT_TRUE(has(kinds, "patient's number (0010,0020)=4711")) << privacy_text("a.dcm", report, true);
+        EXPECT_TRUE(report.unseen.empty()) << privacy_text("a.dcm", report, true);
+    }
+}
+
+TEST(PrivacyReport, ASequenceThatIsDamagedIsSaidAndTheRestIsSeen) {
+    const TemporaryFolder folder;
+    std::string deep = sequence(0x0008, 0x1140, element(0x0010, 0x0010, "PN", "Doe^Jane"), true);
+    deep.replace(deep.find("PN") + 2, 2, "\xff\x7f");  // longer than the file
+    std::ofstream(folder / "a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM" + element(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.1") + deep +
+                                                              element(0x0010, 0x0020, "LO", "4711");
+    const PrivacyReport report = privacy_report(folder / "a.dcm");
+    EXPECT_TRUE(has(kinds_of(report), "patient's number (0010,0020)=4711"));
+    ASSERT_EQ(report.unseen.size(), 1u);
+    EXPECT_TRUE(report.unseen[0].starts_with("A sequence is damaged")) << report.unseen[0];
+}
+
+/// Packed as gzip packs.
+std::string gzipped(const std::string& bytes) {
+    z_stream packer{};
+    if (deflateInit2(&packer, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK) std::abort();
+    std::string packed(deflateBound(&packer, bytes.size()) + 64, '\0');
+    packer.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    packer.avail_in = static_cast<unsigned>(bytes.size());
+    packer.next_out = reinterpret_cast<Bytef*>(packed.data());
+    packer.avail_out = static_cast<unsigned>(packed.size());
+    if (deflate(&packer, Z_FINISH) != Z_STREAM_END) std::abort();
+    packed.resize(packed.size() - packer.avail_out);
+    deflateEnd(&packer);
+    return packed;
+}
+
+/// Three megabytes that mean nothing, with a word in the middle.
+std::string voxels_with(const std::string& word) {
+    std::string bytes;
+    std::uint32_t state = 7;
+    for (int n = 0; n < 3'000'000; ++n) bytes += static_cast<char>((state = state * 1664525u + 1013904223u) >> 24);
+    const std::string framed = std::string(1, '\0') + word + std::string(1, '\0');
+    return bytes.replace(1'500'000, framed.size(), framed);
+}
+
+TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
+    const TemporaryFolder folder;
+    const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 100 100 150\nencoding: ", meta = "ObjectType = Image\nNDims = 3\nCompressedData = ";
+    for (const auto& [word, what] : {std::pair<std::string, std::string>{"by Doe^Jane, 4", "a person's name as DICOM writes it, among the voxels=Doe^Jane"},
+                                     {"/home/jane/scans/1", "a path, among the voxels=/home/jane/scans/1"},
+                                     {"", ""}}) {
+        const std::string voxels = voxels_with(word), nifti = std::string(352, '\0') + voxels;
+        for (const auto& [name, bytes] : {std::pair<const char*, std::string>{"a.nii", nifti},
+                                          {"a.nii.gz", gzipped(nifti)},
+                                          {"raw.nrrd", nrrd + "raw\n\n" + voxels},
+                                          {"gz.nrrd", nrrd + "gzip\n\n" + gzipped(voxels)},
+                                          {"raw.mha", meta + "False\nElementDataFile = LOCAL\n" + voxels},
+                                          {"gz.mha", meta + "True\nElementDataFile = LOCAL\n" + gzipped(voxels)}}) {
+            std::ofstream(folder / name, std::ios::binary) << bytes;
+            const PrivacyReport report = privacy_report(folder / name);
+            if (word.empty()) EXPECT_TRUE(report.findings.empty()) << privacy_text(name, report, true);
+            else EXPECT_EQ(kinds_of(report), std::vector<std::string>{what}) << name;
+        }
+    }
+}
+
+TEST(PrivacyReport, SaysWhichVoxelsWereNotSeen) {
+    const TemporaryFolder folder;
+    const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 1 1 1\nencoding: ";
+    std::string cut = gzipped(voxels_with(""));
+    cut.replace(cut.size() / 2, 1000, 1000, '\xff');
+    std::ofstream(folder / "a.nrrd", std::ios::binary) << nrrd + "gzip\n\n" + cut;
+    EXPECT_NE(privacy_text("a", privacy_report(folder / "a.nrrd"), false).find("damaged, and were not looked at to their end"), std::string::npos);
+    std::ofstream(folder / "b.nrrd", std::ios::binary) << nrrd + "bzip2\n\nBZh";
+    EXPECT_NE(privacy_text("b", privacy_report(folder / "b.nrrd"), false).find("in another way than gzip"), std::string::npos);
+}
+
+TEST(PrivacyReport, UnpacksWhatAPageHoldsAsBase64) {
+    const TemporaryFolder folder;
+    std::string bytes(600, '\x01');
+    for (std::size_t shift = 0; shift < 3; ++shift) {
+        const std::string planted = bytes.substr(0, 300 + shift) + "/home/jane/scans/1" + bytes;
+        std::ofstream(folder / "report.html") << "<script>{\"positions\":\"" << base64({reinterpret_cast<const unsigned char*>(planted.data()), planted.size()}) << "\"}</script>";
+        EXPECT_EQ(kinds_of(privacy_report(folder / "report.html")), std::vector<std::string>{"a path, in base64=/home/jane/scans/1"}) << shift;
+    }
 }
 
 TEST(PrivacyReport, ReadsTheTextsOfANiftiHeader) {

@@ -97,6 +97,32 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     }
 }
 
+TEST(Program, ReportsFromTheSessionAloneByteForByteAndIntoNoOtherFile) {
+    const TemporaryFolder folder, elsewhere;
+    ASSERT_EQ(kerf("run " + pedicle_screw + " --set 'accuracy.spacing=0.5 mm' --out " + (folder / "run")).exit_code, 0);
+    const std::string page = contents_of(folder / "run/report.html"), session = contents_of(folder / "run/session.db");
+
+    // Alone in a folder, seen from there, and read without the right to write
+    std::filesystem::copy_file(folder / "run/session.db", elsewhere / "session.db");
+    std::filesystem::permissions(elsewhere / "session.db", std::filesystem::perms(0444));
+    const Ended made = kerf("report session.db --out " + (folder / "new/again.html"), "cd " + elsewhere.path() + " &&");
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(made.err, "");
+    EXPECT_TRUE(contents_of(folder / "new/again.html") == page);
+    EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(elsewhere.path()), std::filesystem::directory_iterator()), 1);
+    const Ended replayed = kerf("run " + pedicle_screw + " --set 'accuracy.spacing=0.5 mm' --replay session.db --out " + (folder / "replay"), "cd " + elsewhere.path() + " &&");
+    EXPECT_TRUE(has(replayed.out, "replay: the same bits")) << replayed.out << replayed.err;
+    EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
+    EXPECT_EQ(kerf("report " + (elsewhere / "session.db")).exit_code, 0);
+    EXPECT_TRUE(contents_of(elsewhere / "report.html") == page);
+
+    // Never in place of a session, and of nothing else
+    for (const std::string& wrong : {(elsewhere / "session.db") + " --out " + (elsewhere / "session.db"), (elsewhere / "none.db"), pedicle_screw, std::string()})
+        EXPECT_EQ(kerf("report " + wrong).exit_code, 2) << wrong;
+    EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
+}
+
 /// A run in a process of its own, seen from the moment it has a session.
 pid_t started(const std::string& out, const std::string& log) {
     const pid_t child = fork();

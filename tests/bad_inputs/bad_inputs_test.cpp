@@ -19,7 +19,10 @@
 #include "core/import/make_body.h"
 #include "core/import/surface/read_surface.h"
 #include "core/procedure/read_anatomy.h"
+#include "core/session/read_run.h"
 #include "core/session/read_session.h"
+#include "core/session/recorder.h"
+#include "core/session/report.h"
 #include "tests/bad_inputs/guarded.h"
 #include "tests/bad_inputs/input.h"
 #include "tests/support/drill_rig.h"
@@ -203,6 +206,16 @@ Ending as_session(const Input& input, const std::string& folder) {
     return {"loaded", "", is_whole ? "" : "the ticks are not those that were recorded"};
 }
 
+Ending as_report(const Input& input, const std::string& folder) {
+    std::string error;
+    const auto run = read_run(folder + "/" + input.source, error);
+    if (!run) return {"refused", error, error.empty() ? "no word why" : ""};
+    const bool is_whole = run->ticks.size() == 200 && std::abs(run->ticks.back().device_from_handle.position.x - 0.0199) < 1e-12;
+    const std::string page = report_html(run->summary, run->ticks, run->events, run->bone_after);
+    if (page.find(notice_line) == std::string::npos) return {"loaded", "", "the page has no notice"};
+    return {run->missing.empty() ? "loaded" : "loaded as incomplete", run->missing, is_whole ? "" : "the ticks are not those that were recorded"};
+}
+
 std::string carried_out(const Input& input, const std::string& folder) {
     Ending ending;
     switch (input.way) {
@@ -211,6 +224,7 @@ std::string carried_out(const Input& input, const std::string& folder) {
         case Way::markups: ending = as_markups(input, folder); break;
         case Way::document: ending = as_document(input, folder); break;
         case Way::session: ending = as_session(input, folder); break;
+        case Way::report: ending = as_report(input, folder); break;
     }
     return ending.codes + '\0' + ending.wrong + '\0' + ending.told;
 }

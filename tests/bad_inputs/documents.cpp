@@ -204,7 +204,7 @@ std::vector<Input> session_inputs() {
              out.seekp(static_cast<std::streamoff>(quarter));
              out << std::string(2 * quarter, '\xa5');
          }), "refused", "session.db"},
-        {"session, another schema", Way::session, "session.db", session_after("PRAGMA user_version=9"), "refused", "schema 9, need 1"},
+        {"session, another schema", Way::session, "session.db", session_after("PRAGMA user_version=9"), "refused", "schema 9, need 2"},
         {"session, a tick missing", Way::session, "session.db", session_after("DELETE FROM ticks WHERE tick=77"), "refused", "tick 77 is missing"},
         {"session, no ticks", Way::session, "session.db", session_after("DELETE FROM ticks"), "refused", "no ticks"},
         {"session, no table of ticks", Way::session, "session.db", session_after("DROP TABLE ticks"), "refused", "no ticks"},
@@ -215,6 +215,28 @@ std::vector<Input> session_inputs() {
                        "SELECT i AS tick, 0.0 AS device_from_handle_x, 0.0 AS device_from_handle_y, 0.0 AS device_from_handle_z, 1.0 AS "
                        "device_from_handle_qw, 0.0 AS device_from_handle_qx, 0.0 AS device_from_handle_qy, 0.0 AS device_from_handle_qz FROM n"),
          "refused", "session.db"},
+        {"report, sound", Way::report, "session.db", session([](const std::string&) {}), "loaded", ""},
+        {"report, of a run cut short", Way::report, "session.db", [](const std::string& folder) { record(folder + "/session.db", false); }, "loaded as incomplete", "cut short"},
+        {"report, session cut to half", Way::report, "session.db", cut_to(0.5), "refused", "session.db"},
+        {"report, session empty", Way::report, "session.db", file("session.db", ""), "refused", "not a Kerf session"},
+        {"report, session missing", Way::report, "session.db", [](const std::string&) {}, "refused", "cannot be opened"},
+        {"report, of an older schema", Way::report, "session.db", session_after("PRAGMA user_version=1"), "refused", "schema 1, need 2"},
+        {"report, no table of events", Way::report, "session.db", session_after("DROP TABLE events"), "refused", "`events` cannot be read"},
+        {"report, text in place of a number", Way::report, "session.db", session_after("UPDATE ticks SET torque='a' WHERE tick=9"), "refused", "`ticks`"},
+        {"report, a number in place of every text", Way::report, "session.db", session_after("UPDATE session SET value=7 WHERE key LIKE 'run.%'; UPDATE session SET value='x' WHERE key LIKE 'result.%'"), "loaded", ""},
+        {"report, numbers at infinity", Way::report, "session.db", session_after("UPDATE ticks SET thrust=9e999, depth=-9e999, time=1e300, tissue=9223372036854775807"), "loaded", ""},
+        {"report, numbers of the greatest size", Way::report, "session.db", session_after("UPDATE ticks SET thrust=1e308 * (1 - 2 * (tick % 2)), depth=thrust, time=thrust"), "loaded", ""},
+        {"report, a surface without vertices", Way::report, "session.db",
+         session_after("INSERT INTO surface VALUES(1e-6, 1, 1, 1, x'', x'', x'', x'000000000000')"), "refused", "triangles without vertices"},
+        {"report, a surface of the wrong length", Way::report, "session.db",
+         session_after("INSERT INTO surface VALUES(1e-6, 1, 1, 1, x'0000000000000000', x'00000000', x'00', x'0000')"), "refused", "triangles without vertices"},
+        {"report, two hundred texts for one", Way::report, "session.db",
+         session_after("WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i+1 FROM n WHERE i<200) INSERT INTO events SELECT i, 0.0, 'x', printf('%.90000c', 'x') FROM n"),
+         "loaded", ""},
+        {"report, events that are a view without end", Way::report, "session.db",
+         session_after("DROP TABLE events; CREATE VIEW events AS WITH RECURSIVE n(tick) AS (SELECT 0 UNION ALL SELECT tick+1 FROM n) "
+                       "SELECT tick, 0.0 AS time, 'x' AS id, 'x' AS detail FROM n"),
+         "refused", "computes its table `events`"},
     };
 }
 

@@ -8,13 +8,14 @@
 /// Files as people really have them, damaged or odd, and how each must end.
 namespace kerf::test {
 
-/// What is asked of an input: the same as by a person with `kerf import`, `kerf run` or `kerf run --replay`.
+/// What is asked of an input: the same as by a person with `kerf import`, `kerf run`, `kerf run --replay` or `kerf report`.
 enum class Way {
     scan,       ///< imported and written anew; and bone made of it by an anatomy
     surface,    ///< the same
     markups,    ///< an anatomy with these landmarks is checked with a procedure
     document,   ///< a procedure, or an anatomy with a procedure, is checked
     session,    ///< read for a replay
+    report,     ///< read for its page
 };
 
 struct Input {

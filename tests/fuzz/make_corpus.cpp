@@ -415,6 +415,39 @@ std::string endless(std::string database) {
     return database;
 }
 
+/// A whole session as the recorder writes it, of two ticks and a triangle, in the same small pages.
+std::string recorded_session(const std::string& sql) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    SessionHeader header;
+    header.procedure = "hole";
+    header.signals = {{"chip", "uncut chip", "um", 1e-6}};
+    header.tissues = {"bone"};
+    auto recorder = Recorder::create(path, header).recorder;
+    for (std::uint64_t tick = 0; tick < 2; ++tick) {
+        TickRow row;
+        row.tick = tick;
+        row.thrust = 1.5;
+        recorder->push(row);
+    }
+    recorder->push_event({1, 0.001, "entry", "first bone met"});
+    RunSummary summary;
+    summary.reasons = {"too deep"};
+    summary.steps = {{"hole", "A hole", true, 0.0, 0.001, {"depth"}}};
+    summary.metrics = {{"hole.depth", 1, "hole", 1, 1, 0.01, "mm", 1e-3, 1e-4, "ok", "depth"}};
+    summary.removed_by_tissue = {{"bone", 1e-9}};
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    if (!recorder->finish(summary, drawn_surface(mesh)).empty()) std::abort();
+    sqlite3* open = nullptr;
+    sqlite3_open(path.c_str(), &open);
+    // What only describes the file would be most of it
+    if (sqlite3_exec(open, ("DELETE FROM columns;" + sql + "PRAGMA page_size=512; VACUUM").c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) std::abort();
+    sqlite3_close(open);
+    return test::contents_of(path);
+}
+
 void write_sessions() {
     const std::string poses =
         "device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
@@ -436,6 +469,8 @@ void write_sessions() {
           database(ticks + rows(2) + "UPDATE session SET value=printf('%.3000c','x') WHERE key='procedure_text'"));
     write("session", "good-sorted",
           database(keys + "CREATE TABLE ticks(tick INTEGER PRIMARY KEY, " + poses + ") WITHOUT ROWID;" + rows(20)));
+    write("session", "good-recorded", recorded_session(""));
+    write("session", "good-without-result", recorded_session("DELETE FROM session WHERE key LIKE 'result.%'; DELETE FROM surface;"));
     write("session", "bad-endless-pages", endless(database(ticks + rows(2))));
     write("session", "bad-gap", database(ticks + rows(5) + "DELETE FROM ticks WHERE tick=2"));
     write("session", "bad-no-tables", database("CREATE TABLE x(y)"));

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include "core/session/read_run.h"
 #include "core/session/read_session.h"
+#include "core/session/report.h"
 #include "tests/fuzz/scratch_file.h"
 
 bool kerf::fuzz::reads(std::string_view input) {
     static const ScratchFolder folder;
     std::string error;
-    const auto inputs = read_session(folder.hold("session.db", input), error);
+    const std::string path = folder.hold("session.db", input);
+    const auto run = read_run(path, error);
+    require(run.has_value() == error.empty(), "a run comes, or else an error");
+    if (run) require(!report_html(run->summary, run->ticks, run->events, run->bone_after).empty(), "a run has a page");
+    const auto inputs = read_session(path, error);
     require(inputs.has_value() == error.empty(), "inputs come, or else an error");
-    if (!inputs) return false;
+    if (!inputs) return run.has_value();
     require(!inputs->device_from_handle.empty(), "a session has ticks");
     for (const Pose& pose : inputs->device_from_handle) require(is_finite(pose.position), "the hand was somewhere");
     return true;

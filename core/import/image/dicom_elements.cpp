@@ -123,7 +123,7 @@ struct Found {
 /// Elements up to the voxels and over them, or up to the mark of an item's or a sequence's end.
 class Walk {
 public:
-    Walk(Bytes& bytes, Found found) : bytes_(bytes), found_(found) {}
+    Walk(Bytes& bytes, Found found, const NestedDicomElement& nested) : bytes_(bytes), found_(found), nested_(nested) {}
 
     void dataset(Encoding encoding) {
         std::uint32_t last = 0;
@@ -133,8 +133,10 @@ public:
             last = e.tag;
             if (e.tag == pixel_data) return voxels(e, encoding);
             if ((e.tag >> 16) % 2 != 0) ++found_.file.private_elements;
-            if (e.is_sequence || e.length == undefined) ++found_.file.sequences;
-            if (e.length <= most_kept) found_.values[e.tag] = bytes_.keep(e.length);
+            const bool is_sequence = e.is_sequence || e.length == undefined || (nested_ && begins_with_item(e, encoding));
+            if (is_sequence) ++found_.file.sequences;
+            if (is_sequence && nested_) look_into(e, encoding, 0);
+            else if (e.length <= most_kept) found_.values[e.tag] = bytes_.keep(e.length);
             else skip(e, encoding, 0);
         }
     }
@@ -162,6 +164,46 @@ private:
         }
     }
 
+    /// Implicit elements do not say that they are sequences; neither do those of sort UN.
+    [[nodiscard]] bool begins_with_item(const Element& e, Encoding encoding) {
+        if ((encoding.is_explicit && !e.is_unknown) || e.length < 8 || e.length > bytes_.left()) return false;
+        const bool is_big = encoding.is_big && !e.is_unknown;
+        const auto head = bytes_.peek<4>();
+        return (bits(head.data(), 2, is_big) << 16 | bits(head.data() + 2, 2, is_big)) == item;
+    }
+
+    /// Tells what a sequence holds. Who skips it would not see where it is wrong.
+    void look_into(const Element& e, Encoding encoding, int depth) {
+        if (depth >= most_nested) throw Fault{"its sequences are nested more than 16 deep"};
+        if (e.is_unknown) encoding = {.is_big = false, .is_explicit = false};
+        const auto end_of = [&](const Element& one) {
+            if (one.length == undefined) return bytes_.at() + bytes_.left();
+            if (one.length > bytes_.left()) throw Fault{"a sequence goes on beyond the file"};
+            return bytes_.at() + one.length;
+        };
+        const std::uint64_t end = end_of(e);
+        while (bytes_.at() < end) {
+            const Element one = counted(encoding);
+            if (one.tag == sequence_end) return;
+            if (one.tag != item) throw Fault{"a sequence holds something that is no item"};
+            const std::uint64_t end_of_item = std::min(end, end_of(one));
+            while (bytes_.at() < end_of_item) {
+                const Element inner = counted(encoding);
+                if (inner.tag == item_end) break;
+                const bool is_voxels = inner.tag == pixel_data;  // of an icon: fragments are no items with elements
+                if (!is_voxels && (inner.is_sequence || inner.length == undefined || begins_with_item(inner, encoding))) {
+                    look_into(inner, encoding, depth + 1);
+                } else if (is_voxels || inner.length > most_kept) {
+                    skip(inner, encoding, depth + 1);
+                    nested_(inner.tag, nullptr);
+                } else {
+                    const std::string value = bytes_.keep(inner.length);
+                    nested_(inner.tag, &value);
+                }
+            }
+        }
+    }
+
     void voxels(const Element& e, Encoding encoding) {
         DicomElements& file = found_.file;
         file.has_voxels = true;
@@ -180,6 +222,7 @@ private:
 
     Bytes& bytes_;
     Found found_;
+    const NestedDicomElement& nested_;
     int elements_ = 0;
 };
 
@@ -205,7 +248,7 @@ std::string transfer_syntax_of(Bytes& bytes) {
 
 }  // namespace
 
-DicomElements read_dicom_elements(const std::string& file) {
+DicomElements read_dicom_elements(const std::string& file, const NestedDicomElement& nested) {
     DicomElements elements;
     try {
         Bytes bytes(file);
@@ -222,7 +265,7 @@ DicomElements read_dicom_elements(const std::string& file) {
             return elements;
         }
         elements.is_big_endian = elements.encoding == big;
-        Walk(bytes, {elements.values_, elements})
+        Walk(bytes, {elements.values_, elements}, nested)
             .dataset({.is_big = elements.is_big_endian, .is_explicit = elements.encoding != implicit});
     } catch (const Fault& fault) {
         elements.fault = fault.what;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,7 +26,7 @@ public:
     bool is_encapsulated = false;  ///< they are compressed, in pieces of which the first is a table
     std::vector<Piece> voxels;     ///< one, or all fragments
     std::size_t private_elements = 0;  ///< of manufacturers: nobody else knows what they hold
-    std::size_t sequences = 0;         ///< elements with elements in them, which are passed over
+    std::size_t sequences = 0;         ///< elements with elements in them, which are passed over unless somebody asks for them
 
     /// Without the blanks around it; empty if it is not there.
     [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;
@@ -40,12 +41,16 @@ public:
     [[nodiscard]] std::optional<int> word(std::uint16_t group, std::uint16_t element, bool is_signed = false) const;
 
 private:
-    friend DicomElements read_dicom_elements(const std::string& file);
+    friend DicomElements read_dicom_elements(const std::string& file, const std::function<void(std::uint32_t, const std::string*)>& nested);
     std::map<std::uint32_t, std::string> values_;
 };
 
+/// What is to be done with an element within a sequence: its group and number, and its bytes; none if they are too many to be a text.
+using NestedDicomElement = std::function<void(std::uint32_t tag, const std::string* value)>;
+
 /// Walks from element to element, up to the pixel data and over them. A length that goes beyond the file or its
 /// own sequence is a fault: whoever believed it would take memory for bytes that are not there. Never throws.   [main]
-[[nodiscard]] DicomElements read_dicom_elements(const std::string& file);
+/// @param nested   told of every element within a sequence, 16 deep at most; empty: sequences are passed over
+[[nodiscard]] DicomElements read_dicom_elements(const std::string& file, const NestedDicomElement& nested = {});
 
 }  // namespace kerf

@@ -165,15 +165,6 @@ void check_places(const DicomSeries& series, bool may_resample) {
                                    "`ct.resample: true` or `--allow-resample`."};
 }
 
-void warn(Diagnostics& diagnostics, const std::string& folder, const char* code, std::string message) {
-    Diagnostic d;
-    d.level = Diagnostic::Level::warning;
-    d.code = code;
-    d.place.file = folder;
-    d.message = std::move(message);
-    diagnostics.push_back(std::move(d));
-}
-
 void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& diagnostics) {
     const StackShape& shape = series.shape;
     const DicomSlice& first = series.slices.front();
@@ -183,7 +174,7 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                            millimetres(first.between_columns) + " × " + millimetres(first.between_rows) + " mm, " +
                            millimetres(shape.distance) + " mm apart, sorted along their normal.");
     const auto tell = [&](const char* code, const std::string& message) {
-        warn(diagnostics, folder, code, message);
+        diagnostics.push_back(warning_about(folder, code, message));
         series.notes.push_back(message);
     };
     if (shape.is_tilted())
@@ -271,11 +262,7 @@ std::optional<DicomSeries> series_of(const std::vector<DicomHeader>& headers, co
     try {
         return judged(headers, choice, folder, diagnostics);
     } catch (const Refusal& refusal) {
-        Diagnostic wrong;
-        wrong.code = refusal.code;
-        wrong.place.file = folder;
-        wrong.message = refusal.message;
-        diagnostics.push_back(std::move(wrong));
+        diagnostics.push_back(error_about(folder, refusal.code, refusal.message));
     }
     return std::nullopt;
 }

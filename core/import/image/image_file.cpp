@@ -598,7 +598,7 @@ ImageFile checked(const std::string& file) {
         image = check_meta(file);
     else
         refuse("E0621", "the file's ending names no format that can be read.",
-               "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd).");
+               "Use NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd); for a surface STL, OBJ or PLY.");
     check_bytes(image);
     return image;
 }
@@ -606,18 +606,13 @@ ImageFile checked(const std::string& file) {
 }  // namespace
 
 std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& diagnostics) {
-    Diagnostic wrong;
-    wrong.place.file = file;
     try {
         return checked(file);
     } catch (const Refusal& refusal) {
-        wrong.code = refusal.code;
-        wrong.message = refusal.message + " " + refusal.advice;
+        diagnostics.push_back(error_about(file, refusal.code, refusal.message + " " + refusal.advice));
     } catch (const std::exception& error) {  // no memory, or a name that is no path
-        wrong.code = "E0620";
-        wrong.message = std::string("the file cannot be checked: ") + error.what() + ".";
+        diagnostics.push_back(error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + "."));
     }
-    diagnostics.push_back(std::move(wrong));
     return std::nullopt;
 }
 

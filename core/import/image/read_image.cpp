@@ -24,11 +24,7 @@ struct Refusal {
 };
 
 Diagnostic refused(const std::string& file, const char* code, std::string message) {
-    Diagnostic wrong;
-    wrong.code = code;
-    wrong.place.file = file;
-    wrong.message = std::move(message) + " Export the image again, for example as .nii.gz.";
-    return wrong;
+    return error_about(file, code, std::move(message) + " Export the image again, for example as .nii.gz.");
 }
 
 /// One layer's numbers out of `bytes`, `count` voxels of `layers` numbers each.

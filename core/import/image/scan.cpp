@@ -16,16 +16,6 @@ namespace {
 constexpr std::size_t most_files = 20'000;  // of a folder
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-void complain(Diagnostics& diagnostics, Diagnostic::Level level, const char* code, const std::string& file,
-              std::string message) {
-    Diagnostic d;
-    d.level = level;
-    d.code = code;
-    d.place.file = file;
-    d.message = std::move(message);
-    diagnostics.push_back(std::move(d));
-}
-
 /// All files in a folder and below it, sorted, without following links out of it. Hidden ones are left out.
 std::optional<std::vector<std::string>> files_in(const std::string& folder, Diagnostics& diagnostics) {
     namespace fs = std::filesystem;
@@ -41,14 +31,14 @@ std::optional<std::vector<std::string>> files_in(const std::string& folder, Diag
         }
         if (!at->is_symlink(ignored) && at->is_regular_file(ignored)) files.push_back(at->path().string());
         if (files.size() > most_files) {
-            complain(diagnostics, Diagnostic::Level::error, "E0670", folder,
-                     "the folder holds more than 20000 files. Name the folder of one series.");
+            diagnostics.push_back(error_about(folder, "E0670",
+                     "the folder holds more than 20000 files. Name the folder of one series."));
             return std::nullopt;
         }
     }
     if (error) {
-        complain(diagnostics, Diagnostic::Level::error, "E0670", folder,
-                 "the folder cannot be read. Check its permissions.");
+        diagnostics.push_back(error_about(folder, "E0670",
+                 "the folder cannot be read. Check its permissions."));
         return std::nullopt;
     }
     std::sort(files.begin(), files.end());
@@ -136,8 +126,8 @@ std::optional<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid
     };
     VoxelImage image = straightened(series.stack, series.shape, grid, range, read);
     if (image.values.empty()) {
-        complain(diagnostics, Diagnostic::Level::error, "E0674", source,
-                 "a slice cannot be read: " + trouble + ". Export the series again, without compression.");
+        diagnostics.push_back(error_about(source, "E0674",
+                 "a slice cannot be read: " + trouble + ". Export the series again, without compression."));
         return std::nullopt;
     }
     return image;
@@ -196,37 +186,38 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
         return scan;
     }
     if (read_dicom_elements(path).is_dicom) {
-        complain(diagnostics, Diagnostic::Level::error, "E0669", path,
-                 "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them.");
+        diagnostics.push_back(error_about(path, "E0669",
+                 "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them."));
         return std::nullopt;
     }
     scan.file_ = check_image_file(path, diagnostics);
     if (!scan.file_) return std::nullopt;
     scan.segments_ = scan.file_->segments;
     scan.grid_ = placed(*scan.file_);
-    scan.notes_.push_back(std::string(name_of(scan.file_->format)) + ": " + size_text(scan.grid_) + ".");
+    const std::string sort = scan.segments_.empty() ? "" : ", a segmentation: labels, no values";
+    scan.notes_.push_back(std::string(name_of(scan.file_->format)) + sort + ": " + size_text(scan.grid_) + ".");
     for (const std::string& doubt : scan.file_->doubts) {
-        complain(diagnostics, Diagnostic::Level::warning, "W0673", path, doubt);
+        diagnostics.push_back(warning_about(path, "W0673", doubt));
         scan.notes_.push_back(doubt);
     }
     if (!scan.grid_.is_sheared()) return scan;
 
     const auto order = slices_of(scan.grid_);
     if (!order) {
-        complain(diagnostics, Diagnostic::Level::error, "E0632", path,
-                 "no two of the image's axes are at right angles. Resample the image onto a straight grid.");
+        diagnostics.push_back(error_about(path, "E0632",
+                 "no two of the image's axes are at right angles. Resample the image onto a straight grid."));
         return std::nullopt;
     }
     const StackOfImage of = stack_of(scan.grid_, *order);
     const StackShape shape = shape_of(of.stack);
     const std::string sheared = "The image is sheared by " + rounded(shape.tilt / degree, 1) +
                                 " deg, as after a tilted gantry. It was put straight by resampling.";
-    complain(diagnostics, Diagnostic::Level::warning, "W0671", path, sheared);
+    diagnostics.push_back(warning_about(path, "W0671", sheared));
     scan.notes_.push_back(sheared);
     scan.grid_ = straight_grid(of.stack, shape);
     if (scan.grid_.size[0] == 0) {
-        complain(diagnostics, Diagnostic::Level::error, "E0669", path,
-                 "put straight, the volume has more than 512 million voxels. Crop the image.");
+        diagnostics.push_back(error_about(path, "E0669",
+                 "put straight, the volume has more than 512 million voxels. Crop the image."));
         return std::nullopt;
     }
     return scan;

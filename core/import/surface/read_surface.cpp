@@ -21,11 +21,7 @@ bool ends_in(const std::string& name, std::string_view ending) {
 
 std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& diagnostics) {
     const auto refuse = [&](const SurfaceError& error) {
-        Diagnostic wrong;
-        wrong.code = error.code;
-        wrong.place.file = file;
-        wrong.message = error.message + " " + error.advice;
-        diagnostics.push_back(std::move(wrong));
+        diagnostics.push_back(error_about(file, error.code, error.message + " " + error.advice));
         return std::nullopt;
     };
     const bool is_stl = ends_in(file, ".stl"), is_obj = ends_in(file, ".obj"), is_ply = ends_in(file, ".ply");

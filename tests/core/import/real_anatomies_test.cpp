@@ -33,7 +33,7 @@ TEST_P(RealAnatomy, BecomesABoneWithItsLandmarksWhereTheySay) {
     ASSERT_TRUE(body) << to_text(diagnostics);
     EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
     for (const LandmarkAxis& axis : anatomy->axes) {
-        check_axis(axis, axis_in_bone(*body, axis), anatomy->file, diagnostics);
+        check_axis(*anatomy, axis, axis_in_bone(*body, axis), diagnostics);
         EXPECT_FALSE(has_error(diagnostics)) << to_text(diagnostics);
     }
 }

@@ -120,7 +120,7 @@ TEST(Recorder, ASessionDescribesItself) {
     new_recorder(path).reset();
 
     EXPECT_EQ(ask(path, "PRAGMA application_id"), std::to_string(0x4b455246));
-    EXPECT_EQ(ask(path, "PRAGMA user_version"), "1");
+    EXPECT_EQ(ask(path, "PRAGMA user_version"), std::to_string(session_schema_version));
     EXPECT_EQ(ask(path, "SELECT text FROM notice"),
               "For training and research; not for diagnosis, planning or deciding treatment");
     EXPECT_EQ(ask(path,

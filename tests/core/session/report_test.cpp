@@ -18,7 +18,7 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string synthetic_report() {
-    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), test::synthetic_bone(16));
+    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -118,7 +118,7 @@ TEST(Report, AHostileNameStaysText) {
 }
 
 TEST(Report, TheDataInItIsJsonWithAllRows) {
-    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), test::synthetic_bone(16));
+    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
     const auto data = nlohmann::json::parse(json);
     EXPECT_EQ(data["rows"]["count"], 14'000);
     EXPECT_EQ(data["rows"]["time"].get<std::string>().size(), (14'000u * 4 + 2) / 3 * 4);
@@ -154,8 +154,8 @@ TEST(Report, ARunOfNothingStillHasAPage) {
 TEST(Report, AMeshWithNumbersOutOfRangeDoesNotHarm) {
     Mesh mesh = test::synthetic_bone(4);
     mesh.triangles.push_back({0, 1, 99'999});
-    const auto data = nlohmann::json::parse(report_data_json({}, {}, {}, mesh));
-    const auto whole = nlohmann::json::parse(report_data_json({}, {}, {}, test::synthetic_bone(4)));
+    const auto data = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(mesh)));
+    const auto whole = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(test::synthetic_bone(4))));
     EXPECT_EQ(data["mesh"], whole["mesh"]);
 }
 

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/read_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "core/procedure/plain_numbers.h"
+#include "core/session/session_file.h"
+#include "core/session/session_tables.h"
+
+namespace kerf {
+
+namespace {
+
+/// Reads one session's tables; the first that is not as a run writes it is the error.
+class Reading {
+public:
+    Reading(const std::string& path, SessionFile& file) : path_(path), file_(file), bytes_left_(file.bytes()) {}
+
+    std::optional<RecordedRun> run(std::string& error) {
+        read_keys();
+        read_lists();
+        read_result();
+        read_ticks();
+        read_surface();
+        complete();
+        error = error_;
+        return error.empty() ? std::optional(std::move(run_)) : std::nullopt;
+    }
+
+private:
+    void fail(const std::string& what) {
+        if (error_.empty()) error_ = path_ + ": " + what + ", so the file is damaged. Name a session.db that a run has written.";
+    }
+
+    /// A text. Rows that share their bytes could hold more text than the file has; a run's never do.
+    std::string text(const SessionQuery& query, int column) {
+        std::string value = query.text(column);
+        if (value.size() > bytes_left_) {
+            fail("holds more text than it has bytes");
+            return {};
+        }
+        bytes_left_ -= value.size();
+        return value;
+    }
+    /// A number; NaN where there is none, as SQLite keeps it.
+    double number(const SessionQuery& query, int column, const char* table) {
+        if (query.is_number(column)) return query.number(column);
+        if (!query.is_null(column)) fail(std::string("its table `") + table + "` has something else than a number");
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    static int small(const SessionQuery& query, int column) {
+        constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+        return static_cast<int>(std::clamp(query.integer(column), -most, most));
+    }
+
+    template <class Take>
+    void each(const char* table, const std::string& columns, const char* order, Take take) {
+        SessionQuery query(file_.handle(), "SELECT " + columns + " FROM " + table + " ORDER BY " + order);
+        while (error_.empty() && query.next()) take(query);
+        if (query.has_failed()) fail(std::string("its table `") + table + "` cannot be read");
+    }
+
+    void read_keys();
+    void read_lists();
+    void read_result();
+    void read_ticks();
+    void read_surface();
+    void complete();
+
+    [[nodiscard]] std::string key(const std::string& name) const {
+        const auto found = keys_.find(name);
+        return found != keys_.end() ? found->second : std::string();
+    }
+    [[nodiscard]] double number_of(const std::string& name) const {
+        const PlainNumbers point;
+        const std::string value = key(name);
+        return value.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(value.c_str(), nullptr);
+    }
+    [[nodiscard]] std::uint64_t count_of(const std::string& name) const { return std::strtoull(key(name).c_str(), nullptr, 10); }
+
+    const std::string& path_;
+    SessionFile& file_;
+    std::uint64_t bytes_left_;
+    std::map<std::string, std::string> keys_;
+    RecordedRun run_;
+    std::string error_;
+};
+
+void Reading::read_keys() {
+    constexpr std::string_view version = "version.";
+    each("session", "key, value", "rowid", [&](const SessionQuery& row) {
+        std::string name = text(row, 0), value = text(row, 1);
+        if (name.compare(0, version.size(), version) == 0) run_.summary.versions.emplace_back(name.substr(version.size()), value);
+        keys_[std::move(name)] = std::move(value);
+    });
+    RunSummary& summary = run_.summary;
+    summary.procedure = key("run.procedure");
+    summary.procedure_version = key("run.procedure_version");
+    summary.anatomy = key("run.anatomy");
+    summary.rehearsal = key("run.rehearsal");
+    summary.hand = key("run.hand");
+    summary.device = key("condition.device");
+    summary.variant = key("condition.variant");
+    summary.force_scale = number_of("condition.force_scale");
+    summary.coupling_stiffness = number_of("condition.coupling_stiffness");
+}
+
+void Reading::read_lists() {
+    each("tissues", "id", "position", [&](const SessionQuery& row) { run_.summary.tissues.push_back(text(row, 0)); });
+    each("signals", "id, help, display_unit, per_unit", "position", [&](const SessionQuery& row) {
+        run_.summary.signals.push_back({text(row, 0), text(row, 1), text(row, 2), number(row, 3, "signals")});
+    });
+    if (run_.summary.signals.size() > KERF_MAX_SIGNALS) fail("has more than " + std::to_string(KERF_MAX_SIGNALS) + " signals");
+    each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
+        run_.events.push_back({static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
+    });
+}
+
+/// What was judged when the run had ended.
+void Reading::read_result() {
+    RunSummary& summary = run_.summary;
+    summary.score = number_of("result.score");
+    summary.duration = number_of("result.duration");
+    summary.ticks = count_of("result.ticks");
+    summary.late_ticks = count_of("result.late_ticks");
+    summary.removed = number_of("result.removed");
+    summary.hash = std::strtoull(key("hash").c_str(), nullptr, 16);
+    for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::incomplete, Verdict::invalid})
+        if (key("result.verdict") == to_text(verdict)) summary.verdict = verdict;
+    each("reasons", "reason", "position", [&](const SessionQuery& row) { summary.reasons.push_back(text(row, 0)); });
+    each("removed", "tissue, volume", "position", [&](const SessionQuery& row) {
+        summary.removed_by_tissue.emplace_back(text(row, 0), number(row, 1, "removed"));
+    });
+    each("steps", "id, title, done, start, steps.\"end\", broken_limits", "position", [&](const SessionQuery& row) {
+        StepRow step{text(row, 0), text(row, 1), row.integer(2) != 0, number(row, 3, "steps"), number(row, 4, "steps"), {}};
+        const std::string limits = text(row, 5);
+        for (std::size_t from = 0; from < limits.size();) {
+            const std::size_t end = std::min(limits.find('\n', from), limits.size());
+            step.broken_limits.push_back(limits.substr(from, end - from));
+            from = end + 1;
+        }
+        summary.steps.push_back(std::move(step));
+    });
+    each("metrics", "id, revision, scope, occurrence, occurrences, value, display_unit, per_unit, uncertainty, status, help", "rowid",
+         [&](const SessionQuery& row) {
+             MetricRow metric;
+             metric.id = text(row, 0);
+             metric.revision = small(row, 1);
+             metric.scope = text(row, 2);
+             metric.occurrence = small(row, 3);
+             metric.occurrences = small(row, 4);
+             metric.value = number(row, 5, "metrics");
+             metric.unit = text(row, 6);
+             metric.per_unit = number(row, 7, "metrics");
+             metric.uncertainty = row.is_null(8) ? -1.0 : number(row, 8, "metrics");
+             metric.status = text(row, 9);
+             metric.help = text(row, 10);
+             summary.metrics.push_back(std::move(metric));
+         });
+}
+
+void Reading::read_ticks() {
+    const auto tables = session_tables(run_.summary.signals);
+    const auto& ticks = *std::find_if(tables.begin(), tables.end(), [](const Table& table) { return table.name == "ticks"; });
+    std::string columns;  // with the table's name: without it, SQLite takes a quoted name that it does not know for a text
+    for (const TableColumn& column : ticks.columns) columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
+
+    each("ticks", columns, "tick", [&](const SessionQuery& query) {
+        int column = 0;
+        const auto next = [&] { return number(query, column++, "ticks"); };
+        const auto vector = [&] {
+            const double x = next(), y = next(), z = next();
+            return Vec3{x, y, z};
+        };
+        const auto pose = [&] {
+            const Vec3 position = vector();
+            const double w = next(), x = next(), y = next(), z = next();
+            return Pose{position, {w, x, y, z}};
+        };
+        const auto wrench = [&](Vec6& all) {
+            for (double& component : all) component = next();
+        };
+        TickRow row;
+        row.tick = static_cast<std::uint64_t>(query.integer(column++));
+        row.time = next();
+        row.step = small(query, column++);
+        row.device_from_handle = pose();
+        row.world_from_tool = pose();
+        wrench(row.modelled);
+        wrench(row.coupled);
+        wrench(row.limited);
+        wrench(row.commanded);
+        row.thrust = next();
+        row.torque = next();
+        row.depth = next();
+        row.feed_rate = next();
+        row.tissue = small(query, column++);
+        row.iterations = small(query, column++);
+        row.power_hand = next();
+        row.power_drive = next();
+        row.removed = next();
+        for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
+        if (query.integer(0) < 0 || (!run_.ticks.empty() && row.tick <= run_.ticks.back().tick)) fail("tick " + std::to_string(query.integer(0)) + " is there twice or before the first");
+        run_.ticks.push_back(row);
+    });
+}
+
+void Reading::read_surface() {
+    bool is_there = false;
+    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles", "rowid", [&](const SessionQuery& row) {
+        if (is_there) return fail("has two surfaces");
+        is_there = true;
+        DrawnSurface& surface = run_.bone_after;
+        surface.step = number(row, 0, "surface");
+        surface.half_size = {number(row, 1, "surface"), number(row, 2, "surface"), number(row, 3, "surface")};
+        surface.positions = row.bytes(4);
+        surface.normals = row.bytes(5);
+        surface.tissues = row.bytes(6);
+        surface.triangles = row.bytes(7);
+        if (!is_sound(surface)) fail("its surface has triangles without vertices");
+    });
+}
+
+/// What the run itself did not live to write, and what was lost.
+void Reading::complete() {
+    RunSummary& summary = run_.summary;
+    const std::uint64_t lost = count_of("lost_ticks") + count_of("lost_events") + count_of("lost_cuts");
+    if (keys_.contains("result.verdict")) {
+        if (key("state") != "finished") run_.missing = "The record is incomplete: " + std::to_string(lost) + " rows of it were lost.";
+        if (!run_.missing.empty()) summary.reasons.push_back(run_.missing);
+        return;
+    }
+    run_.missing = "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
+    summary.verdict = Verdict::incomplete;
+    summary.reasons = {run_.missing};
+    summary.ticks = run_.ticks.size();
+    summary.duration = run_.ticks.empty() ? 0.0 : run_.ticks.back().time;
+    summary.removed = run_.ticks.empty() ? 0.0 : run_.ticks.back().removed;
+}
+
+}  // namespace
+
+std::optional<RecordedRun> read_run(const std::string& path, std::string& error) {
+    std::vector<std::string> tables;
+    for (const Table& table : session_tables({})) tables.push_back(table.name);
+    SessionFile file;
+    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
+    return Reading(path, file).run(error);
+}
+
+}  // namespace kerf

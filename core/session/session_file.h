@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace kerf {
+
+/// One SELECT, row by row. After a failure there are no more rows.
+class SessionQuery {
+public:
+    SessionQuery(sqlite3* database, const std::string& sql);
+    ~SessionQuery();
+    SessionQuery(const SessionQuery&) = delete;
+    SessionQuery& operator=(const SessionQuery&) = delete;
+
+    bool next();
+    [[nodiscard]] bool has_failed() const noexcept;
+    [[nodiscard]] bool is_number(int column) const;
+    [[nodiscard]] bool is_null(int column) const;
+    [[nodiscard]] double number(int column) const;
+    [[nodiscard]] std::int64_t integer(int column) const;
+    [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] std::vector<unsigned char> bytes(int column) const;
+
+private:
+    sqlite3_stmt* statement_ = nullptr;
+    int code_ = 0;
+};
+
+/// A session file of anybody, opened to be read: nothing is written to it or beside it, it may lie in a folder that nobody may write to, and
+/// what a killed run left in its -wal is read too. Whatever asks more work of SQLite than the file has bytes for is ended, as failed.
+class SessionFile {
+public:
+    SessionFile() = default;
+    ~SessionFile();
+    SessionFile(const SessionFile&) = delete;
+    SessionFile& operator=(const SessionFile&) = delete;
+
+    /// Returns why not, for people: no session, another schema, tables that compute their rows, a run that still writes it.   [main]
+    [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables);
+
+    [[nodiscard]] sqlite3* handle() const noexcept { return database_; }
+    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }  ///< with the -wal; no sound session holds more text
+
+private:
+    static int is_over(void* self);
+
+    sqlite3* database_ = nullptr;
+    std::uint64_t bytes_ = 0;
+    std::int64_t steps_left_ = 0;
+};
+
+}  // namespace kerf

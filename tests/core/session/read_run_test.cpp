@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/read_run.h"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "core/session/read_session.h"
+#include "core/session/recorder.h"
+#include "core/session/report.h"
+#include "core/session/write_file.h"
+#include "synthetic_run.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contents_of;
+using test::TemporaryFolder;
+
+SessionHeader header_of(const RunSummary& summary) {
+    SessionHeader header;
+    header.procedure = summary.procedure;
+    header.procedure_version = summary.procedure_version;
+    header.anatomy = summary.anatomy;
+    header.rehearsal = summary.rehearsal;
+    header.hand = summary.hand;
+    header.versions = summary.versions;
+    header.conditions = {summary.device, summary.force_scale, "", summary.coupling_stiffness, summary.variant};
+    header.signals = summary.signals;
+    header.tissues = summary.tissues;
+    return header;
+}
+
+std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary& summary, const std::vector<TickRow>& ticks, const std::vector<EventRow>& events) {
+    auto created = Recorder::create(path, header_of(summary));
+    EXPECT_EQ(created.error, "");
+    for (const TickRow& row : ticks) {
+        created.recorder->push(row);
+        created.recorder->wait_for_room();
+    }
+    for (const EventRow& event : events) created.recorder->push_event(event);
+    return std::move(created.recorder);
+}
+
+/// A finished session of the made-up run, changed by `sql`.
+std::string session_after(const TemporaryFolder& folder, const std::string& sql) {
+    std::string path = folder / "session.db";
+    const RunSummary summary = test::synthetic_summary();
+    EXPECT_EQ(recorder_of(path, summary, test::synthetic_ticks(50), test::synthetic_events())->finish(summary, drawn_surface(test::synthetic_bone(4))), "");
+    sqlite3* database = nullptr;
+    EXPECT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+    return path;
+}
+
+std::string refusal_after(const std::string& sql) {
+    const TemporaryFolder folder;
+    std::string error;
+    EXPECT_FALSE(read_run(session_after(folder, sql), error)) << sql;
+    return error;
+}
+
+std::string page_of(const RecordedRun& run) { return report_html(run.summary, run.ticks, run.events, run.bone_after); }
+
+TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
+    // Given a run with all that a database keeps otherwise than memory does
+    RunSummary summary = test::synthetic_summary();
+    summary.reasons.emplace_back("Two\nlines, <b>µ</b> and \"quotes\".");
+    summary.variant = "left";
+    summary.score = 100.0 * 2 / 3;
+    summary.duration = 0.1 + 0.2;
+    summary.metrics[1].value = std::numeric_limits<double>::quiet_NaN();
+    summary.metrics[2].value = -0.0;
+    auto ticks = test::synthetic_ticks();
+    for (std::size_t i = 0; i < ticks.size(); i += 7) ticks[i].signals[1] = -0.0;
+    ticks[20].torque = -std::numeric_limits<double>::quiet_NaN();
+    ticks[21].thrust = std::numeric_limits<double>::infinity();
+    for (TickRow& row : ticks) row.world_from_tool.rotation = {-0.0, 1.0, -0.0, 0.0};
+    auto events = test::synthetic_events();
+    events.push_back(Recorder::as_kept({12'200, 12.2, std::string(100, 'i'), std::string(300, 'd')}));
+    const DrawnSurface bone = drawn_surface(test::synthetic_bone(300));  // more vertices than 16 bits count
+
+    // When it is recorded, and read again
+    const TemporaryFolder folder;
+    ASSERT_EQ(recorder_of(folder / "session.db", summary, ticks, events)->finish(summary, bone), "");
+    std::string error;
+    const auto run = read_run(folder / "session.db", error);
+
+    // Then
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->missing, "");
+    EXPECT_EQ(run->bone_after, bone);
+    EXPECT_TRUE(page_of(*run) == report_html(summary, ticks, events, bone));
+}
+
+TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
+    const TemporaryFolder folder;
+    recorder_of(folder / "session.db", test::synthetic_summary(), test::synthetic_ticks(50), test::synthetic_events()).reset();
+    std::string error;
+    const auto run = read_run(folder / "session.db", error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_NE(run->missing.find("cut short"), std::string::npos);
+    EXPECT_EQ(run->summary.verdict, Verdict::incomplete);
+    EXPECT_EQ(run->summary.ticks, 50u);
+    const std::string page = page_of(*run);
+    for (const char* part : {"Pilot hole in a lumbar pedicle", "… Incomplete", "Score – of 100", "The run was cut short", "limit_broken"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+TEST(ReadRun, LostRowsAreSaid) {
+    const TemporaryFolder folder;
+    std::string error;
+    const auto run = read_run(session_after(folder, "UPDATE session SET value='incomplete' WHERE key='state'; "
+                                                    "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9"), error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->ticks.size(), 49u);
+    EXPECT_NE(page_of(*run).find("17 rows of it were lost"), std::string::npos);
+}
+
+TEST(ReadRun, WhatNoRunWritesIsRefused) {
+    for (const auto& [sql, words] : {
+             std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2"},
+             {"UPDATE ticks SET thrust='much' WHERE tick=7", "`ticks` has something else than a number"},
+             {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
+             {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
+             {"DROP TABLE reasons", "`reasons` cannot be read"},
+             {"ALTER TABLE ticks RENAME COLUMN thrust TO push", "`ticks` cannot be read"},
+             {"UPDATE surface SET triangles=x'ffffffffffff'", "triangles without vertices"},
+             {"UPDATE surface SET positions=x'00'", "triangles without vertices"},
+             {"UPDATE surface SET step=NULL", "triangles without vertices"},
+             {"UPDATE surface SET half_x=9e999", "triangles without vertices"},
+             {"INSERT INTO surface SELECT * FROM surface", "two surfaces"},
+             {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 30) INSERT INTO signals SELECT i, 'x', 'x', '', 1.0, '' FROM n",
+              "more than"},
+             {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
+             {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
+        EXPECT_NE(refusal_after(sql).find(words), std::string::npos) << sql << ": " << refusal_after(sql);
+}
+
+TEST(ReadRun, ASessionThatIsBeingWrittenIsLeftAlone) {
+    const TemporaryFolder folder;
+    const std::string path = session_after(folder, "");
+    std::string error;
+    {
+        OutputLock lock;
+        ASSERT_EQ(lock.take(folder.path()), "");
+        EXPECT_FALSE(read_run(path, error));
+        EXPECT_NE(error.find("a run is writing it. Wait"), std::string::npos) << error;
+    }
+    EXPECT_TRUE(read_run(path, error)) << error;
+}
+
+// ---- reading changes nothing --------------------------------------------------------------------------------------
+
+std::map<std::string, std::string> all_in(const std::string& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder)) files[entry.path().filename().string()] = contents_of(entry.path().string());
+    return files;
+}
+
+/// Whether `reads` is true in a process that may write neither to the folder nor to what is in it, whoever runs the tests.
+bool holds_for_somebody_else(const std::string& folder, const std::function<bool()>& reads) {
+    for (const auto& entry : fs::directory_iterator(folder)) fs::permissions(entry.path(), fs::perms(0444));
+    fs::permissions(folder, fs::perms(0555));
+    const pid_t child = fork();
+    if (child == 0) {
+        constexpr uid_t nobody = 65534;
+        if (geteuid() == 0 && (setgid(nobody) != 0 || setuid(nobody) != 0)) _exit(3);
+        if (access(folder.c_str(), W_OK) == 0) _exit(4);
+        _exit(reads() ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    fs::permissions(folder, fs::perms(0755));
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_NE(WEXITSTATUS(status), 3) << "no other user to be";
+    EXPECT_NE(WEXITSTATUS(status), 4) << "the folder could be written to";
+    return WEXITSTATUS(status) == 0;
+}
+
+/// A copy of a session while a run writes it, which is what a killed run leaves: session.db and its -wal. (-shm is never needed.)
+void leave_as_killed(const std::string& folder) {
+    const TemporaryFolder living;
+    auto recorder = recorder_of(living / "session.db", test::synthetic_summary(), test::synthetic_ticks(300), test::synthetic_events());
+    std::string error;
+    for (int n = 0; n < 500; ++n) {  // until all rows are in the -wal, 5 s at most
+        for (const char* name : {"session.db", "session.db-wal"}) {
+            std::error_code not_yet;
+            fs::copy_file(living / name, folder + "/" + name, fs::copy_options::overwrite_existing, not_yet);
+        }
+        if (const auto run = read_run(folder + "/session.db", error); run && run->ticks.size() == 300 && run->events.size() == 5) return;
+        usleep(10'000);
+    }
+    FAIL() << error;
+}
+
+bool both_read(const std::string& path, std::size_t ticks) {
+    std::string error;
+    const auto run = read_run(path, error);
+    if (run) page_of(*run);
+    const auto inputs = read_session(path, error);
+    return run && run->ticks.size() == ticks && inputs && inputs->device_from_handle.size() == ticks;
+}
+
+TEST(ReadingASession, NeedsNoRightToWriteAndLeavesEverythingAsItWas) {
+    for (const bool is_killed : {false, true}) {
+        const TemporaryFolder folder;
+        fs::permissions(folder.path(), fs::perms(0755));
+        if (is_killed) leave_as_killed(folder.path());
+        else session_after(folder, "");
+        const std::size_t ticks = is_killed ? 300 : 50;
+        const std::string path = folder / "session.db";
+        const auto before = all_in(folder.path());
+
+        EXPECT_TRUE(holds_for_somebody_else(folder.path(), [&] { return both_read(path, ticks); })) << is_killed;
+        EXPECT_TRUE(both_read(path, ticks)) << is_killed;  // with the right to write, too
+        EXPECT_TRUE(all_in(folder.path()) == before) << is_killed;
+    }
+}
+
+TEST(ReadingASession, WithoutTheWalOfAKilledRunReadsWhatTheFileHoldsAndAddsNothing) {
+    const TemporaryFolder folder;
+    leave_as_killed(folder.path());
+    fs::remove(folder / "session.db-wal");
+    const auto before = all_in(folder.path());
+    std::string error;
+    const auto run = read_run(folder / "session.db", error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->ticks.size(), 0u);
+    EXPECT_NE(run->missing, "");
+    EXPECT_TRUE(all_in(folder.path()) == before);
+}
+
+TEST(ReadingASession, ANameWithSignsThatMeanSomethingElsewhereIsAName) {
+    const TemporaryFolder folder;
+    const std::string odd = folder / "a?b#c%41 d.db";
+    fs::copy_file(session_after(folder, ""), odd);
+    EXPECT_TRUE(both_read(odd, 50));
+    // Seen from its own folder
+    const fs::path here = fs::current_path();
+    fs::current_path(folder.path());
+    const bool is_read = both_read("session.db", 50);
+    fs::current_path(here);
+    EXPECT_TRUE(is_read);
+}
+
+}  // namespace
+}  // namespace kerf
