@@ -194,18 +194,21 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     // Elsewhere: does the outline stand in present bone by more than the wall is exact?
     const double h = body_->grid().spacing;
     const auto& outline = solid_->outline();
-    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
-        for (int step = 0; step <= 4; ++step) {
-            const double t = 0.25 * step;
-            const double r = outline[i].radius + t * (outline[i + 1].radius - outline[i].radius);
-            const double z = outline[i].z + t * (outline[i + 1].z - outline[i].z);
-            for (const Vec3 in_tool : solid_->around(r, z)) {
+    for (std::size_t way = 0; way < solid_->around(0.0, 0.0).size(); ++way)
+        for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+            const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius, way_long = std::hypot(dz, dr);
+            // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
+            for (double s = 0.0, step = h; s <= way_long; s += step) {
+                const double t = way_long > 0.0 ? s / way_long : 0.0;
+                const Vec3 in_tool = solid_->around(outline[i].radius + t * dr, outline[i].z + t * dz)[way];
                 const Vec3 p = at * in_tool;
                 const double limit = -(solid_->is_prism() && in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
+                step = h;
                 if (!body_->region.contains(p)) continue;
                 const BrickPlace place = locate(body_->grid(), p);
-                if (std::max(body_->surface.at(place), committed_->at(place)) < limit && depth_in_pending(p) < limit)
-                    return true;
+                const double distance = std::max(body_->surface.at(place), committed_->at(place));
+                if (distance < limit && depth_in_pending(p) < limit) return true;
+                step = std::max(h, distance);
             }
         }
     return false;

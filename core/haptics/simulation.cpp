@@ -421,10 +421,14 @@ bool Simulation::is_bone_in_reach(double margin) const noexcept {
 void Simulation::after_tick() {
     for (const auto& record : to_stamp_)
         for (Separation& separation : present_.apply(record, outline_.cutting)) waiting_.push_back(std::move(separation));
-    to_stamp_.clear();
     present_.reserve(free_margin);
-    for (const auto& body : bodies_) body->committed.reserve(free_margin);
+    make_room();
     adopt_what_is_due(false);
+}
+
+void Simulation::make_room() {
+    to_stamp_.clear();
+    for (const auto& body : bodies_) body->committed.reserve(free_margin);
 }
 
 void Simulation::finish() {
@@ -437,7 +441,12 @@ void Simulation::finish() {
 // ---- bodies -------------------------------------------------------------------------------------------------------
 
 void Simulation::adopt_what_is_due(bool all) {
-    while (!waiting_.empty() && (all || waiting_.front().tick + adoption_delay <= tick_)) {
+    const auto is_due = [&] {
+        const std::uint64_t at = adoption_ticks_.empty() ? waiting_.front().tick + adoption_delay : adoption_ticks_.front();
+        return all || at <= tick_;
+    };
+    while (!waiting_.empty() && is_due()) {
+        if (!adoption_ticks_.empty()) adoption_ticks_.erase(adoption_ticks_.begin());
         Separation separation = std::move(waiting_.front());
         waiting_.erase(waiting_.begin());
         const std::uint64_t through = bodies_[separation.parent]->tracker.next_sequence();

@@ -100,6 +100,8 @@ public:
     /// are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks after the record that
     /// parted it. It follows every tick; it may allocate.   [worker]
     void after_tick();
+    /// On the clock, where a worker does the rest of it: makes room for coming cuts. It may allocate.   [main] between ticks
+    void make_room();
     /// Closes and commits everything: both fields of a body then hold the same bits.   [main]
     void finish();
 
@@ -107,6 +109,8 @@ public:
     static constexpr std::uint64_t adoption_delay = 20;
     /// Lock-step: bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
     void look_for_pieces(double crumb) { present_.look_for_pieces(crumb); }
+    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one.   [main]
+    void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
     /// Takes over what a worker has made, between ticks. False, and nothing happens, where it holds less than the last
     /// `Adoption`'s records but eight: the worker is to bring it up to date. What was replaced comes back in it.
     /// [haptic, nonblocking]
@@ -191,6 +195,7 @@ private:
     std::vector<CutRecord> closed_;    ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
     std::vector<Separation> waiting_, separations_;
+    std::vector<std::uint64_t> adoption_ticks_;  ///< of those still to come; empty: as soon as may be
 };
 
 }  // namespace kerf

@@ -13,7 +13,7 @@
 #include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
 #include "core/session/session_tables.h"
-#include "core/session/spsc_ring.h"
+#include "core/field/spsc_ring.h"
 #include "core/session/sqlite_database.h"
 #include "core/session/summary.h"
 

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/surface_worker.h"
+
+#include <chrono>
+
+namespace kerf {
+
+namespace {
+constexpr std::size_t queue_records = 4096;  // 4 s at 1 kHz
+constexpr std::size_t reserve_bricks = 512;
+constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobody: that would be a system call
+}  // namespace
+
+SurfaceWorker::SurfaceWorker(const Body& body, const RevolutionSolid& cutting, Options options)
+    : cutting_(&cutting), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
+    if (options_.looks_for_pieces) bone_.look_for_pieces(options_.crumb);
+    if (options_.makes_surface) {
+        patches_.reserve(most_bodies);
+        patches_.emplace_back(body);
+        (void)patches_.back().update_all(bone_.cut());
+    }
+    make_surface();
+    thread_ = std::thread([this] { work(); });
+}
+
+SurfaceWorker::~SurfaceWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_stopping_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+// ---- the loop's side ----------------------------------------------------------------------------------------------
+
+bool SurfaceWorker::push(const CutRecord& record) noexcept {
+    if (!queue_.push({record, false})) {
+        lost_.fetch_add(1, std::memory_order_relaxed);
+        return false;
+    }
+    pushed_.fetch_add(1, std::memory_order_release);
+    return true;
+}
+
+void SurfaceWorker::answer(bool is_adopted) noexcept {
+    if (!is_adopted) {
+        offer_state_.store(OfferState::refused, std::memory_order_release);
+        return;
+    }
+    offer_state_.store(OfferState::taken, std::memory_order_release);
+    // In the queue, so that the worker knows which records came before.
+    if (!queue_.push({{}, true})) {
+        lost_.fetch_add(1, std::memory_order_relaxed);
+        return;
+    }
+    pushed_.fetch_add(1, std::memory_order_release);
+}
+
+void SurfaceWorker::wait_for_all() {
+    std::unique_lock lock(mutex_);
+    wake_.notify_all();
+    idle_.wait(lock, [&] {
+        return done_.load(std::memory_order_acquire) == pushed_.load(std::memory_order_acquire) &&
+               offer_state_.load(std::memory_order_acquire) != OfferState::refused;
+    });
+}
+
+std::shared_ptr<const SurfaceWorker::Surface> SurfaceWorker::surface() const {
+    const std::lock_guard lock(mutex_);
+    return surface_;
+}
+
+// ---- the worker's side --------------------------------------------------------------------------------------------
+
+void SurfaceWorker::work() {
+    for (;;) {
+        std::uint64_t taken = 0;
+        while (const Message* message = queue_.front()) {
+            take(*message);
+            queue_.pop();
+            ++taken;
+        }
+        if (offer_state_.load(std::memory_order_acquire) == OfferState::refused) make_offer();
+        if (taken > 0) make_surface();
+
+        std::unique_lock lock(mutex_);
+        done_.fetch_add(taken, std::memory_order_release);
+        idle_.notify_all();
+        if (is_stopping_) return;
+        if (taken == 0) wake_.wait_for(lock, poll_time);
+    }
+}
+
+void SurfaceWorker::take(const Message& message) {
+    if (message.is_adoption) {
+        // What the loop had before came back in the offer, and ends here.
+        bone_.adopted(waiting_.front());
+        for (std::size_t n = 1; n < waiting_.front().parts.size(); ++n) {
+            const std::size_t body = waiting_.front().parts[n].body;
+            if (next_.size() <= body) next_.resize(body + 1, 0);
+        }
+        waiting_.erase(waiting_.begin());
+        offer_ = {};
+        offer_state_.store(OfferState::none, std::memory_order_release);
+        if (!waiting_.empty()) make_offer();
+        return;
+    }
+    const bool had_offer = !waiting_.empty();
+    for (Separation& separation : bone_.apply(message.record, *cutting_)) waiting_.push_back(std::move(separation));
+    next_[message.record.body] = message.record.sequence + 1;
+    if (!had_offer && !waiting_.empty()) make_offer();
+}
+
+void SurfaceWorker::make_offer() {
+    const Separation& separation = waiting_.front();
+    offer_ = adoption_of(separation, bone_, *cutting_, next_[separation.parent]);
+    offer_state_.store(OfferState::offered, std::memory_order_release);
+}
+
+void SurfaceWorker::make_surface() {
+    if (!options_.makes_surface) return;
+    auto surface = std::make_shared<Surface>();
+    std::shared_ptr<const Surface> last;
+    {
+        const std::lock_guard lock(mutex_);
+        last = surface_;
+    }
+    if (last != nullptr) *surface = *last;
+    ++surface->version;
+    bool has_changed = last == nullptr;
+    for (std::size_t body = 0; body < bone_.count(); ++body) {
+        const bool is_new = body >= surface->patches.size();
+        if (body >= patches_.size()) patches_.emplace_back(*bone_.piece(body).bone);
+        if (is_new) surface->patches.emplace_back(bone_.piece(body).bone->grid().brick_count());
+        const std::vector<std::size_t> changed = bone_.take_changed(body);
+        const auto published = is_new ? patches_[body].update_all(bone_.cut(body)) : patches_[body].update(bone_.cut(body), changed);
+        if (is_new)  // also those made before there was a surface
+            for (std::size_t b = 0; b < surface->patches[body].size(); ++b) surface->patches[body][b] = patches_[body].patch(b);
+        for (const auto& [brick, patch] : published) surface->patches[body][brick] = patch;
+        has_changed = has_changed || is_new || !published.empty();
+    }
+    if (!has_changed) return;
+    const std::lock_guard lock(mutex_);
+    surface_ = std::move(surface);
+}
+
+}  // namespace kerf
