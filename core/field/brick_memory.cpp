@@ -40,9 +40,10 @@ void unmap_brick_memory(void* memory, std::size_t bytes) noexcept {
 }
 
 void prefer_huge_pages(void* memory, std::size_t bytes) noexcept {
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory), end = begin + bytes;
-    const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page;
-    if (first < end) madvise(reinterpret_cast<void*>(first), (end - first) / huge_page * huge_page, MADV_HUGEPAGE);
+    if (bytes < huge_page) return;
+    constexpr std::uintptr_t page = 4096;
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) / page * page;
+    madvise(reinterpret_cast<void*>(first), reinterpret_cast<std::uintptr_t>(memory) + bytes - first, MADV_HUGEPAGE);
 }
 
 #else
