@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 #include "core/field/fnv1a.h"
 
@@ -53,6 +54,7 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
       changed_(body.grid().brick_count(), 0),
       is_full_(body.grid().brick_count(), 0) {
     for (std::size_t b = 0; b < body.grid().brick_count(); ++b) most_ += !body.surface.is_all_air(b);
+    if (most_ > most_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
     samples_.reserve((most_ + 1) * stored_samples);
     ranges_.reserve(most_);
     samples_.assign(stored_samples, -32767);
