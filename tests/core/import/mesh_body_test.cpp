@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <functional>
 #include <vector>
@@ -199,7 +200,9 @@ TEST(MeshBody, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingThatFitsIsNamed) {
         const Diagnostic& refusal = bone.diagnostics[0];
         EXPECT_EQ(refusal.code, "E0602");
         ASSERT_TRUE(refusal.write.starts_with("accuracy: {spacing: ")) << refusal.write;
-        const double fits = std::stod(refusal.write.substr(20)) * 1e-3;
+        double fits = 0.0;
+        std::from_chars(refusal.write.data() + 20, refusal.write.data() + refusal.write.size(), fits);  // whatever the locale
+        fits *= 1e-3;
 
         // Then what is named fits, and is no more than a third coarser than what just would
         const double half = 0.5e-3 * size;
