@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <stdexcept>
 
 #include "core/field/fnv1a.h"
 #include "core/field/piece_mask.h"
@@ -61,6 +62,7 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
 void CutField::prepare() {
     const Grid &g = grid();
     for (std::size_t b = 0; b < g.brick_count(); ++b) most_ += !body_->surface.is_all_air(b);
+    if (most_ > most_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
     samples_.reserve((most_ + 2) * stored_samples);
     ranges_.reserve(most_);
     samples_.assign(first_stored, -32767);

@@ -2,6 +2,7 @@
 #include "core/field/density_field.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace kerf {
 
@@ -9,6 +10,10 @@ DensityField DensityField::build(const Grid& grid, const std::function<bool(std:
                                  const std::function<double(Vec3)>& density) {
     DensityField field;
     field.start_.assign(grid.brick_count() + 1, -1);
+    std::size_t needed = 0;
+    for (std::size_t brick = 0; brick < grid.brick_count(); ++brick) needed += is_needed(brick);
+    if (needed > most_stored_bricks) throw std::length_error("more bricks than one field can store");
+    field.samples_.reserve(needed * stored_samples);
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
@@ -21,7 +26,6 @@ DensityField DensityField::build(const Grid& grid, const std::function<bool(std:
                             field.samples_.push_back(static_cast<float>(density(
                                 grid.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z))));
             }
-    field.samples_.shrink_to_fit();
     if (!field.is_empty())
         field.largest_ = static_cast<double>(*std::max_element(field.samples_.begin(), field.samples_.end()));
     return field;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "kerf/math.hpp"
 
@@ -15,6 +16,8 @@ namespace kerf {
 inline constexpr int brick_edge = 8;                                            ///< samples owned per axis
 inline constexpr int stored_edge = brick_edge + 1;                              ///< with the apron of one
 inline constexpr int stored_samples = stored_edge * stored_edge * stored_edge;  ///< 729
+/// Bricks that one field can store: places among samples are counted with 31 bits, and two bricks are the same for all.
+inline constexpr std::size_t most_stored_bricks = std::numeric_limits<std::int32_t>::max() / stored_samples - 2;
 /// Distances are kept within this many voxels of the surface.
 inline constexpr double clamp_voxels = 4.0;
 

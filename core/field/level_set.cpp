@@ -2,6 +2,7 @@
 #include "core/field/level_set.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace kerf {
 
@@ -17,17 +18,28 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
 
     // A brick whose centre is farther from the surface than its own corner plus the band is uniform.
     const double reach = (0.5 * brick_edge * std::sqrt(3.0) + clamp_voxels) * grid.spacing;
+    constexpr std::int32_t to_be_stored = -1;
+    std::size_t stored = 0;
+    for (int k = 0; k < grid.bricks[2]; ++k)
+        for (int j = 0; j < grid.bricks[1]; ++j)
+            for (int i = 0; i < grid.bricks[0]; ++i) {
+                const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
+                const double half = 0.5 * brick_edge * grid.spacing;
+                const double at_centre = distance(low + Vec3{half, half, half});
+                const bool is_stored = !(std::abs(at_centre) > reach);
+                set.start_[grid.brick_index(i, j, k)] = is_stored ? to_be_stored : at_centre > 0.0 ? air : solid;
+                stored += is_stored;
+            }
+    if (stored > most_stored_bricks) throw std::length_error("more bricks than one field can store");
+    set.samples_.reserve((stored + 2) * stored_samples);
+
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
                 auto& start = set.start_[grid.brick_index(i, j, k)];
                 auto& signs = set.signs_[grid.brick_index(i, j, k)];
-                const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
-                const double half = 0.5 * brick_edge * grid.spacing;
-                const double at_centre = distance(low + Vec3{half, half, half});
-                if (std::abs(at_centre) > reach) {
-                    start = at_centre > 0.0 ? air : solid;
-                    signs = at_centre > 0.0 ? outside : inside;
+                if (start != to_be_stored) {
+                    signs = start == air ? outside : inside;
                     continue;
                 }
                 start = static_cast<std::int32_t>(set.samples_.size());
@@ -41,7 +53,6 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
                             signs |= set.samples_.back() < 0 ? inside : outside;
                         }
             }
-    set.samples_.shrink_to_fit();
     return set;
 }
 

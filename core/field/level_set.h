@@ -15,7 +15,7 @@ namespace kerf {
 class LevelSet {
 public:
     /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) at every grid node near its zero.
-    /// [main]
+    /// Throws std::length_error, before it takes memory, if more than `most_stored_bricks` are near it.   [main]
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
     /// Trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.

@@ -12,6 +12,7 @@
 
 #include "core/import/bone_mask.h"
 #include "core/import/data_file.h"
+#include "core/import/fields_memory.h"
 #include "core/import/planned_region.h"
 #include "core/import/voxel_density.h"
 #include "core/import/voxel_distance.h"
@@ -278,6 +279,13 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     if (range.voxels() == 0)
         throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. "
                                "Check that the axes are LPS, and the image is theirs."};
+    // Values, mask, distance and densities, with what they are made of meanwhile
+    constexpr double bytes_per_voxel = 25.0;
+    if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > most_bone_memory)
+        throw Refusal{"E0602", {"landmarks", "axes"},
+                      "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) + " million voxels, which take about " +
+                          rounded(bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
+                          "resample the image onto voxels " + rounded(std::cbrt(bytes / most_bone_memory) + 0.05, 1) + " times as long."};
     const std::optional<VoxelImage> part = sources.read_scan(range);
     if (!part) return std::nullopt;
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/import/ct_body.h"
+#include "core/import/fields_memory.h"
 #include "core/import/landmark_checks.h"
 #include "core/import/mesh_body.h"
 #include "core/import/surface/diagnose.h"
@@ -20,7 +21,6 @@ namespace {
 constexpr double least_share = 0.80;             // of a planned axis in bone
 constexpr double least_wall_voxels = 3.0;        // what one distance field carries
 constexpr double finest_spacing = 0.05e-3;       // [m] that a procedure may ask for
-constexpr std::size_t most_bricks = 16'000'000;  // 64 MB of tables per field
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
@@ -110,22 +110,51 @@ ImportReport phantom_report(const Anatomy& anatomy) {
     return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}, {}};
 }
 
-/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all.
-void warn_of_thin_walls(const MeshBone& bone, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
+/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate with air on both sides is
+/// refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all but a thousandth is to be carried.
+bool check_thin_walls(const MeshBone& bone, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
     const double needed = least_wall_voxels * spacing;
     const auto least = thinnest(bone.walls);
-    if (!least || least->thickness >= needed) return;
-    // A spur or two faces that touch must not ask for the finest of all spacings: all but a thousandth is to be carried.
+    if (!least || least->thickness >= needed) return true;
+    const Reason file = in_anatomy(anatomy, {"mesh", "file"});
+    const std::string thin = "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
     const double carried = thickness_at(bone.walls, 1e-3);
+    if (carried >= needed) {
+        diagnostics.push_back(warning_at(file, "W0658", thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
+                                                            " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
+        return true;
+    }
     const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
-    const double share = share_under(bone.walls, needed);
-    Diagnostic thin = warning_at(in_anatomy(anatomy, {"mesh", "file"}), "W0655",
-                            "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at) +
-                                ", and " + (share < 1e-3 ? "under 0.1" : rounded(100.0 * share, 1)) +
-                                " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
-                                rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly.");
-    if (carried < needed && fine_enough >= finest_spacing) thin.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
-    diagnostics.push_back(std::move(thin));
+    const bool can_be_carried = fine_enough >= finest_spacing;
+    Diagnostic plate = error_at(file, "E0655",
+                                thin + ", with air on both sides, and " + rounded(100.0 * share_under(bone.walls, needed), 1) +
+                                    " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
+                                    rounded(spacing * 1e3, 3) + " mm can carry." +
+                                    (can_be_carried ? "" : " No spacing carries that. Make it thicker there in the program that made it, or plan where it is."));
+    if (can_be_carried) plate.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
+    diagnostics.push_back(std::move(plate));
+    return false;
+}
+
+/// Refuses what would take more memory than a bone may, or more bricks than can be counted, and says which spacing would do.
+bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities, const Anatomy& anatomy,
+                  Diagnostics& diagnostics) {
+    const FieldsMemory needed = fields_memory(bounds, spacing, borders, has_densities);
+    if (excess_of(needed) <= 1.0) return true;
+    double fits = spacing * std::max(1.0, std::cbrt(needed.bricks / 16e6));
+    while (excess_of(fields_memory(bounds, fits, borders, has_densities)) > 0.9 /* the estimate is a few per cent off */) fits *= 1.1;
+    const Vec3 extent = bounds.high - bounds.low;
+    const bool is_memory = needed.bytes > most_bone_memory;
+    Diagnostic large = error_at(bone_in(anatomy), "E0602",
+                                "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " + rounded(extent.z * 1e3, 0) +
+                                    " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
+                                    (is_memory ? rounded(needed.bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
+                                               : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " + rounded(needed.cuttable * 1e-6, 1) +
+                                                     " million of them bone; must be at most 16 million, and 2.9 million.") +
+                                    " Use a coarser spacing, or a smaller bone: of a scan or a surface only what lies around the axes is kept.");
+    large.write = "accuracy: {spacing: " + rounded(std::ceil(fits * 1e5) * 1e-2, 2) + " mm}";
+    diagnostics.push_back(std::move(large));
+    return false;
 }
 
 void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
@@ -164,23 +193,13 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
                                        "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
         return std::nullopt;
     }
+    if (mesh && !check_thin_walls(*mesh, spacing, anatomy, diagnostics)) return std::nullopt;
     const double margin = 6.0 * spacing;
     const Vec3 around{margin, margin, margin};
-    const Vec3 extent = bounds.high - bounds.low + 2.0 * around;
-    const double edge = spacing * brick_edge;
-    if (!(extent.x / edge * (extent.y / edge) * (extent.z / edge) < static_cast<double>(most_bricks))) {
-        diagnostics.push_back(error_at(bone_in(anatomy), "E0602",
-                                    "a grid of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) +
-                                        " × " + rounded(extent.z * 1e3, 0) + " mm at " + rounded(spacing * 1e3, 3) +
-                                        " mm is too large. "
-                                    "Use a coarser `accuracy.spacing` or a smaller bone."));
-        return std::nullopt;
-    }
 
     Body body;
     body.id = anatomy.id;
-    const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
-    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
+    if (ct || (mesh && mesh->is_part)) body.region = {bounds.low, bounds.high};
     // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
     const auto in_region = [&](auto distance) -> Distance {
         return [&body, distance](Vec3 p) mutable { return distance(body.region.nearest(p)); };
@@ -205,10 +224,18 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     else if (has_rooms) room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
 
     const Distance bone = !has_rooms ? outer : [&](Vec3 p) { return std::max(outer(p), -room(p)); };
+    const Distance& depth = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
+    std::vector<Distance> borders{bone};
+    if (has_rooms) borders.push_back(room);
+    for (const Tissue& tissue : anatomy.tissues)
+        if (&tissue != &anatomy.tissues.back()) borders.emplace_back([&depth, &tissue](Vec3 p) { return -depth(p) - tissue.thickness; });
+    if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
+
+    const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
+    if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
     const bool has_sheet = has_rooms && has_thin_wall(grid, outer, room);
     body.surface = LevelSet::build(grid, has_sheet ? outer : bone);
     if (has_sheet) body.hollow = LevelSet::build(grid, room);
-    const Distance& depth = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -227,7 +254,6 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
         body.materials.push_back(std::move(material));
     }
-    if (mesh) warn_of_thin_walls(*mesh, spacing, anatomy, diagnostics);
     check_landmarks(anatomy, body, diagnostics);
     if (report) {
         *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);

@@ -15,7 +15,7 @@
 ///
 ///     W0648  the size is no bone's; it would be in another unit
 ///     E0652  the axes lie outside the surface
-///     W0655  walls that are too thin for the spacing (core/import/make_body.h)
+///     E0655, W0658  walls that are too thin for the spacing (core/import/make_body.h)
 ///     W0656  faces near the axes cut through one another
 ///     W0657  so far from the origin that the file's numbers are coarse
 namespace kerf {

@@ -97,7 +97,7 @@ constexpr CodeEntry entries[] = {
 
     // ---- bone and data files
     {601, "phantom without bone", "No part of the phantom adds bone.", "There is nothing to cut.", "Give `phantom.parts` at least one part without `subtract`."},
-    {602, "grid too large", "The bone's box at this spacing has more bricks than can be kept.", "It would take more memory than there is.", "Write a coarser `accuracy.spacing`, or cut the bone down."},
+    {602, "bone too large", "The bone at this spacing, or the part of the scan around the axes, takes more memory or more bricks than one may have.", "It is refused before any of it is taken.", "Write the `accuracy.spacing` that the message names, or give axes that go no farther than what is planned."},
     {610, "axis meets no bone", "A planned axis does not meet bone anywhere.", "Most often its points are in another frame (RAS instead of LPS), in another unit, or of another patient.", "Check its points: LPS, millimetres, from outside into the bone."},
     {611, "axis mostly outside bone", "Less than 80 % of a planned axis behind its entry lies in bone.", "A plan that runs through air is most likely not meant, or the bone was not found whole.", "Check its points, and the threshold or labels."},
     {612, "left and right exchanged", "A landmark that is called left lies to the right of one that is called right.", "Everything may be mirrored: coordinates in RAS read as LPS look just so.", "Exchange the two; or turn the sign of every x and y, if all are RAS."},
@@ -133,9 +133,10 @@ constexpr CodeEntry entries[] = {
     {651, "surface with one side", "The faces cannot all look outwards.", "It has no inside.", "Mend the surface in the program that made it."},
     {652, "axes outside the surface", "The landmarks' axes lie outside the surface.", "Most often the surface is in another frame or unit, or of another patient.", "Check the axes, `mesh.unit` and `mesh.frame`."},
     {653, "doubtful inner piece", "A piece of the surface lies inside another, with bone on both sides by its faces.", "It may be a cavity or a leftover; which of them changes the force.", "Say which with `repair: {inner: …}`."},
-    {655, "thin wall", "The bone is thinner somewhere than this spacing can carry.", "Thin walls feel too soft, or are not there. Only a warning.", "Write the spacing that the message names, or do without that place.", true},
+    {655, "thin plate", "A plate of the surface, with air on both sides, is thinner than this spacing can carry.", "It would feel too soft, or not be there: a third of it is the coarsest spacing that carries it.", "Write the spacing that the message names, or make the plate thicker."},
     {656, "crossing faces", "Faces of the surface cut through one another near the axes.", "Bone may feel thin there. Only a warning.", "Join the parts into one surface in the program that made them.", true},
     {657, "coarse numbers", "A surface lies so far from the origin that its file's numbers are coarse.", "Its faces are where those numbers allow, and not where they should be. Only a warning.", "Move it to the origin where it was made, and export it again.", true},
+    {658, "thin spur", "On less than a thousandth of the surface the bone is thinner than this spacing can carry.", "There it feels too soft, or is not there. Only a warning.", "Write a finer spacing, or do without that place.", true},
     {660, "no slice", "A folder holds no DICOM slice.", "There is nothing to make an image of.", "Name the folder that holds the slices."},
     {661, "several series", "A folder holds several series, and none was chosen.", "The wrong one could be of another kernel, another time, or another patient.", "Write `series:` with one that the message offers."},
     {662, "unknown series", "The folder holds no series of that name.", "Another one is not taken instead.", "Write one that the message offers."},

@@ -284,6 +284,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {652, surface(652, Surface().cube(20, 500, 0, 0).text)},
         {653, surface(653, Surface().cube(20, 0, 0, 0).cube(5, 5, 5, 5).text)},
         {655, surface(655, Surface().cube(20, 0, 0, 0).box(12, 1, 0, 0, 12).text)},
+        {658, surface(658, Surface().cube(20, 0, 0, 0).box(0.6, 0.4, 0, 0, 12).text)},
         {707, [](const std::string& folder) {
              surface(707, Surface().cube(100, 0, 0, 0).text)(folder);
              std::filesystem::rename(folder + "/E0707.yaml", folder + "/large.yaml");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "core/field/bone_surface.h"
 #include "core/field/cut_log.h"
@@ -201,6 +202,18 @@ TEST(BoneSurface, IsClosedAndEnclosesWhatIsLeft) {
     EXPECT_EQ(test::open_edges(mesh), 0);
     const double exact = 400.0 - pi * 1.6 * 1.6 * 4.0;  // [mm³]
     EXPECT_NEAR(test::volume(mesh) * 1e9 / exact, 1.0, 0.01);
+}
+
+// ---- more than can be counted -----------------------------------------------------------------------------------------
+
+TEST(Fields, MoreBricksThanCanBeCountedAreRefusedBeforeMemoryIsTaken) {
+    const Grid grid{{150, 150, 150}, 1e-3, {}};  // 3.4 million bricks; their samples would take 5 GB
+    EXPECT_THROW((void)LevelSet::build(grid, [](Vec3) { return 0.0; }), std::length_error);
+    EXPECT_THROW((void)DensityField::build(grid, [](std::size_t) { return true; }, [](Vec3) { return 1.0; }), std::length_error);
+    Body body;
+    body.surface = LevelSet::build(grid, [](Vec3) { return -1.0; });
+    EXPECT_LT(body.surface.memory_bytes(), 20'000'000u);  // a table: it is the same everywhere
+    EXPECT_THROW(CutField(body, 1), std::length_error);
 }
 
 }  // namespace

@@ -480,5 +480,24 @@ TEST_P(RealVertebra, HasItsPlannedAxesInBoneAndItsCanalEmpty) {
 
 INSTANTIATE_TEST_SUITE_P(TwoVertebrae, RealVertebra, testing::Values("l3.yaml", "t12.yaml"));
 
+TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
+    // Given a scan of 192 million voxels, all of them around the axis; a file with a hole in place of them
+    const test::TemporaryFolder folder;
+    const std::string header = "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 620 620 500\nencoding: raw\nendian: little\n"
+                               "space directions: (0.05,0,0) (0,0.05,0) (0,0,0.05)\nspace origin: (-15.5,-15.5,-12.5)\n\n";
+    std::ofstream(folder / "scan.nrrd", std::ios::binary) << header;
+    std::filesystem::resize_file(folder / "scan.nrrd", header.size() + 2ull * 620 * 620 * 500);
+    Anatomy large = anatomy();
+    large.file = folder / "large.yaml";
+    large.ct->image = "scan.nrrd";
+    large.axes = {{"way", {0, 0, 12.0_mm}, {0, 0, -12.0_mm}, 1.0_mm}};
+
+    Diagnostics diagnostics;
+    EXPECT_FALSE(make_ct_bone(large, diagnostics));
+    ASSERT_FALSE(diagnostics.empty());
+    EXPECT_EQ(diagnostics.back().code, "E0602") << to_text(diagnostics);
+    EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4 GB"), std::string::npos) << to_text(diagnostics);
+}
+
 }  // namespace
 }  // namespace kerf

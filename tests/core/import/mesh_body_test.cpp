@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <functional>
+#include <vector>
 
 #include "core/field/fnv1a.h"
+#include "core/import/fields_memory.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -187,15 +191,38 @@ TEST(MeshBody, RefusesAnOpenSurfaceUntilItIsToldToCloseIt) {
     EXPECT_TRUE(told.says("Closed 1 hole"));
 }
 
-TEST(MeshBody, NamesTheSpacingThatAThinWallNeeds) {
+TEST(MeshBody, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingThatFitsIsNamed) {
+    // Given a cube whose border has more bricks than memory may hold, and one that has more bone than can be cut
+    for (const double size : {400.0, 290.0}) {
+        MeshAnatomy bone(cube(size));
+        EXPECT_FALSE(bone.body(size == 400.0 ? 0.1_mm : 0.2_mm));
+        ASSERT_EQ(bone.diagnostics.size(), 1u);
+        const Diagnostic& refusal = bone.diagnostics[0];
+        EXPECT_EQ(refusal.code, "E0602");
+        ASSERT_TRUE(refusal.write.starts_with("accuracy: {spacing: ")) << refusal.write;
+        double fits = 0.0;
+        std::from_chars(refusal.write.data() + 20, refusal.write.data() + refusal.write.size(), fits);  // whatever the locale
+        fits *= 1e-3;
+
+        // Then what is named fits, and is no more than a third coarser than what just would
+        const double half = 0.5e-3 * size;
+        const auto distance = [&](Vec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - half; };
+        const std::vector<std::function<double(Vec3)>> borders{distance, [&](Vec3 p) { return -distance(p) - 1e-3; }};
+        const Box bounds{{-half, -half, -half}, {half, half, half}};
+        EXPECT_LE(excess_of(fields_memory(bounds, fits, borders, false)), 0.95) << fits;
+        EXPECT_GT(excess_of(fields_memory(bounds, fits / 1.33, borders, false)), 0.9) << fits;
+    }
+}
+
+TEST(MeshBody, RefusesAPlateThatIsTooThinAndNamesTheSpacingThatCarriesIt) {
     // A plate with air on both sides
     SurfaceMesh plate = cube(20.0);
     for (Vec3& v : plate.vertices) v.z *= 0.05;
     MeshAnatomy coarse(plate), fine(plate);
-    EXPECT_TRUE(coarse.body(0.5_mm));
+    EXPECT_FALSE(coarse.body(0.5_mm));
     ASSERT_EQ(coarse.diagnostics.size(), 1u);
-    EXPECT_EQ(coarse.diagnostics[0].code, "W0655");
-    EXPECT_EQ(coarse.diagnostics[0].level, Diagnostic::Level::warning);
+    EXPECT_EQ(coarse.diagnostics[0].code, "E0655");
+    EXPECT_EQ(coarse.diagnostics[0].level, Diagnostic::Level::error);
     EXPECT_NE(coarse.diagnostics[0].message.find("only 1.00 mm thick"), std::string::npos) << coarse.diagnostics[0].message;
     EXPECT_EQ(coarse.diagnostics[0].write, "accuracy: {spacing: 0.33 mm}");
     EXPECT_TRUE(fine.body(0.33_mm));
