@@ -221,6 +221,17 @@ Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
     return normalized(r > 0.0 ? Vec3{in_r * p.x / r, in_r * p.y / r, in_z} : Vec3{0.0, 0.0, in_z});
 }
 
+SingleOutline RevolutionSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
+    // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own points are.
+    const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
+    std::size_t first = 0, last = segments_.size();
+    while (first + 1 < last && outline_[first + 1].radius < low) ++first;
+    while (last > first + 1 && outline_[last - 1].radius > high) --last;
+    whole.face += first;
+    whole.count = last - first;
+    return whole;
+}
+
 void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,
                              BlockValues& depths) const noexcept {
     PointBlock in_tool;
