@@ -19,7 +19,7 @@ using namespace kerf;
 using namespace literals;
 
 constexpr double feed = 1.0_mm_per_s, approach = 3.0_mm_per_s;
-constexpr int ticks = 4000;
+constexpr int ticks = 3000;
 
 void print(const char* what, const std::vector<double>& microseconds) {
     const Times t = times_of(microseconds);
@@ -43,6 +43,10 @@ void measure(double h) {
             std::printf("the saw does not come so deep: it stands at %.2f mm\n", depth() / 1.0_mm);
             return;
         }
+    }
+    for (int i = 0; i < ticks / 2; ++i) {  // until nothing of the approach waits any more
+        (void)simulation.tick(move(feed));
+        simulation.after_tick();
     }
     const double from = depth();
     std::vector<double> loop, no_lag, both;

@@ -25,7 +25,7 @@ Sum teeth_in_bone_of(const Tick& tick, const BoneQuery& bone, const Hsieh2006::S
     const std::size_t count = std::min(static_cast<std::size_t>(saw[saw_teeth]), most_saw_teeth);
     const double u = tick.drive[drive_oscillation], alpha = 0.5 * saw[saw_swing] * sin_cos_exact(last.phase).sin;
     const double l = saw[saw_length], chip = chip_as_printed(f[P::tooth_width], saw[saw_pitch], last.rate[2], u);
-    std::array<Vec3, most_saw_teeth> tip;
+    std::array<Vec3, most_saw_teeth> tip{};
     std::array<SinCos, most_saw_teeth> theta;
     std::array<kerf_bone_sample, most_saw_teeth> sample;
     for (std::size_t i = 0; i < count; ++i) {
@@ -49,7 +49,7 @@ Sum teeth_in_bone_of(const Tick& tick, const BoneQuery& bone, const Hsieh2006::S
 Vec3 touch_of(const Tick& tick, const BoneQuery& bone, const Hsieh2006::State& last) noexcept {
     const double step = tick.force[P::point_interval], half = 0.5 * tick.tool[saw_teeth] * tick.tool[saw_pitch];
     const int across = static_cast<int>(2.0 * half / step) + 1, deep = static_cast<int>(0.5 * tick.tool[saw_length] / step) + 1;
-    std::array<Vec3, 128> point;
+    std::array<Vec3, 128> point{};
     std::array<kerf_bone_sample, 128> sample;
     int immersed = 0;
     std::size_t held = 0;

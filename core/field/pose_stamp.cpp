@@ -26,6 +26,17 @@ PoseStamp::PoseStamp(const Grid& grid, const RevolutionSolid& solid, const Pose&
     }
 }
 
+bool PoseStamp::may_reach(int i, int j, int k) const noexcept {
+    if (!solid_->is_prism()) return true;
+    constexpr double half = 0.5 * brick_edge;
+    const auto place = [&](int at, std::size_t axis) { return static_cast<double>(at * brick_edge - anchor_[axis]) + half; };
+    const Vec3 middle = origin_ + place(i, 0) * along_[0] + place(j, 1) * along_[1] + place(k, 2) * along_[2];
+    const auto [x, y, z] = along_;
+    const Vec3 extent{half * (std::abs(x.x) + std::abs(y.x) + std::abs(z.x)), half * (std::abs(x.y) + std::abs(y.y) + std::abs(z.y)),
+                      half * (std::abs(x.z) + std::abs(y.z) + std::abs(z.z))};
+    return solid_->deepest_in(middle, extent) >= -band_ - 2.0 * grid_->quantum();
+}
+
 SampleCell PoseStamp::cell_at(int i, int j, int k) const noexcept {
     SampleCell cell{};
     cell.has_edges = true;

@@ -101,10 +101,11 @@ double RevolutionSolid::distance(double r, double z) const noexcept {
 bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
     if (!is_blunt_) return true;
     const double r = radius_of(p);
-    if (is_prism() && std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance) return true;
-    return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
+    const bool is_near_one = std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
         return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
     });
+    if (is_near_one || !is_prism()) return is_near_one;
+    return std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance;
 }
 
 double RevolutionSolid::squared_distance(double r, double z) const noexcept {

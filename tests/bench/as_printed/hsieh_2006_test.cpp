@@ -85,15 +85,15 @@ TEST(Hsieh2006, NeighboursDoNotCancel) {  // E03-5
 // 03-05, and E03-6: from 2 to 10 µm bone shows 1.3.
 TEST(Hsieh2006, ForceIsProportionalToTheFeedAndToOneOverTheRate) {
     const auto thrust = [](double feed, double rate) {
-        Sawing saw({{"oscillation", rate}});
+        Sawing saw({{"oscillation", rate}, {"swing", 0.0}});
         saw.to(4.0_mm);
         for (int i = 0; i < 3; ++i) (void)saw.go(feed);
         return saw.go(feed).thrust;
     };
     const double once = thrust(1.0_mm_per_s, 200.0);
     EXPECT_GT(once, 50.0);
-    EXPECT_NEAR(thrust(5.0_mm_per_s, 200.0) / once, 5.0, 0.1);
-    EXPECT_NEAR(thrust(1.0_mm_per_s, 400.0) / once, 0.5, 0.02);
+    EXPECT_NEAR(thrust(5.0_mm_per_s, 200.0) / once, 5.0, 1e-6);
+    EXPECT_NEAR(thrust(1.0_mm_per_s, 400.0) / once, 0.5, 1e-6);
 }
 
 TEST(Hsieh2006, WhatWasSawnIsFeltAgain) {  // 03-12, S-12: no bone is removed
