@@ -43,7 +43,8 @@ TextSpan span_of_instrument(const Document& document, const Procedure& procedure
     return value != nullptr ? value->span : instrument != nullptr ? instrument->span : TextSpan{};
 }
 
-std::string in_mm(double length) { return quantity_text(length, "mm"); }
+/// To a hundredth of a millimetre.
+std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
 }  // namespace
 

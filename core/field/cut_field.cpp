@@ -309,8 +309,9 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
     stamp.depths_of(centres, depth);
     for (std::size_t n = 0; n < centres.count; ++n) {
         if (-depth[n] >= reach) continue;
-        if (touched >= most) return n;
         const auto [i, j, k] = places[n];
+        if (!stamp.may_reach(i, j, k)) continue;
+        if (touched >= most) return n;
         const std::size_t index = grid().brick_index(i, j, k);
         if (start_[index] == uncut) open_brick(index);
         ++touched;  // so that what a tick may stamp does not depend on what was cut

@@ -26,6 +26,17 @@ PoseStamp::PoseStamp(const Grid& grid, const RevolutionSolid& solid, const Pose&
     }
 }
 
+bool PoseStamp::may_reach(int i, int j, int k) const noexcept {
+    if (!solid_->is_prism()) return true;
+    constexpr double half = 0.5 * brick_edge;
+    const auto place = [&](int at, std::size_t axis) { return static_cast<double>(at * brick_edge - anchor_[axis]) + half; };
+    const Vec3 middle = origin_ + place(i, 0) * along_[0] + place(j, 1) * along_[1] + place(k, 2) * along_[2];
+    const auto [x, y, z] = along_;
+    const Vec3 extent{half * (std::abs(x.x) + std::abs(y.x) + std::abs(z.x)), half * (std::abs(x.y) + std::abs(y.y) + std::abs(z.y)),
+                      half * (std::abs(x.z) + std::abs(y.z) + std::abs(z.z))};
+    return solid_->deepest_in(middle, extent) >= -band_ - 2.0 * grid_->quantum();
+}
+
 SampleCell PoseStamp::cell_at(int i, int j, int k) const noexcept {
     SampleCell cell{};
     cell.has_edges = true;
@@ -57,9 +68,10 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
         solid_->depths(middles, depth);
     const double quantum = grid_->quantum(), per_quantum = 1.0 / quantum, radius = std::sqrt(18.0) * grid_->spacing;
     const double lowest_kept = -band_ * per_quantum - 2.0;
-    const SingleOutline outline = solid_->single();
+    const SingleOutline whole = solid_->single();
     const float first[2] = {cell.first[1], cell.first[2]};
     bool is_changed = false;
+    const double spread_of_cell = 4.0 * std::abs(along_[0].x) + std::abs(along_[1].x) + std::abs(along_[2].x);
     for (std::size_t n = 0; n < CellRanges::count; ++n) {
         if (ranges.lowest[n] == 32767) continue;
         double deepest = depth[n] + radius;
@@ -72,6 +84,7 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
         const CellPlace at = CellPlace::of(n);
         cell.first[1] = first[0] + static_cast<float>(at.first_y);
         cell.first[2] = first[1] + static_cast<float>(at.first_z);
+        const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, spread_of_cell, grid_->clamp() + band_) : whole;
         cell.has_edges = solid_->has_edge_within(middles[n], 2.0 * band_ + radius + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
                                  samples + at.first_sample(), ranges.lowest[n], ranges.highest[n]))

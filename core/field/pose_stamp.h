@@ -39,6 +39,9 @@ public:
     void depths_of(const PointBlock& centres, BlockValues& depths) const noexcept {
         solid_->depths(tool_from_body_, centres, depths);
     }
+    /// Whether a sample of brick (i, j, k) may be raised; errs towards true. For a solid of revolution what `depths_of` says is as
+    /// good; beside a blade, which is thinner than a brick, half of the bricks that near are not reached.
+    [[nodiscard]] bool may_reach(int i, int j, int k) const noexcept;
     /// Raises the 9³ samples of brick (i, j, k) [quanta] to the solid's depth, within `first` … `last` (samples of the
     /// grid), and keeps their ranges true. True if any was.   [haptic, nonblocking]
     bool raise(std::int16_t* samples, CellRanges& ranges, int i, int j, int k, const std::array<int, 3>& first,

@@ -101,10 +101,11 @@ double RevolutionSolid::distance(double r, double z) const noexcept {
 bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
     if (!is_blunt_) return true;
     const double r = radius_of(p);
-    if (is_prism() && std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance) return true;
-    return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
+    const bool is_near_one = std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
         return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
     });
+    if (is_near_one || !is_prism()) return is_near_one;
+    return std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance;
 }
 
 double RevolutionSolid::squared_distance(double r, double z) const noexcept {
@@ -219,6 +220,17 @@ Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
         in_z = sign * off_z;
     }
     return normalized(r > 0.0 ? Vec3{in_r * p.x / r, in_r * p.y / r, in_z} : Vec3{0.0, 0.0, in_z});
+}
+
+SingleOutline RevolutionSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
+    // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own points are.
+    const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
+    std::size_t first = 0, last = segments_.size();
+    while (first + 1 < last && outline_[first + 1].radius < low) ++first;
+    while (last > first + 1 && outline_[last - 1].radius > high) --last;
+    whole.face += first;
+    whole.count = last - first;
+    return whole;
 }
 
 void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,

@@ -42,6 +42,10 @@ public:
                 static_cast<float>(back.radius), static_cast<float>(back.z), is_convex_, static_cast<float>(half_thickness_)};
     }
 
+    /// Of a prism's outline those faces that may be the nearest to a point which is no farther than `reach` [m] from the surface and
+    /// no farther than `spread` from x in the direction of x: with them alone such a point's distance has the same bits.   [any] pure.
+    [[nodiscard]] SingleOutline faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept;
+
     /// A plane for each point of a block that the solid does not cross: around it nothing is deeper than the plane,
     /// depth + gradient · (from the point) [m], [–]. Pre: is_convex().   [any] pure, nonblocking.
     void tangents(const PointBlock& points_in_tool, BlockValues& depths, PointBlock& gradients) const noexcept {

@@ -67,7 +67,7 @@ static_assert(std::size(signals) == signal_count);
 
 /// All that the teeth sweep while they swing removes bone, as deep as they are high; the blade behind it does not.
 kerf_status shape(const double* params, kerf_tool_shape* out) {
-    constexpr std::uint32_t pieces = 24;  // of the half front: 60 mm of radius are met within a micrometre
+    constexpr std::uint32_t pieces = 8;  // of the half front: an arc of 60 mm is met within 8 µm; stamps cost less for each left out
     if (out->profile_capacity < pieces + 3) return KERF_CAPACITY;
     const SawBlade blade = blade_of({params, tool_parameter_count});
     const bool is_whole = std::floor(blade.tooth_count) == blade.tooth_count;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double near_contact = 0.3e-3;  // [m] surface points farther away get no channel
 constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
-constexpr std::size_t tip_points = 9, columns = 5, rows = 6;
-constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 12e-3, 20e-3, 30e-3};  // [m] behind the roots of the teeth
+constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
+constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
 constexpr std::size_t most_points = tip_points + 2 * rows * columns + 2 * rows;
 /// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
 enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7, slot_count = 9 };
@@ -60,12 +60,12 @@ ContactPoints points_of(const SawBlade& blade, const Tick& tick, const Going& go
         const double back = blade.tooth_height + row_behind[row];
         if (back > 0.8 * blade.radius) break;
         for (std::size_t column = 0; column < columns; ++column) {
-            const double share = (0.5 * static_cast<double>(column) - 1.0) * 0.9;
+            const double share = (static_cast<double>(column) - 1.0) * 0.9;  // both ends and the middle
             const Vec3 front = blade.on_front(sin_cos_exact(share * blade.half_front()));
             const double z = front.z - back, k = side_stiffness(blade, z, stiffness);
             for (const double side : {1.0, -1.0})
                 points.add({front.x, side * 0.5 * blade.thickness, z}, {0, side, 0}, k,
-                           slot_side + (side > 0.0 ? 0u : 2u) + (row < rows / 2 ? 0u : 1u), row_behind[row]);
+                           slot_side + (side > 0.0 ? 0u : 2u) + (row < 3 ? 0u : 1u), row_behind[row]);
         }
         for (const double side : {1.0, -1.0})
             points.add({side * (blade.radius * last.sin - front_inside), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
