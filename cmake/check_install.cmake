@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D BUILD=<build tree> -D SOURCE=<source tree> -D COMPILERS="g++;clang++" -D USED=<that of the tree> -D WORK=<folder> -P check_install.cmake
+# cmake -D BUILD=<build tree> -D SOURCE=<source tree> -D COMPILERS=clang++,g++ -D USED=<that of the tree> -D WORK=<folder> -P check_install.cmake
 #
 # Installs Kerf below a prefix of its own, moves that prefix, and uses it as somebody else would: no file of it names a path of
 # this machine, the program finds plugins and procedures from where it is, and every plugin is built as a project of its own by
@@ -36,16 +36,18 @@ message(STATUS "installed, `kerf list` says\n${said}")
 file(MAKE_DIRECTORY ${WORK}/elsewhere)
 run("kerf validate" ${CMAKE_COMMAND} -E chdir ${WORK}/elsewhere ${program} validate pedicle-screw.yaml)
 
+file(REAL_PATH "${USED}" used)
+string(REPLACE "," ";" COMPILERS "${COMPILERS}")
 foreach(compiler IN LISTS COMPILERS)
-  find_program(found_${compiler} ${compiler})
-  file(REAL_PATH "${USED}" used)
-  if(found_${compiler})
-    file(REAL_PATH "${found_${compiler}}" real)
+  find_program(found ${compiler} NO_CACHE)
+  if(found)
+    file(REAL_PATH "${found}" real)
     if(NOT real STREQUAL used)
-      set(other ${found_${compiler}})
+      set(other "${found}")
       break()
     endif()
   endif()
+  unset(found)
 endforeach()
 if(NOT other)
   message(STATUS "skipped: no compiler here but ${USED}. Install clang (or g++), and plugins are built by it as projects of their own.")

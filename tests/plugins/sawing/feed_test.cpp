@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 
-#include "core/field/removed_volume.h"
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
 
@@ -258,17 +257,14 @@ TEST(SawThrust, WorksAsMuchAsTheBoneItTakesCosts) {
                                        {"cutting_chip", k_cut}, {"motor_torque", 5.0}, {"arc", 12.0_deg}, {"tooth_pitch", 0.7_mm}, {"tooth_count", 18.0}});
     Feeding saw(wide_block(0.25_mm), setup);
     saw.to(3.0_mm);
-    RemovedVolume volume(saw.body);
-    volume.update(saw.simulation.exact());
-    const double before = volume.total();
+    const double before = saw.simulation.present().removed();
     double work = 0.0;
     for (int i = 0; i < 2000; ++i) work += saw.go(rate).signals[sawing::signal_drive_power] * saw.dt;
     saw.simulation.finish();
-    volume.update(saw.simulation.exact());
     // The blade sweeps more than its front, by half a swing at either end, where teeth come by only a part of the time: those
     // ends are bone that nobody is charged for. What 18 teeth of 0.7 mm take: kerf x 12.6 mm x 2 mm.
     const double front = 1.0_mm * 18.0 * 0.7_mm * 2.0_mm;
-    EXPECT_GT(volume.total() - before, front);
+    EXPECT_GT(saw.simulation.present().removed() - before, front);
     const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
     const Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     // Chips are as thick as the time between teeth makes them; their mean over time, at the mean speed:
