@@ -90,7 +90,7 @@ void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
-void check_kerf(const Procedure& procedure, const RevolutionSolid& cutting, Diagnostics& diagnostics) {
+void check_kerf(const Procedure& procedure, const ToolSolid& cutting, Diagnostics& diagnostics) {
     if (!cutting.is_prism() || cutting.thickness() >= 2.0 * procedure.spacing * (1.0 - 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
@@ -103,7 +103,7 @@ void check_kerf(const Procedure& procedure, const RevolutionSolid& cutting, Diag
                  in_mm(needed));
 }
 
-void check_blade_fits(const Procedure& procedure, const RevolutionSolid& cutting, const Region& region, Diagnostics& diagnostics) {
+void check_blade_fits(const Procedure& procedure, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {
     if (!cutting.is_prism() || !region.is_bounded()) return;
     const Vec3 size = region.high - region.low;
     const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}), width = 2.0 * cutting.largest_radius();

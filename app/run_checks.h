@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field/region.h"
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 #include "core/procedure/procedure.h"
 #include "core/procedure/source.h"
 
@@ -17,9 +17,9 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics& diagnostics);
 
 /// Warns of a blade whose kerf is under two voxels.   [main]
-void check_kerf(const Procedure& procedure, const RevolutionSolid& cutting, Diagnostics& diagnostics);
+void check_kerf(const Procedure& procedure, const ToolSolid& cutting, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
-void check_blade_fits(const Procedure& procedure, const RevolutionSolid& cutting, const Region& region, Diagnostics& diagnostics);
+void check_blade_fits(const Procedure& procedure, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -119,7 +119,7 @@ int main() {
         std::printf("spacing %.1f mm\n", h / 1.0_mm);
         // A hole as the drill leaves it: the lips are within its border.
         const Vec3 low{-8.0_mm, -8.0_mm, -22.0_mm}, high{8.0_mm, 8.0_mm, 0};
-        const RevolutionSolid tool = test::drill_outline(radius, 59.0_deg, 20.0_mm);
+        const ToolSolid tool = test::drill_outline(radius, 59.0_deg, 20.0_mm);
         const Pose tool_from_body = inverse(test::pointing({0, 0, -14.0_mm}, {0, 0, -1}));
         const Grid grid = test::shelled_block(low, high, 1.0_mm, h).grid();
         const LevelSet hole = LevelSet::build(

@@ -48,7 +48,7 @@ int main() {
     std::printf("%zu of %zu samples are bone\n", finder.samples(), volume.solid.size());
 
     // A blade 1 mm thick, across the tube.
-    const RevolutionSolid blade({{0.5e-3, 40e-3}, {-0.5e-3, 40e-3}});
+    const ToolSolid blade({{0.5e-3, 40e-3}, {-0.5e-3, 40e-3}});
     const auto at = [](double rim) { return Pose{{3.03e-3, 0, rim + 40e-3}, {std::sqrt(0.5), 0, std::sqrt(0.5), 0}}; };
     std::vector<double> finder_times, at_once_times, run_times, flood_times;
     std::size_t loose = 0, dirty_bricks = 0;

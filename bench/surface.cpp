@@ -143,7 +143,7 @@ void whole(int rounds) {
 }
 
 /// Records as the cut log closes them, a twentieth of a voxel apart, and a frame each thirtieth of a second.
-void frames(const char* what, const Body& body, const RevolutionSolid& tool, Pose from, Vec3 direction, double speed, int count) {
+void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from, Vec3 direction, double speed, int count) {
     CutField cut(body, 4096);
     SurfacePatches surface(body);
     const auto at = [&](double way) { return Pose{from.position + way * direction, from.rotation}; };
@@ -194,8 +194,8 @@ int main(int argc, char** argv) {
     std::printf("                       mm/s  median    p99.9      max   bricks dirty   published   triangles\n                          "
                 "   [ms]                         median   max  median   max    median\n");
     const Body body = bone_of(true);
-    const RevolutionSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
-    const RevolutionSolid disc({{0.3_mm, 10.0_mm}, {-0.3_mm, 10.0_mm}});
+    const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
+    const ToolSolid disc({{0.3_mm, 10.0_mm}, {-0.3_mm, 10.0_mm}});
     for (const double speed : {1.0e-3, 3.0e-3}) {
         const int count = static_cast<int>(5.0_mm / speed * 30.0);
         frames("drill, 3.2 mm", body, drill, test::pointing({20.0_mm, 0.3_mm, -9.0_mm}, {-1, 0.05, 0.1}),

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t first_reserve = 512, free_margin = 128;  // bricks
 
-RevolutionSolid outline_of(const Drill& drill) {
+ToolSolid outline_of(const Drill& drill) {
     const double tip = drill.point_depth(), land = 0.25 * drill.diameter;
-    return RevolutionSolid({{0.0, 0.0}, {-tip, drill.radius()}, {-tip - land, drill.radius()}});
+    return ToolSolid({{0.0, 0.0}, {-tip, drill.radius()}, {-tip - land, drill.radius()}});
 }
 
 }  // namespace

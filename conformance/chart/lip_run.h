@@ -33,7 +33,7 @@ private:
     CuttingLaw law_;
     int nodes_;
     Body body_;
-    RevolutionSolid solid_;
+    ToolSolid solid_;
     CutField committed_, exact_;
     CutTracker tracker_;
     std::vector<double> resistance_;  ///< of each material

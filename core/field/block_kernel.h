@@ -160,7 +160,7 @@ struct BlockKernel {
     float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept;
     /// What a contact is told: distance, and where a surface is in reach its normal.
     void (*answer)(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept;
-    /// As minus `RevolutionSolid::distance` [m], points in the tool frame.
+    /// As minus `ToolSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
     /// A plane each that a convex solid does not cross: near a point nothing is deeper than
     /// depth + gradient · (from the point) [m], [–].

@@ -214,7 +214,7 @@ void squared_distances(const OutlineShape& outline, std::size_t count, const Blo
     add_cap(back);
 }
 
-/// A convex solid's: see RevolutionSolid::distance.
+/// A convex solid's: see ToolSolid::distance.
 void convex_depths(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                    double* __restrict depths) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];

@@ -181,14 +181,14 @@ void CutField::reserve(std::size_t count) {
     ranges_.resize(capacity_);
 }
 
-int CutField::stamp(const CutRecord &record, const RevolutionSolid &solid) {
+int CutField::stamp(const CutRecord &record, const ToolSolid &solid) {
     StampProgress progress;
     int touched = 0;
     stamp_on(record, solid, std::numeric_limits<int>::max(), progress, touched);
     return touched;
 }
 
-bool CutField::stamp_on(const CutRecord &record, const RevolutionSolid &solid, int most, StampProgress &progress,
+bool CutField::stamp_on(const CutRecord &record, const ToolSolid &solid, int most, StampProgress &progress,
                         int &touched) {
     const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
     for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
@@ -200,7 +200,7 @@ bool CutField::stamp_on(const CutRecord &record, const RevolutionSolid &solid, i
     return progress.brick == StampProgress::to_the_end;
 }
 
-CutField::BrickBox CutField::bricks_near(const RevolutionSolid &solid, const Pose &body_from_tool,
+CutField::BrickBox CutField::bricks_near(const ToolSolid &solid, const Pose &body_from_tool,
                                          double band) const noexcept {
     const Grid &g = grid();
     const auto [low, high] = solid.box(body_from_tool);
@@ -217,7 +217,7 @@ CutField::BrickBox CutField::bricks_near(const RevolutionSolid &solid, const Pos
     return box;
 }
 
-std::size_t CutField::stamp_pose(const Pose &body_from_tool, const RevolutionSolid &solid, std::size_t next, int most,
+std::size_t CutField::stamp_pose(const Pose &body_from_tool, const ToolSolid &solid, std::size_t next, int most,
                                  int &touched) {
     const Grid &g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
@@ -246,7 +246,7 @@ std::size_t CutField::stamp_pose(const Pose &body_from_tool, const RevolutionSol
     return StampProgress::to_the_end;
 }
 
-std::size_t CutField::clear_ridges(const Sweep &sweep, const RevolutionSolid &solid, const CutRecord &record,
+std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, const CutRecord &record,
                                    std::size_t next, int most, int &touched) noexcept {
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.

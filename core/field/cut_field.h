@@ -53,10 +53,10 @@ public:
     /// spacing) alone; then what lies on the ridges between them, so that no sample within the exact sweep stays bone.
     /// Its depth is understated by a ridge's height at most, an eighth of a voxel. Returns the bricks touched.
     /// [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
-    int stamp(const CutRecord& record, const RevolutionSolid& solid);
+    int stamp(const CutRecord& record, const ToolSolid& solid);
     /// The same in pieces, with the same bits in the end: goes on from `progress` until about `most` bricks are touched or
     /// the record is done; true then. `touched` counts them.   [haptic, nonblocking] as above.
-    bool stamp_on(const CutRecord& record, const RevolutionSolid& solid, int most, StampProgress& progress, int& touched);
+    bool stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress, int& touched);
 
     /// Makes room for `count` further bricks, or for as many as hold bone.   [main, worker]
     void reserve(std::size_t count);
@@ -121,16 +121,16 @@ private:
         [[nodiscard]] std::size_t layer() const noexcept { return extent(0) * extent(1); }
     };
     /// Bricks whose samples may lie within `band` [m] of the solid.
-    [[nodiscard]] BrickBox bricks_near(const RevolutionSolid& solid, const Pose& body_from_tool,
+    [[nodiscard]] BrickBox bricks_near(const ToolSolid& solid, const Pose& body_from_tool,
                                        double band) const noexcept;
     /// From the brick `next` on; where it stopped, or `to_the_end`.
-    std::size_t stamp_pose(const Pose& body_from_tool, const RevolutionSolid& solid, std::size_t next, int most, int& touched);
+    std::size_t stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most, int& touched);
     /// Of the bricks with these centres and places, those that the solid reaches. How many were looked at.
     std::size_t stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places, int most,
                              int& touched);
     /// Samples that the sweep holds and none of its sub-poses does become one quantum deep. Bricks as in `stamp_pose`; four
     /// of them count as one.
-    std::size_t clear_ridges(const Sweep& sweep, const RevolutionSolid& solid, const CutRecord& record, std::size_t next,
+    std::size_t clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record, std::size_t next,
                              int most, int& touched) noexcept;
 
     /// Room for every brick that can be cut, and what may be cut.

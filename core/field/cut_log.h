@@ -20,7 +20,7 @@ public:
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
     static constexpr int bricks_per_tick = 32;  ///< stamped at most, for each record that waits; the rest stays pending
 
-    CutTracker(const Body& body, const RevolutionSolid& solid, CutField& committed)
+    CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
 
     /// Starts at a pose: nothing is cut on the way there.   [haptic, nonblocking]
@@ -69,7 +69,7 @@ public:
         return frame_of(tool_from_body(i) * body_from_tool);
     }
     [[nodiscard]] const Body& body() const noexcept { return *body_; }
-    [[nodiscard]] const RevolutionSolid& solid() const noexcept { return *solid_; }
+    [[nodiscard]] const ToolSolid& solid() const noexcept { return *solid_; }
     /// Those before it lie behind it and make no gap.
     [[nodiscard]] std::size_t first_that_matters() const noexcept;
 
@@ -102,7 +102,7 @@ private:
     [[nodiscard]] bool removes_bone(const Pose& body_from_tool) const noexcept;
 
     const Body* body_;
-    const RevolutionSolid* solid_;
+    const ToolSolid* solid_;
     CutField* committed_;
     Pose open_from_ = identity_pose();  ///< the last record's end
     Pose farthest_ = identity_pose();   ///< of the open stretch

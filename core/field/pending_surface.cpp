@@ -25,7 +25,7 @@ PendingSurface::PendingSurface(const CutTracker& tracker, const Pose& body_from_
 void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
                            kerf_surface_point* answers) noexcept {
     if (tracker_->pending_count() == 0) return;
-    const RevolutionSolid& solid = tracker_->solid();
+    const ToolSolid& solid = tracker_->solid();
     const CutTracker::Spread& spread = tracker_->spread();
     const bool is_convex = solid.is_convex();
 

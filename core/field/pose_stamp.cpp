@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-PoseStamp::PoseStamp(const Grid& grid, const RevolutionSolid& solid, const Pose& body_from_tool) noexcept
+PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool) noexcept
     : grid_(&grid), solid_(&solid), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
     const double at[3] = {tip.x, tip.y, tip.z};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 
 /// A solid at one pose, stamped brick by brick: what `CutField` does for each sub-pose of a record.
 namespace kerf {
@@ -33,7 +33,7 @@ public:
     /// Outside the cut, this many voxels of distance are all that interpolation and normals ever read.
     static constexpr double band_voxels = 2.0;
 
-    PoseStamp(const Grid& grid, const RevolutionSolid& solid, const Pose& body_from_tool) noexcept;
+    PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool) noexcept;
 
     /// Depth of each brick's centre in the solid [m]; `centres` in the body frame.
     void depths_of(const PointBlock& centres, BlockValues& depths) const noexcept {
@@ -54,7 +54,7 @@ private:
     bool raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) const noexcept;
 
     const Grid* grid_;
-    const RevolutionSolid* solid_;
+    const ToolSolid* solid_;
     Pose tool_from_body_;
     double band_;  ///< [m]
     /// Counted from the sample nearest to the tip, so that single precision leaves less than a nanometre about there.

@@ -30,7 +30,7 @@ void PresentBone::look_for_pieces(double crumb) {
         if (!piece->finder) piece->finder.emplace(*piece->bone, piece->cut);
 }
 
-std::vector<Separation> PresentBone::apply(const CutRecord& record, const RevolutionSolid& solid) {
+std::vector<Separation> PresentBone::apply(const CutRecord& record, const ToolSolid& solid) {
     std::vector<Separation> separations;
     for (std::size_t body = 0, count = pieces_.size(); body < count; ++body)
         if (body == record.body || pieces_[body]->still_in == record.body)
@@ -42,7 +42,7 @@ void PresentBone::adopted(const Separation& separation) {
     for (std::size_t n = 1; n < separation.parts.size(); ++n) pieces_[separation.parts[n].body]->still_in.reset();
 }
 
-std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record, const RevolutionSolid& solid) {
+std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record, const ToolSolid& solid) {
     PresentPiece& piece = *pieces_[body];
     piece.cut.stamp(record, solid);
     const std::vector<std::size_t> changed = piece.cut.take_changed();

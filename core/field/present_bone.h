@@ -66,7 +66,7 @@ public:
 
     /// Stamps a record into its body, and into what came off that body and has not been adopted. What that parts gets bodies;
     /// what happened is said.   [worker]
-    std::vector<Separation> apply(const CutRecord& record, const RevolutionSolid& solid);
+    std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
     /// From now on records name the parts of a separation themselves.   [worker]
     void adopted(const Separation& separation);
 
@@ -91,7 +91,7 @@ public:
     [[nodiscard]] std::uint64_t hash() const noexcept;
 
 private:
-    [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record, const RevolutionSolid& solid);
+    [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record, const ToolSolid& solid);
     void count_removed();
     [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose);
 

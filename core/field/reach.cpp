@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-bool is_in_reach_of_bone(const Body& body, const RevolutionSolid& solid, const Pose& body_from_tool, double margin,
+bool is_in_reach_of_bone(const Body& body, const ToolSolid& solid, const Pose& body_from_tool, double margin,
                          CutOnly cut_only) noexcept {
     const Grid& g = body.grid();
     const Vec3 around{margin, margin, margin};

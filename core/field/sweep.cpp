@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept {
+double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept {
     // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
     const double r = solid.largest_radius();
     double largest = 0.0;
@@ -35,7 +35,7 @@ Pose between(const Pose& from, const Pose& to, double t) noexcept {
             normalized(Quat{mix(a.w, b.w), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)})};
 }
 
-Sweep::Sweep(const RevolutionSolid& solid, const Pose& from, const Pose& to, double step) noexcept
+Sweep::Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step) noexcept
     : solid_(&solid),
       from_(from),
       to_(to),

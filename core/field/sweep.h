@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 
 /// A solid on its way from one pose to another.
 namespace kerf {
 
 /// The farthest any point of the solid moves between two poses [m].   [any] pure.
-[[nodiscard]] double largest_motion(const RevolutionSolid& solid, const Pose& from, const Pose& to) noexcept;
+[[nodiscard]] double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept;
 
 /// The pose a share `t` of the way from `from` to `to`.   [any] pure.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, double t) noexcept;
@@ -15,7 +15,7 @@ namespace kerf {
 class Sweep {
 public:
     /// Poses are body_from_tool. `step` [m]: the farthest that any point may move from one sub-pose to the next.
-    Sweep(const RevolutionSolid& solid, const Pose& from, const Pose& to, double step) noexcept;
+    Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step) noexcept;
 
     /// How many sub-poses follow `from`; the last is `to`. A function of poses, solid and step alone.
     [[nodiscard]] int sub_poses() const noexcept { return count_; }
@@ -43,7 +43,7 @@ private:
     [[nodiscard]] Instant at(double t, Vec3 point) const noexcept;
     [[nodiscard]] bool holds_between(const Instant& a, const Instant& b, Vec3 point, double tolerance) const noexcept;
 
-    const RevolutionSolid* solid_;
+    const ToolSolid* solid_;
     Pose from_, to_;
     double motion_;  ///< [m]
     int count_;

@@ -12,7 +12,7 @@ BodiesView::BodiesView(const Body& first) {
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
 }
 
-void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const RevolutionSolid& tool, const Pose& world_from_tool) noexcept {
+void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool) noexcept {
     near_count_ = 0;
     for (const auto& body : bodies) {
         const Pose body_from_tool = body->body_from(world_from_tool);

@@ -17,7 +17,7 @@ public:
     BodiesView& operator=(const BodiesView&) = delete;
 
     /// Points are asked about at this pose until the next call, of the bodies that come near the tool.   [haptic, nonblocking]
-    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const RevolutionSolid& tool, const Pose& world_from_tool) noexcept;
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
     [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
 

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-LiveBody::LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const RevolutionSolid& solid)
+LiveBody::LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const ToolSolid& solid)
     : id(number), bone(&of_bone), committed(std::move(field)), tracker(of_bone, solid, committed), view(of_bone, committed, tracker) {
     tracker.name(number);
     view.name(number);
@@ -38,7 +38,7 @@ void LiveBody::find_box() {
     reach(low.z, high.z, bone->region.low.z, bone->region.high.z);
 }
 
-Adoption adoption_of(const Separation& separation, const PresentBone& bone, const RevolutionSolid& solid, std::uint64_t through) {
+Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid, std::uint64_t through) {
     Adoption adoption;
     adoption.sequence = separation.sequence;
     adoption.tick = separation.tick;

@@ -15,7 +15,7 @@ enum class BodyKind : std::uint8_t { bone, implant, graft };
 /// A body as the loop meets it: its bone, what edges see cut of it, and where it is. Does not move in memory.
 struct LiveBody {
     /// Pre: `bone` and `solid` outlive it. Where `bone` has one material, `material` is which of the scene's it is.   [main, worker]
-    LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const RevolutionSolid& solid);
+    LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const ToolSolid& solid);
     LiveBody(const LiveBody&) = delete;
     LiveBody& operator=(const LiveBody&) = delete;
 
@@ -46,6 +46,6 @@ struct Adoption {
 };
 
 /// Fields that hold all records of `from` before `through`.   [worker]
-[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const RevolutionSolid& solid, std::uint64_t through);
+[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid, std::uint64_t through);
 
 }  // namespace kerf

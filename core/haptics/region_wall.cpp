@@ -11,7 +11,7 @@ namespace {
 constexpr double stiffness = 1e6;  // [N/m], of bone that is not to be entered [assumed]
 }  // namespace
 
-bool region_wall(const Body& body, const BoneView& view, const RevolutionSolid& cutting, const Pose& body_from_tool,
+bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cutting, const Pose& body_from_tool,
                  kerf_channel& channel) noexcept {
     const Region& region = body.region;
     if (!region.is_bounded()) return false;

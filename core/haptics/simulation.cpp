@@ -74,8 +74,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
                     "` gives a prism that is no blade: it needs a convex outline, a thickness above 0 mm and a kerf from that to 100 mm.";
             return false;
         }
-        out.cutting = RevolutionSolid::prism({points, points + shape.cutting_count}, shape.kerf);
-        out.whole = RevolutionSolid::prism({points, points + shape.profile_count}, shape.thickness);
+        out.cutting = ToolSolid::prism({points, points + shape.cutting_count}, shape.kerf);
+        out.whole = ToolSolid::prism({points, points + shape.profile_count}, shape.thickness);
         return true;
     }
     if (shape.kind != KERF_SOLID_REVOLUTION) {
@@ -83,8 +83,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
                 "; this Kerf knows 1, a solid of revolution, and 2, a prism.";
         return false;
     }
-    out.cutting = RevolutionSolid({points, points + shape.cutting_count});
-    out.whole = RevolutionSolid({points, points + shape.profile_count});
+    out.cutting = ToolSolid({points, points + shape.cutting_count});
+    out.whole = ToolSolid({points, points + shape.profile_count});
     return true;
 }
 

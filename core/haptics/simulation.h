@@ -60,8 +60,8 @@ struct ToolSetup {
 
 /// A tool's outline as the plugin gives it.
 struct ToolOutline {
-    RevolutionSolid cutting;  ///< removes bone
-    RevolutionSolid whole;
+    ToolSolid cutting;  ///< removes bone
+    ToolSolid whole;
     double grip_z = -0.1;  ///< [m]
 };
 /// Asks the plugin; on failure `error` says why.   [main]

@@ -11,7 +11,7 @@ constexpr std::size_t reserve_bricks = 512;
 constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobody: that would be a system call
 }  // namespace
 
-SurfaceWorker::SurfaceWorker(const Body& body, const RevolutionSolid& cutting, Options options)
+SurfaceWorker::SurfaceWorker(const Body& body, const ToolSolid& cutting, Options options)
     : cutting_(&cutting), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
     if (options_.looks_for_pieces) bone_.look_for_pieces(options_.crumb);
     if (options_.makes_surface) {

@@ -34,7 +34,7 @@ public:
     };
 
     /// `body` and `cutting` must outlive it.   [main]
-    SurfaceWorker(const Body& body, const RevolutionSolid& cutting, Options options);
+    SurfaceWorker(const Body& body, const ToolSolid& cutting, Options options);
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
@@ -70,7 +70,7 @@ private:
     void make_offer();
     void make_surface();
 
-    const RevolutionSolid* cutting_;
+    const ToolSolid* cutting_;
     Options options_;
     PresentBone bone_;
     std::vector<SurfacePatches> patches_;  ///< of each body

@@ -25,7 +25,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
     return frame;
 }
 
-double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept {
+double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept {
     const auto& outline = solid.outline();
     double least = HUGE_VAL;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
@@ -53,7 +53,7 @@ StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std
     }
 }
 
-void StepMonitor::observe(const Observation& now, const RevolutionSolid& cutting) {
+void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     const auto& [time, tool, is_running, is_resisted] = now;
     const bool is_in_bone = is_running && is_resisted;
     news_.clear();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
 
@@ -25,7 +25,7 @@ struct AxisFrame {
 [[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept;
 
 /// How far the outline of a solid stays from a zone [m]; negative inside. Looked at on rings along the outline.
-[[nodiscard]] double clearance(const RevolutionSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
+[[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
 
 /// What one tick showed.
 struct Observation {
@@ -61,7 +61,7 @@ public:
     StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
 
     /// Shows one tick, of a tool whose cutting region is `cutting`.
-    void observe(const Observation& now, const RevolutionSolid& cutting);
+    void observe(const Observation& now, const ToolSolid& cutting);
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
     /// Index of the step that runs; the number of steps when all are done.

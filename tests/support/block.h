@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/field/body.h"
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 #include "kerf/units.hpp"
 
 /// Small bones and tools whose answers can be worked out by hand.
@@ -32,13 +32,13 @@ inline Body block(Vec3 low, Vec3 high, double spacing, Vec3 offset = {0, 0, 0}) 
 }
 
 /// A drill's outline: cone of half point angle `p`, then a cylinder up to `length` behind the tip.
-inline RevolutionSolid drill_outline(double radius, double half_angle, double length) {
+inline ToolSolid drill_outline(double radius, double half_angle, double length) {
     const double tip = radius / std::tan(half_angle);
-    return RevolutionSolid({{0.0, 0.0}, {-tip, radius}, {-length, radius}});
+    return ToolSolid({{0.0, 0.0}, {-tip, radius}, {-length, radius}});
 }
 
 /// A blade's cutting region: a front of `radius` about an axis behind it, `half_width` to either side, `depth` deep.
-inline RevolutionSolid blade_outline(double radius, double half_width, double depth, double kerf) {
+inline ToolSolid blade_outline(double radius, double half_width, double depth, double kerf) {
     std::vector<kerf_profile_point> outline;
     constexpr int pieces = 8;
     for (int i = 0; i <= pieces; ++i) {
@@ -46,7 +46,7 @@ inline RevolutionSolid blade_outline(double radius, double half_width, double de
         outline.push_back({std::sqrt(radius * radius - x * x) - radius, x});
     }
     outline.push_back({outline.back().z - depth, half_width});
-    return RevolutionSolid::prism(outline, kerf);
+    return ToolSolid::prism(outline, kerf);
 }
 
 /// A tool pose at `tip`, its +z (out of the tip) along `direction`.

@@ -33,7 +33,7 @@ inline Region nearest_samples(double spacing, Vec3 low, Vec3 high) {
 struct DrilledBlock {
     double h;
     Body body = shelled_block({-6e-3, -6e-3, -14e-3}, {6e-3, 6e-3, 0}, 1e-3, h);
-    RevolutionSolid tool = drill_outline(1.6e-3, 59.0 * 3.14159265358979 / 180.0, 3e-3);
+    ToolSolid tool = drill_outline(1.6e-3, 59.0 * 3.14159265358979 / 180.0, 3e-3);
     CutField committed{body, 1024};
     CutTracker tracker{body, tool, committed};
     BoneView view{body, committed, tracker};

@@ -11,7 +11,7 @@ namespace kerf::test {
 /// What `CutField` stamps, every sample of every brick by the portable kernel: the reference for all that it skips.
 struct ScalarStamp {
     const Body& body;
-    const RevolutionSolid& solid;
+    const ToolSolid& solid;
     std::map<std::size_t, std::vector<std::int16_t>> bricks = {};  ///< by index; every brick that holds bone
 
     void stamp(const CutRecord& record) {

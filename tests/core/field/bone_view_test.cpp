@@ -15,7 +15,7 @@ using namespace literals;
 struct Hole {
     double h = 0.25_mm;
     Body body = test::block({-5.0_mm, -5.0_mm, -12.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
+    ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
     CutField committed{body, 512};
     CutField exact{body, 512};
     CutTracker tracker{body, tool, committed};

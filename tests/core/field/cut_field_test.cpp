@@ -27,7 +27,7 @@ CutRecord stretch(const Pose& from, const Pose& to) {
     return record;
 }
 
-double removed_by(const Body& body, const RevolutionSolid& tool, const Pose& from, const Pose& to) {
+double removed_by(const Body& body, const ToolSolid& tool, const Pose& from, const Pose& to) {
     CutField cut(body, 256);
     cut.stamp(stretch(from, to), tool);
     RemovedVolume volume(body);
@@ -41,7 +41,7 @@ TEST(CutField, ABlindHoleTakesItsExactVolume) {
     const double exact = pi * r * r * (depth - 2.0 / 3.0 * r / std::tan(half_angle));
     for (const double h : {0.1_mm, 0.2_mm}) {
         const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.3, 0.7, 0.11});
-        const RevolutionSolid tool = test::drill_outline(r, half_angle, 20.0_mm);
+        const ToolSolid tool = test::drill_outline(r, half_angle, 20.0_mm);
         const double removed = removed_by(body, tool, test::pointing({0, 0, 1.0_mm}, {0, 0, -1}),
                                           test::pointing({0, 0, -depth}, {0, 0, -1}));
         EXPECT_NEAR(removed / exact, 1.0, 0.005) << "spacing " << h;
@@ -52,7 +52,7 @@ TEST(CutField, ABlindHoleTakesItsExactVolume) {
 TEST(CutField, ATiltedThroughHoleTakesItsExactVolume) {
     const double r = 2.7_mm, thickness = 6.0_mm, tilt = 30.0_deg;
     const Body body = test::block({-12.0_mm, -8.0_mm, -thickness}, {12.0_mm, 8.0_mm, 0}, 0.2_mm, {0.2, 0.6, 0.4});
-    const RevolutionSolid tool = test::drill_outline(r, half_angle, 40.0_mm);
+    const ToolSolid tool = test::drill_outline(r, half_angle, 40.0_mm);
     const Vec3 along{std::sin(tilt), 0, -std::cos(tilt)};
     const Vec3 centre{0, 0, -0.5 * thickness};
     const double removed = removed_by(body, tool, test::pointing(centre - 15.0_mm * along, along),
@@ -66,7 +66,7 @@ struct FastSweep {
     static constexpr int ticks = 12;
     Vec3 axis, along;  // of the tool, and of its motion; unit
     Body body = test::block({-14.0_mm, -14.0_mm, -14.0_mm}, {14.0_mm, 14.0_mm, 14.0_mm}, h, {0.13, 0.71, 0.37});
-    RevolutionSolid tool = test::drill_outline(r, half_angle, back);
+    ToolSolid tool = test::drill_outline(r, half_angle, back);
     CutField cut{body, 256};
 
     FastSweep(Vec3 tool_axis, Vec3 motion) : axis(tool_axis), along(motion) {
@@ -154,7 +154,7 @@ TEST(CutField, AFastSweepTakesItsExactVolume) {
 
 TEST(CutField, StampingAgainOrInAnotherOrderChangesNothing) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, half_angle, 3.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 3.0_mm);
     std::vector<CutRecord> records;
     for (int i = 0; i < 20; ++i)
         records.push_back(stretch(test::pointing({0, 0, -0.2_mm * i}, {0, 0, -1}),
@@ -172,7 +172,7 @@ TEST(CutField, StampingAgainOrInAnotherOrderChangesNothing) {
 
 TEST(CutField, NeighbouringBricksAgreeOnTheSamplesTheyShare) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutField cut(body, 256);
     cut.stamp(stretch(test::pointing({0, 0, 0}, {0.1, 0.2, -1}), test::pointing({0.3_mm, 0, -5.0_mm}, {0.1, 0.2, -1})),
               tool);
@@ -194,7 +194,7 @@ TEST(CutField, NeighbouringBricksAgreeOnTheSamplesTheyShare) {
 TEST(BoneSurface, IsClosedAndEnclosesWhatIsLeft) {
     // A through hole of 3.2 mm in a 10 × 10 × 4 mm slab
     const Body body = test::block({-5.0_mm, -5.0_mm, -4.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutField cut(body, 256);
     cut.stamp(stretch(test::pointing({0, 0, 1.0_mm}, {0, 0, -1}), test::pointing({0, 0, -8.0_mm}, {0, 0, -1})), tool);
 

@@ -19,7 +19,7 @@ using namespace literals;
 struct Cutting {
     double h;
     Body body = test::block({-5.0_mm, -5.0_mm, -10.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.4, 0.2, 0.7});
-    RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
+    ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm);
     CutField committed{body, 512}, exact{body, 512};
     CutTracker tracker{body, tool, committed};
     std::vector<CutRecord> log;

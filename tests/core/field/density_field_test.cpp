@@ -46,7 +46,7 @@ TEST(DensityField, IsWhatAnEdgeIsTold) {
     Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 5.0_mm}, 0.5_mm);
     body.materials[0].densities = DensityField::build(
         body.grid(), [&](std::size_t brick) { return !body.surface.is_all_air(brick); }, linear_density);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm);
     CutField committed(body, 1);
     const CutTracker tracker(body, tool, committed);
     const BoneView view(body, committed, tracker);

@@ -73,7 +73,7 @@ TEST(Hollow, CuttingAddsToIt) {
     const double h = 0.5_mm;
     const Body solid = test::block({-half_edge, -half_edge, -half_edge}, {half_edge, half_edge, half_edge}, h, {0.3, 0.7, 0.11});
     const Body hollow = box_with_room(1.0_mm, h, true);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutRecord record;
     record.from = test::pointing({1.0_mm, 0, 9.0_mm}, {0.1, 0.05, -1});
     record.to = test::pointing({0, 0, -(6.0_mm)}, {0.1, 0.05, -1});
@@ -109,7 +109,7 @@ TEST(Hollow, IsNoBoneForContactAndInTheSurface) {
     const double h = 0.5_mm;
     const Body body = box_with_room(1.0_mm, h, true);
     CutField committed(body, 64);
-    const RevolutionSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
+    const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutTracker tracker(body, tool, committed);
     tracker.restart(test::pointing({0, 0, 20.0_mm}, {0, 0, -1}));
     const BoneView view(body, committed, tracker);

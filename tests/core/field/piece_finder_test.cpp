@@ -79,7 +79,7 @@ Body bone(double spacing, const std::function<double(Vec3)>& distance, Vec3 low,
 }
 
 /// A disc that saws like a blade: 12 mm across the cut, 0.8 mm thick.
-RevolutionSolid disc() { return RevolutionSolid({{0.4_mm, 12.0_mm}, {-0.4_mm, 12.0_mm}}); }
+ToolSolid disc() { return ToolSolid({{0.4_mm, 12.0_mm}, {-0.4_mm, 12.0_mm}}); }
 
 /// A tube along x. Its walls are sawn through from +z to −z.
 Body tube(double spacing) {
@@ -97,7 +97,7 @@ TEST(PieceFinder, AgreesWithAFloodOfTheWholeVolumeRecordByRecord) {
     const Body body = tube(0.4_mm);
     CutField cut(body, 256);
     PieceFinder finder(body, cut);
-    const RevolutionSolid blade = disc();
+    const ToolSolid blade = disc();
     ASSERT_EQ(finder.count_pieces(), 1u);
     const std::size_t whole = finder.samples();
 
@@ -137,7 +137,7 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
     }, {-6.0_mm, -6.0_mm, -6.0_mm}, {6.0_mm, 6.0_mm, 6.0_mm});
     CutField cut(body, 1024);
     PieceFinder finder(body, cut);
-    const RevolutionSolid ball({{0.8_mm, 0.9_mm}, {-0.8_mm, 0.9_mm}});
+    const ToolSolid ball({{0.8_mm, 0.9_mm}, {-0.8_mm, 0.9_mm}});
     std::vector<std::size_t> at_first;
     (void)test::flooded(test::solid_volume(body, cut), &at_first);
     ASSERT_EQ(finder.count_pieces(), at_first.size());
@@ -258,7 +258,7 @@ TEST(PieceMask, APieceKnowsItsOwnDistancesAndNoWallOfTheOther) {
 TEST(PieceMask, CuttingAPieceGivesTheBitsOfCuttingTheWhole) {
     // Given a stump, and the same cut made before and after the end came off
     SawnTube sawn;
-    const RevolutionSolid ball({{1.0_mm, 1.0_mm}, {-1.0_mm, 1.0_mm}});
+    const ToolSolid ball({{1.0_mm, 1.0_mm}, {-1.0_mm, 1.0_mm}});
     const CutRecord later = stretch({{-4.0_mm, 0, 7.0_mm}, {1, 0, 0, 0}}, {{-3.0_mm, 0, 3.0_mm}, {1, 0, 0, 0}});
     const PieceMask mask(sawn.body.grid(), sawn.all, sawn.finder.bone());
     CutField stump(sawn.cut, mask, 16);

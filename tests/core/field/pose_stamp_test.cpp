@@ -39,7 +39,7 @@ struct Counts {
     std::size_t full = 0, untouched = 0, wall = 0;
 };
 
-void expect_as_sample_by_sample(const Body& body, const RevolutionSolid& tool, double h, Counts& counts) {
+void expect_as_sample_by_sample(const Body& body, const ToolSolid& tool, double h, Counts& counts) {
     test::ScalarStamp reference{body, tool};
     for (const auto& record : records(h)) reference.stamp(record);
 
@@ -79,7 +79,7 @@ TEST(PoseStamp, LeavesOutOnlyWhatCannotRiseWithinARegion) {
     Body body = test::block({-3.0_mm, -3.0_mm, -5.0_mm}, {3.0_mm, 3.0_mm, 0}, h, {0.31, 0.17, 0.73});
     body.region = {body.grid().sample_position(13, 9, 11), body.grid().sample_position(24, 30, 33)};
     // A step drill with a flat front, shorter than its hole
-    const RevolutionSolid tool({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-1.5_mm, 1.0_mm}, {-2.0_mm, 2.0_mm}, {-3.5_mm, 2.0_mm}});
+    const ToolSolid tool({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-1.5_mm, 1.0_mm}, {-2.0_mm, 2.0_mm}, {-3.5_mm, 2.0_mm}});
     Counts counts;
     expect_as_sample_by_sample(body, tool, h, counts);
     EXPECT_GT(counts.wall, 2000u);

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/field/removed_volume.h"
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 #include "core/field/sweep.h"
 #include "tests/support/block.h"
 
@@ -16,7 +16,7 @@ namespace {
 using namespace literals;
 
 // A plain board: 4 mm wide, 5 mm long, 1 mm thick.
-const RevolutionSolid board = RevolutionSolid::prism({{0.0, 2.0_mm}, {-5.0_mm, 2.0_mm}}, 1.0_mm);
+const ToolSolid board = ToolSolid::prism({{0.0, 2.0_mm}, {-5.0_mm, 2.0_mm}}, 1.0_mm);
 
 TEST(Prism, DistanceIsThatOfABox) {
     std::mt19937 random(7);
@@ -37,7 +37,7 @@ TEST(Prism, APointLeavesThroughTheNearestFaceAhead) {
 }
 
 TEST(Prism, TheWayInIsThatAlongWhichDepthGrows) {
-    const RevolutionSolid blade = test::blade_outline(20.0_mm, 4.0_mm, 2.0_mm, 1.0_mm);
+    const ToolSolid blade = test::blade_outline(20.0_mm, 4.0_mm, 2.0_mm, 1.0_mm);
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     int outside = 0, inside = 0;
@@ -76,7 +76,7 @@ TEST(Prism, ItsBoxHoldsItAndNoMore) {
 TEST(Prism, ASlotTakesItsExactVolume) {
     // Where two of its own faces meet inside bone a voxel counts as facing: h²/12 too much for each length of edge, 34 mm here.
     const double h = 0.2_mm, half_width = 4.0_mm, kerf = 1.0_mm, radius = 20.0_mm, depth = 4.0_mm;
-    const RevolutionSolid blade = test::blade_outline(radius, half_width, 6.0_mm, kerf);
+    const ToolSolid blade = test::blade_outline(radius, half_width, 6.0_mm, kerf);
     // Below the chord of the front there is the polygon's area, next to the segment's.
     double front = 0.0;
     const auto& o = blade.outline();

@@ -39,7 +39,7 @@ Body looked_at() {
 /// A drill straight down along z, to `depth`, and what it leaves.
 struct Drilled {
     Body body = looked_at();
-    RevolutionSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 20.0_mm);
+    ToolSolid tool = test::drill_outline(1.6_mm, 59.0_deg, 20.0_mm);
     CutField committed{body, 64}, exact{body, 64};
     CutTracker tracker{body, tool, committed};
     BoneView view{body, committed, tracker};

@@ -52,8 +52,8 @@ CutRecord stroke(Vec3 from, Vec3 to, Vec3 along) {
     record.to = test::pointing(to, along);
     return record;
 }
-const RevolutionSolid& drill() {
-    static const RevolutionSolid solid = test::drill_outline(1.6_mm, 59.0_deg, 20.0_mm);
+const ToolSolid& drill() {
+    static const ToolSolid solid = test::drill_outline(1.6_mm, 59.0_deg, 20.0_mm);
     return solid;
 }
 

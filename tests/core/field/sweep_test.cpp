@@ -14,7 +14,7 @@ using namespace literals;
 
 // A burr on a thin shank: the line from a point may enter it twice. It is pushed aside, along and turned.
 TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
-    const RevolutionSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}});
+    const ToolSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}});
     ASSERT_FALSE(burr.is_convex());
     const Pose from = test::pointing({0.3_mm, 0, 0}, {0.1, 0.2, -1.0});
     const Pose to = test::pointing({1.4_mm, 0.9_mm, -0.5_mm}, {0.3, 0.1, -1.0});
@@ -45,7 +45,7 @@ TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
 }
 
 TEST(Sweep, AStillSolidHoldsWhatItIsIn) {
-    const RevolutionSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 10.0_mm);
+    const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 10.0_mm);
     const Pose pose = test::pointing({0, 0, 0}, {0, 0, -1.0});
     const Sweep sweep(drill, pose, pose, 0.1_mm);
     EXPECT_EQ(sweep.sub_poses(), 1);

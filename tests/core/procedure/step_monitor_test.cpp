@@ -17,7 +17,7 @@ struct Case {
     Procedure procedure;
     Anatomy anatomy;
     std::vector<AxisFrame> frames;
-    RevolutionSolid drill{{{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 1.5_mm}}};
+    ToolSolid drill{{{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 1.5_mm}}};
     std::vector<std::string> news;
 
     Case() {

@@ -16,14 +16,14 @@ namespace kerf {
 ///
 /// A prism, such as a saw's blade, has the same outline with half of its width along x for the radius, and two flat sides
 /// across y. So all that is said of (r, z) holds for both, with r = |x| in a prism.
-class RevolutionSolid {
+class ToolSolid {
 public:
-    RevolutionSolid() = default;
+    ToolSolid() = default;
     /// Pre: at least two points, z strictly falling, radii ≥ 0 (asserted).
-    explicit RevolutionSolid(std::vector<kerf_profile_point> outline) : RevolutionSolid(std::move(outline), 0.0) {}
+    explicit ToolSolid(std::vector<kerf_profile_point> outline) : ToolSolid(std::move(outline), 0.0) {}
     /// A prism of `thickness` > 0 [m]. Pre: its outline is convex as well (asserted).
-    [[nodiscard]] static RevolutionSolid prism(std::vector<kerf_profile_point> outline, double thickness) {
-        return RevolutionSolid(std::move(outline), 0.5 * thickness);
+    [[nodiscard]] static ToolSolid prism(std::vector<kerf_profile_point> outline, double thickness) {
+        return ToolSolid(std::move(outline), 0.5 * thickness);
     }
 
     /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an edge
@@ -88,7 +88,7 @@ public:
     [[nodiscard]] const std::vector<kerf_profile_point>& outline() const noexcept { return outline_; }
 
 private:
-    RevolutionSolid(std::vector<kerf_profile_point> outline, double half_thickness);
+    ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness);
 
     /// Where a point stands in the plane of the outline.
     [[nodiscard]] double radius_of(Vec3 p) const noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ double radius_at(const std::vector<kerf_profile_point>& outline, const std::vect
 
 }  // namespace
 
-RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline, double half_thickness)
+ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickness)
     : outline_(std::move(outline)), half_thickness_(half_thickness) {
     KERF_ASSERT(outline_.size() >= 2, "give the outline at least a tip and an end");
     for (std::size_t i = 0; i < outline_.size(); ++i) {
@@ -47,7 +47,7 @@ RevolutionSolid::RevolutionSolid(std::vector<kerf_profile_point> outline, double
     KERF_ASSERT(is_convex_ || !is_prism(), "give a prism an outline that bends towards the axis only");
 }
 
-std::array<Vec3, 8> RevolutionSolid::around(double radius, double z) const noexcept {
+std::array<Vec3, 8> ToolSolid::around(double radius, double z) const noexcept {
     std::array<Vec3, 8> points;
     const double y = half_thickness_, x = 0.75 * radius;
     if (is_prism()) return {{{radius, 0, z}, {x, y, z}, {0, y, z}, {-x, y, z}, {-radius, 0, z}, {-x, -y, z}, {0, -y, z}, {x, -y, z}}};
@@ -55,7 +55,7 @@ std::array<Vec3, 8> RevolutionSolid::around(double radius, double z) const noexc
     return points;
 }
 
-RevolutionSolid::Box RevolutionSolid::box(const Pose& other_from_tool) const noexcept {
+ToolSolid::Box ToolSolid::box(const Pose& other_from_tool) const noexcept {
     const Vec3 tip = other_from_tool * Vec3{0, 0, tip_z()}, end = other_from_tool * Vec3{0, 0, end_z()};
     Vec3 more{largest_radius_, largest_radius_, largest_radius_};
     if (is_prism()) {
@@ -66,7 +66,7 @@ RevolutionSolid::Box RevolutionSolid::box(const Pose& other_from_tool) const noe
             Vec3{std::max(tip.x, end.x), std::max(tip.y, end.y), std::max(tip.z, end.z)} + more};
 }
 
-double RevolutionSolid::distance(Vec3 p) const noexcept {
+double ToolSolid::distance(Vec3 p) const noexcept {
     const double flat = distance(radius_of(p), p.z);
     if (!is_prism()) return flat;
     const double side = std::abs(p.y) - half_thickness_;
@@ -75,7 +75,7 @@ double RevolutionSolid::distance(Vec3 p) const noexcept {
     return std::sqrt(off * off + beside * beside);
 }
 
-double RevolutionSolid::distance(double r, double z) const noexcept {
+double ToolSolid::distance(double r, double z) const noexcept {
     const auto &front = outline_.front(), &back = outline_.back();
     if (!is_convex_) {
         const bool is_inside = z < front.z && z > back.z && r < radius_at(outline_, segments_, z);
@@ -98,7 +98,7 @@ double RevolutionSolid::distance(double r, double z) const noexcept {
     return is_beside ? -depth : std::sqrt(squared_distance(r, z));
 }
 
-bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
+bool ToolSolid::has_edge_within(Vec3 p, double distance) const noexcept {
     if (!is_blunt_) return true;
     const double r = radius_of(p);
     const bool is_near_one = std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
@@ -108,7 +108,7 @@ bool RevolutionSolid::has_edge_within(Vec3 p, double distance) const noexcept {
     return std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance;
 }
 
-double RevolutionSolid::squared_distance(double r, double z) const noexcept {
+double ToolSolid::squared_distance(double r, double z) const noexcept {
     double nearest2 = 1e300;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
         // Project onto the segment; its direction and length were worked out once.
@@ -124,7 +124,7 @@ double RevolutionSolid::squared_distance(double r, double z) const noexcept {
     return std::min(nearest2, squared(std::max(0.0, r - back.radius)) + squared(z - back.z));
 }
 
-double RevolutionSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
+double ToolSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     const double low = middle.z - half.z, high = middle.z + half.z;
     const double beside = is_prism() ? std::abs(middle.x) - half.x
                                      : std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
@@ -136,7 +136,7 @@ double RevolutionSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     return depth;
 }
 
-Vec3 RevolutionSolid::way_in_of_prism(Vec3 p) const noexcept {
+Vec3 ToolSolid::way_in_of_prism(Vec3 p) const noexcept {
     const double r = radius_of(p), side = std::abs(p.y) - half_thickness_, flat = distance(r, p.z);
     const Vec3 across{0.0, p.y < 0.0 ? 1.0 : -1.0, 0.0};
     const bool is_inside = flat <= 0.0 && side <= 0.0;
@@ -176,7 +176,7 @@ Vec3 RevolutionSolid::way_in_of_prism(Vec3 p) const noexcept {
     return normalized(Vec3{p.x < 0.0 ? -in_r : in_r, beside * across.y, in_z});
 }
 
-Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
+Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
     if (is_prism()) return way_in_of_prism(p);
     const double r = std::sqrt(p.x * p.x + p.y * p.y);
     if (is_convex_) {  // inside, away from the plane of the nearest face
@@ -222,7 +222,7 @@ Vec3 RevolutionSolid::way_in(Vec3 p) const noexcept {
     return normalized(r > 0.0 ? Vec3{in_r * p.x / r, in_r * p.y / r, in_z} : Vec3{0.0, 0.0, in_z});
 }
 
-SingleOutline RevolutionSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
+SingleOutline ToolSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
     // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own points are.
     const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
     std::size_t first = 0, last = segments_.size();
@@ -233,19 +233,19 @@ SingleOutline RevolutionSolid::faces_near(SingleOutline whole, double x, double 
     return whole;
 }
 
-void RevolutionSolid::depths(const Pose& tool_from_other, const PointBlock& points,
+void ToolSolid::depths(const Pose& tool_from_other, const PointBlock& points,
                              BlockValues& depths) const noexcept {
     PointBlock in_tool;
     transform(tool_from_other, points, in_tool);
     this->depths(in_tool, depths);
 }
 
-void RevolutionSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
+void ToolSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
     block_kernel().depths(shape(), points_in_tool.count,
                           points_in_tool.coordinates(), depths.data());
 }
 
-double RevolutionSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {
+double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {
     if (distance(p) >= -tolerance) return 0.0;
 
     // From inside, the first crossing of any face is the exit: caps first, then each cone.

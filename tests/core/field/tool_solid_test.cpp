@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/field/revolution_solid.h"
+#include "core/field/tool_solid.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace {
 using namespace literals;
 
 // A cone of 45° and radius 2 mm, on a cylinder that ends 10 mm behind the tip.
-const RevolutionSolid tool = test::drill_outline(2.0_mm, 45.0_deg, 10.0_mm);
+const ToolSolid tool = test::drill_outline(2.0_mm, 45.0_deg, 10.0_mm);
 
-TEST(RevolutionSolid, DistanceIsThatOfConeWallAndCap) {
+TEST(ToolSolid, DistanceIsThatOfConeWallAndCap) {
     EXPECT_NEAR(tool.distance({0, 0, 1.0_mm}), 1.0_mm, 1e-15);              // ahead of the tip
     EXPECT_NEAR(tool.distance({3.0_mm, 0, -5.0_mm}), 1.0_mm, 1e-15);        // beside the wall
     EXPECT_NEAR(tool.distance({0, 1.5_mm, -5.0_mm}), -0.5_mm, 1e-15);       // inside, near the wall
@@ -24,18 +24,18 @@ TEST(RevolutionSolid, DistanceIsThatOfConeWallAndCap) {
     EXPECT_NEAR(tool.distance({0, 0, -1.0_mm}), -1.0_mm / std::sqrt(2.0), 1e-15);  // on the axis, below the cone
 }
 
-TEST(RevolutionSolid, APointLeavesAlongTheAxisThroughTheCone) {
+TEST(ToolSolid, APointLeavesAlongTheAxisThroughTheCone) {
     // At radius 1 mm the cone's face is 1 mm behind the tip.
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {0, 0, 1}), 3.0_mm, 1e-12);
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {1, 0, 0}), 1.0_mm, 1e-12);
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {0, 0, -1}), 6.0_mm, 1e-12);
 }
 
-TEST(RevolutionSolid, OutsideThereIsNothingToLeave) {
+TEST(ToolSolid, OutsideThereIsNothingToLeave) {
     EXPECT_EQ(tool.travel_to_leave({3.0_mm, 0, -4.0_mm}, {0, 0, 1}), 0.0);
 }
 
-TEST(RevolutionSolid, EndsExactlyOnItsSurfaceAfterThatTravel) {
+TEST(ToolSolid, EndsExactlyOnItsSurfaceAfterThatTravel) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     for (int i = 0; i < 2000; ++i) {
