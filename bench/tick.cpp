@@ -55,11 +55,11 @@ struct ManyPoints {
         samples.resize(edges.size());
         surface.resize(contact.size());
     }
-    void ask_edges(const BoneView& bone, std::size_t count) {
+    void ask_edges(const BodiesView& bone, std::size_t count) {
         bone.sample(edges.data(), static_cast<std::uint32_t>(count), {0, 0, 1}, samples.data());
         sink += samples[7].engagement;
     }
-    void ask_contact(const BoneView& bone) {
+    void ask_contact(const BodiesView& bone) {
         bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size()), surface.data());
         sink += surface[7].distance;
     }
@@ -84,7 +84,7 @@ void print(const char* what, const std::vector<double>& microseconds, const Base
 }
 
 /// One law of both kernels by turns, in the hole as it is.
-void compare_kernels(const BoneView& bone, ManyPoints& points) {
+void compare_kernels(const BodiesView& bone, ManyPoints& points) {
     const BlockKernel& before = block_kernel();
     if (avx2_kernel() == nullptr) {
         std::printf("  this machine has no AVX2\n");

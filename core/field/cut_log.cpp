@@ -198,17 +198,20 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
             const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius, way_long = std::hypot(dz, dr);
             // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
-            for (double s = 0.0, step = h; s <= way_long; s += step) {
+            for (double s = 0.0;;) {
                 const double t = way_long > 0.0 ? s / way_long : 0.0;
                 const Vec3 in_tool = solid_->around(outline[i].radius + t * dr, outline[i].z + t * dz)[way];
                 const Vec3 p = at * in_tool;
                 const double limit = -(solid_->is_prism() && in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
-                step = h;
-                if (!body_->region.contains(p)) continue;
-                const BrickPlace place = locate(body_->grid(), p);
-                const double distance = std::max(body_->surface.at(place), committed_->at(place));
-                if (distance < limit && depth_in_pending(p) < limit) return true;
-                step = std::max(h, distance);
+                double step = h;
+                if (body_->region.contains(p)) {
+                    const BrickPlace place = locate(body_->grid(), p);
+                    const double distance = std::max(body_->surface.at(place), committed_->at(place));
+                    if (distance < limit && depth_in_pending(p) < limit) return true;
+                    step = std::max(h, distance);
+                }
+                if (s >= way_long) break;
+                s = std::min(way_long, s + step);
             }
         }
     return false;
