@@ -9,6 +9,7 @@
 #include "core/import/fields_memory.h"
 #include "core/import/landmark_checks.h"
 #include "core/import/mesh_body.h"
+#include "core/import/phantom_walls.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/signed_distance.h"
 #include "core/procedure/read_anatomy.h"
@@ -112,13 +113,13 @@ ImportReport phantom_report(const Anatomy& anatomy) {
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate with air on both sides is
 /// refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all but a thousandth is to be carried.
-bool check_thin_walls(const MeshBone& bone, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
+bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
     const double needed = least_wall_voxels * spacing;
-    const auto least = thinnest(bone.walls);
+    const auto least = thinnest(walls);
     if (!least || least->thickness >= needed) return true;
-    const Reason file = in_anatomy(anatomy, {"mesh", "file"});
+    const Reason file = anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
     const std::string thin = "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
-    const double carried = thickness_at(bone.walls, 1e-3);
+    const double carried = thickness_at(walls, 1e-3);
     if (carried >= needed) {
         diagnostics.push_back(warning_at(file, "W0658", thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
                                                             " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
@@ -127,10 +128,10 @@ bool check_thin_walls(const MeshBone& bone, double spacing, const Anatomy& anato
     const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const bool can_be_carried = fine_enough >= finest_spacing;
     Diagnostic plate = error_at(file, "E0655",
-                                thin + ", with air on both sides, and " + rounded(100.0 * share_under(bone.walls, needed), 1) +
+                                thin + ", with air on both sides, and " + rounded(100.0 * share_under(walls, needed), 1) +
                                     " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
                                     rounded(spacing * 1e3, 3) + " mm can carry." +
-                                    (can_be_carried ? "" : " No spacing carries that. Make it thicker there in the program that made it, or plan where it is."));
+                                    (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
     if (can_be_carried) plate.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(plate));
     return false;
@@ -193,7 +194,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
                                        "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
         return std::nullopt;
     }
-    if (mesh && !check_thin_walls(*mesh, spacing, anatomy, diagnostics)) return std::nullopt;
+    if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return std::nullopt;
     const double margin = 6.0 * spacing;
     const Vec3 around{margin, margin, margin};
 
@@ -234,6 +235,8 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
     const bool has_sheet = has_rooms && has_thin_wall(grid, outer, room);
+    if (!ct && !mesh && !check_thin_walls(phantom_walls(grid, has_sheet ? outer : bone, (least_wall_voxels + 1.0) * spacing), spacing, anatomy, diagnostics))
+        return std::nullopt;
     body.surface = LevelSet::build(grid, has_sheet ? outer : bone);
     if (has_sheet) body.hollow = LevelSet::build(grid, room);
     for (const auto& tissue : anatomy.tissues) {
