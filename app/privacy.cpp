@@ -150,7 +150,7 @@ private:
         while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
         while (is_letter(at(end)) || at(end) == '-') ++end;
         // Of a hundred million bytes that mean nothing a few look like that
-        if (!where_.empty() && !(is_name(from, caret) && is_name(caret + 1, end))) return;
+        if (!where_.empty() && (!(is_name(from, caret) && is_name(caret + 1, end)) || is_row_of_numbers(from, end))) return;
         if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
     }
     /// Three letters or more, `Doe` or `DOE`, and nothing between.
@@ -160,6 +160,15 @@ private:
         for (std::size_t n = from + 2; n < end; ++n)
             if (is_capital(n) != is_capital(from + 1)) return false;
         return true;
+    }
+    /// Every second byte the same: numbers of two bytes each, such as the corners of triangles.
+    [[nodiscard]] bool is_row_of_numbers(std::size_t from, std::size_t end) const {
+        for (const std::size_t first : {from, from + 1}) {
+            bool is_same = true;
+            for (std::size_t n = first + 2; n < end; n += 2) is_same = is_same && text_[n] == text_[first];
+            if (is_same) return true;
+        }
+        return false;
     }
     /// A UID (six numbers or more with points between them), 2024-05-17, or 20240517.
     void number(std::size_t from) {

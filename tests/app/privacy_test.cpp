@@ -321,6 +321,23 @@ TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
     }
 }
 
+TEST(PrivacyReport, TheCornersOfTrianglesAreNobodysName) {
+    // Given voxels of two bytes whose high bytes are a letter each, and a caret where the low one happens to be one
+    const TemporaryFolder folder;
+    std::string voxels;
+    for (int n = 0; n < 4000; ++n) {
+        voxels += n % 7 == 3 ? '^' : static_cast<char>('K' + n % 3);
+        voxels += 'X';
+    }
+    const std::string header = "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 20 20 10\nspacings: 1 1 1\nencoding: raw\nendian: little\n\n";
+    const std::string file = folder / "labels.nrrd";
+    std::ofstream(file, std::ios::binary) << header << voxels;
+    for (const PrivacyFinding& found : privacy_report(file).findings) ADD_FAILURE() << found.what << ": " << found.value;
+    // and a name beside them is still seen
+    std::ofstream(file, std::ios::binary) << header << voxels.substr(0, 4000) << " Muster^Maximilian " << voxels.substr(4019);
+    EXPECT_EQ(privacy_report(file).findings.size(), 1u);
+}
+
 TEST(PrivacyReport, SaysWhichVoxelsWereNotSeen) {
     const TemporaryFolder folder;
     const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 1 1 1\nencoding: ";
