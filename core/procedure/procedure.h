@@ -53,12 +53,16 @@ struct Step {
     std::string axis;        ///< name of the landmark axis
     std::vector<Goal> goals;
     std::vector<Limit> limits;
+    std::string plane{};     ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
 };
 
-/// One waypoint of a rehearsal, in the frame of the step's axis: depth from the axis's origin along it, and a shift.
+/// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt.
 struct Waypoint {
     double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
     double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
+    double aside = 0.0;   ///< [m] sideways in the step's plane, along the tool's x
+    double tilt = 0.0;    ///< [rad] about the axis, out of the step's plane
+    std::size_t step = 0; ///< whose frame
 };
 
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.

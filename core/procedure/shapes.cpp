@@ -56,7 +56,7 @@ const Shape metadata{"metadata", "What the procedure is called, and how far it m
 }};
 
 const Shape needs{"needs", "What the anatomy must have, by name: no coordinates stand in a procedure.", {
-    {optional, "landmarks", list(id()), "Points and axes.", "[right_pedicle, midline]"},
+    {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
     {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
     {optional, "tissues", list(id()), "Tissues that the bone must be made of.", "[cortical, cancellous]"},
 }};
@@ -114,6 +114,7 @@ const Shape step{"step", "One thing to do.", {
     {required, "title", text(), "What to do, for the trainee.", "Drill the pilot hole"},
     {required, "instrument", id(), "One of `instruments`.", "pilot"},
     {required, "axis", id(), "One of `needs.landmarks`; the tool should follow it.", "right_pedicle"},
+    {optional, "plane", id(), "One of `needs.landmarks`; the flat side of a blade should lie in it, its y along the plane's normal.", "resection"},
     {required, "goals", list(map(goal)), "What must be reached, in this order.", "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
     {optional, "limits", list(map(limit)), "What must not happen meanwhile.", "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
 }};
@@ -129,9 +130,12 @@ const Shape hand{"hand", "What the simulated hand is like.", {
     {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
 }};
 
-const Shape waypoint{"waypoint", "Where the hand goes, seen along the step's axis.", {
+const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.", {
+    {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
     {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
     {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
+    {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
+    {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
 }};
 
 const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {

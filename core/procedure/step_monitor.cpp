@@ -8,11 +8,34 @@
 
 namespace kerf {
 
-Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
-    return {entry + w.depth * along + w.medial * medial, quat_between({0, 0, 1}, along)};
+namespace {
+
+/// About unit `axis`, from unit `from` to unit `to`, which are both across it.
+Quat turn_about(Vec3 axis, Vec3 from, Vec3 to) noexcept {
+    const double cosine = dot(from, to), sine = dot(cross(from, to), axis);
+    // Of the two half angles the one that cannot vanish.
+    double half_cosine, half_sine;
+    if (cosine >= 0.0) {
+        half_cosine = std::sqrt(0.5 * (1.0 + cosine));
+        half_sine = 0.5 * sine / half_cosine;
+    } else {
+        half_sine = std::sqrt(0.5 * (1.0 - cosine));
+        half_cosine = 0.5 * sine / half_sine;
+    }
+    return normalized(Quat{half_cosine, half_sine * axis.x, half_sine * axis.y, half_sine * axis.z});
 }
 
-AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept {
+}  // namespace
+
+Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
+    const Vec3 tip = entry + w.depth * along + w.medial * medial + w.aside * aside();
+    Quat rotation = quat_between({0, 0, 1}, along);
+    if (across != Vec3{}) rotation = turn_about(along, rotate(rotation, {0, 1, 0}), across) * rotation;
+    if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
+    return {tip, rotation};
+}
+
+AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy, const LandmarkPlane* plane) noexcept {
     AxisFrame frame;
     frame.along = normalized(axis.to - axis.from);
     frame.entry = axis.from + entry_along_axis * frame.along;
@@ -22,6 +45,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
             const Vec3 away = point.at - frame.entry;
             frame.medial = normalized(away - dot(away, frame.along) * frame.along);
         }
+    if (plane != nullptr) frame.across = normalized(plane->normal - dot(plane->normal, frame.along) * frame.along);
     return frame;
 }
 

@@ -17,12 +17,17 @@ struct AxisFrame {
     Vec3 entry{};   ///< LPS [m]
     Vec3 along{};   ///< unit, into the bone
     Vec3 medial{};  ///< unit, across the axis towards the landmark `midline`; zero without it
+    Vec3 across{};  ///< unit, across the axis along the normal of the step's plane; zero without one
 
     [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
-    /// Tool pose at a waypoint: tip there, shaft along the axis.
+    /// In the plane, beside the axis: the tool's x.
+    [[nodiscard]] Vec3 aside() const noexcept { return cross(across, along); }
+    /// Tool pose at a waypoint: tip there, +z along the axis and, with a plane, y along its normal.
     [[nodiscard]] Pose pose_at(const Waypoint& waypoint) const noexcept;
 };
-[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept;
+/// `plane` may be null.
+[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy,
+                                   const LandmarkPlane* plane = nullptr) noexcept;
 
 /// How far the outline of a solid stays from a zone [m]; negative inside. Looked at on rings along the outline.
 [[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;

@@ -45,6 +45,34 @@ struct Watch {
     }
 };
 
+TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
+    // Given an axis to the back and a plane that looks to the feet, as in a cut across a femur
+    const LandmarkAxis axis{"way", {0, -40.0_mm, 0}, {0, 40.0_mm, 0}, 0.0};
+    const LandmarkPlane plane{"level", {}, {0, 0, -1}, 0.0};
+    const AxisFrame frame = axis_frame(axis, 10.0_mm, {}, &plane);
+
+    // When the tool is 5 mm deep, 3 mm aside and turned by 30 degrees
+    const Pose straight = frame.pose_at({.depth = 5.0_mm, .aside = 3.0_mm});
+    const Pose tilted = frame.pose_at({.depth = 5.0_mm, .aside = 3.0_mm, .tilt = 30.0_deg});
+
+    // Then +z is the feed, y the plane's normal, and x = y × z, which here is the patient's left
+    const auto expect_near = [](Vec3 is, Vec3 wanted) { EXPECT_LT(length(is - wanted), 1e-9 /* rounding */); };
+    expect_near(rotate(straight.rotation, {0, 0, 1}), {0, 1, 0});
+    expect_near(rotate(straight.rotation, {0, 1, 0}), {0, 0, -1});
+    expect_near(straight.position, {3.0_mm, -25.0_mm, 0});
+    expect_near(rotate(tilted.rotation, {0, 0, 1}), {0, 1, 0});
+    EXPECT_NEAR(dot(rotate(tilted.rotation, {0, 1, 0}), {0, 0, -1}), 0.86602540378, 1e-9);
+    expect_near(tilted.position, straight.position);
+}
+
+TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
+    const LandmarkAxis axis{"way", {0, 0, -1.0_mm}, {0, 0, 1.0_mm}, 0.0};
+    const LandmarkPlane plane{"level", {}, {0, -1, 0}, 0.0};
+    const Pose pose = axis_frame(axis, 0.0, {}, &plane).pose_at({});
+    EXPECT_LT(length(rotate(pose.rotation, {0, 1, 0}) - Vec3{0, -1, 0}), 1e-12);
+    EXPECT_LT(length(rotate(pose.rotation, {0, 0, 1}) - Vec3{0, 0, 1}), 1e-12);
+}
+
 TEST(StepMonitor, GoalsAreReachedInOrderAndTheStepEndsOutside) {
     Watch run;
     run.show(-2.0_mm, 0.0, true, false);
