@@ -212,7 +212,11 @@ private:
 // ---- steps -------------------------------------------------------------------------------------------------------
 
 /// `{at_least: …, at_most: …}`, one or both.
-void read_bound_values(MapReader& map, const std::string& name, Bound& bound, Report& report) {
+void read_bound_values(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
+    if (shape.find("at_least") == nullptr) {
+        if (const Node* node = map.find("at_most")) bound.at_most = read_quantity(*node, map.name_of("at_most"), map.need_of("at_most"), report);
+        return;
+    }
     bool is_bounded = false;
     const auto read_end = [&](const char* key, std::optional<double>& value) {
         const Node* node = map.find(key);
@@ -233,9 +237,9 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
     if (const Node* quantity = map.one_of()) {
         goal.quantity = quantity->key;
         goal.place = document.place(quantity->key_span);
-        const bool is_entry = quantity->key == "entry";
-        MapReader bound(*quantity, is_entry ? shapes::entry_goal : shapes::depth_bound, quantity->key, report);
-        if (!is_entry) read_bound_values(bound, quantity->key, goal.bound, report);
+        const Shape& shape = *shapes::goal.find(quantity->key)->value.shape;
+        MapReader bound(*quantity, shape, quantity->key, report);
+        if (!shape.keys.empty()) read_bound_values(bound, shape, quantity->key, goal.bound, report);
         bound.finish();
     }
     map.finish();
@@ -268,13 +272,14 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
         limit.quantity = quantity->key;
         limit.place = document.place(quantity->key_span);
         const bool is_clearance = quantity->key == "clearance";
-        MapReader bound(*quantity, is_clearance ? shapes::clearance_bound : shapes::depth_bound, quantity->key, report);
+        const Shape& shape = *shapes::limit.find(quantity->key)->value.shape;
+        MapReader bound(*quantity, shape, quantity->key, report);
         if (const Node* zone = is_clearance ? bound.find("zone") : nullptr) {
             limit.zone = read_id(*zone, "clearance.zone", report).value_or("");
             if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
                 refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
-        read_bound_values(bound, quantity->key, limit.bound, report);
+        read_bound_values(bound, shape, quantity->key, limit.bound, report);
         bound.finish();
     }
     limit.reason = map.text("reason");
@@ -319,8 +324,7 @@ std::vector<std::string> limit_names(const std::vector<Step>& steps) {
     std::vector<std::string> names;
     for (const Step& step : steps)
         for (const Limit& limit : step.limits)
-            if (const std::string& name = limit.zone.empty() ? limit.quantity : limit.zone; !contains(names, name))
-                names.push_back(name);
+            if (!contains(names, limit.name())) names.push_back(limit.name());
     return names;
 }
 
@@ -574,6 +578,16 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
     const auto item = [](const Node* list, std::size_t i) { return list && i < list->children.size() ? &list->children[i] : nullptr; };
     const Node* steps = document.root.find("steps");
     const Node* rehearsals = document.root.find("rehearsals");
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
+        const Node* step = item(steps, s);
+        const Node* limits = step ? step->find("limits") : nullptr;
+        for (std::size_t l = 0; l < procedure.steps[s].limits.size(); ++l) {
+            const Limit& limit = procedure.steps[s].limits[l];
+            const Node* written = item(limits, l);
+            const Node* node = written ? written->find(limit.quantity) : nullptr;
+            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty()) refuse_without_plane(*node, procedure.steps[s].id, step, report);
+        }
+    }
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
         const Node* rehearsal = item(rehearsals, r);
         const Node* path = rehearsal ? rehearsal->find("path") : nullptr;

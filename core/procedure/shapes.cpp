@@ -98,14 +98,37 @@ const Shape clearance_bound{"clearance_bound", "Distance of what cuts to a zone,
     {any_of, "at_most", length(-50.0_mm, 50.0_mm), "No farther than this.", "20 mm"},
 }};
 
+const Shape separated_goal{"separated_goal", "The bone has come apart, in this step or before.", {}};
+
+const Shape thrust_bound{"thrust_bound", "Of the bone on the tool, against its feed.", {
+    {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
+}};
+
+const Shape angle_bound{"angle_bound", "Between the wall that the cut left and the step's plane.", {
+    {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 45.0_deg), "No more than this.", "3 deg"},
+}};
+
+const Shape offset_bound{"offset_bound", "Of the wall that the cut left from where a blade in the step's plane would leave it, to either side.", {
+    {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
+}};
+
+const Shape flatness_bound{"flatness_bound", "Between two parallel planes that hold the wall that the cut left.", {
+    {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
+}};
+
 const Shape goal{"goal", "What must be reached; goals are met in their order.", {
     {one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
     {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
+    {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
 }};
 
 const Shape limit{"limit", "What must not happen meanwhile.", {
     {one_of, "clearance", map(clearance_bound), "How near what cuts may come to a zone.", "{zone: canal, at_least: 0 mm}"},
     {one_of, "depth", map(depth_bound), "How deep the tip may be.", "{at_most: 38 mm}"},
+    {one_of, "thrust", map(thrust_bound), "How hard the running tool may be pushed.", "{at_most: 60 N}"},
+    {one_of, "plane_angle", map(angle_bound), "How far the cut may be tilted out of the step's plane, measured on its wall when the step has ended.", "{at_most: 3 deg}"},
+    {one_of, "plane_offset", map(offset_bound), "How far it may lie beside the plane, measured likewise.", "{at_most: 1 mm}"},
+    {one_of, "flatness", map(flatness_bound), "How uneven it may be, measured likewise.", "{at_most: 0.5 mm}"},
     {required, "reason", text(), "The sentence that a trainee reads when it happens.", "The hole is deeper than planned."},
 }};
 

@@ -120,6 +120,60 @@ TEST(StepMonitor, HowFarItWanderedIsCountedInBoneOnly) {
     EXPECT_NEAR(run.monitor.steps()[0].farthest_offset, 0.7_mm, 1e-12);
 }
 
+TEST(StepMonitor, AZoneThatBelongsToAPieceMovesWithIt) {
+    // Given two bodies, the second with the nerve, carried 20 mm away
+    Watch run;
+    const Pose moved[]{identity_pose(), {{20.0_mm, 0, 0}, {1, 0, 0, 0}}};
+    const auto show_at = [&](double x) {
+        run.monitor.observe({0.0, {{x, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, moved}, run.scene.drill);
+        return run.monitor.steps()[0].limits[0].broken_at.has_value();
+    };
+    run.monitor.belong({.zone = {1}, .step = {0, 0}});
+
+    // Then its place of before harms nobody, and its new one does
+    EXPECT_FALSE(show_at(3.5_mm));
+    EXPECT_TRUE(show_at(23.5_mm));
+}
+
+TEST(StepMonitor, BoneHasComeApartWhenThereAreTwoBodies) {
+    Case scene;
+    scene.procedure.steps[0].goals = {{"separated", {}, {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const Pose bodies[]{identity_pose(), identity_pose()};
+    const auto show = [&](std::size_t count) {
+        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, std::span(bodies).first(count)}, scene.drill);
+        return bool{monitor.steps()[0].goal_done[0]};
+    };
+    EXPECT_FALSE(show(1));
+    EXPECT_TRUE(show(2));
+}
+
+TEST(StepMonitor, ThrustCountsWhileTheToolRuns) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"thrust", "", {{}, 60.0_N}, "Forced.", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const auto show = [&](double thrust, bool is_running) {
+        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, is_running, true, thrust}, scene.drill);
+        return monitor.steps()[0].limits[0].broken_at.has_value();
+    };
+    EXPECT_FALSE(show(59.0_N, true));
+    EXPECT_FALSE(show(80.0_N, false));
+    EXPECT_TRUE(show(61.0_N, true));
+    EXPECT_EQ(monitor.steps()[0].limits[0].worst, 61.0_N);
+}
+
+TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"plane_angle", "", {{}, 3.0_deg}, "Tilted.", {}}, {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    monitor.judge_cut(0, CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
+    ASSERT_EQ(monitor.news().size(), 1u);
+    EXPECT_EQ(monitor.news()[0].second, "plane_angle");
+    EXPECT_TRUE(monitor.steps()[0].limits[0].broken_at);
+    EXPECT_FALSE(monitor.steps()[0].limits[1].broken_at);
+    EXPECT_EQ(monitor.steps()[0].removed, 2e-9);
+}
+
 TEST(StepMonitor, AStillToolHarmsNothing) {
     Watch run;
     run.show(13.0_mm, 1.5_mm, false, true);
