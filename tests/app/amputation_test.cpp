@@ -85,7 +85,7 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     const test::TemporaryFolder folder;
     RunRequest request;
     request.rehearsal = "expert";
-    request.out = folder.path() / "first";
+    request.out = folder / "first";
     const RunOutcome recorded = run_procedure(knee(), test::plugins(), request);
     ASSERT_TRUE(recorded.error.empty()) << recorded.error;
     std::string error;
