@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 constexpr const char* hint_of_run =
-    "Writes session.db, summary.json, report.html and bone.stl.\n"
+    "Writes session.db, summary.json, report.html and bone.stl; bone-1.stl … if it came apart.\n"
     "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.";
 
 /// One of a few words, with a message that says which.

@@ -161,6 +161,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
                     ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
         if (!error.empty()) return complain(error, exit_bad_input);
         request.replay = std::move(recorded->device_from_handle);
+        request.adoptions = std::move(recorded->adoptions);
         recorded_hash = recorded->hash;
     }
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;

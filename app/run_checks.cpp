@@ -54,16 +54,11 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     Report report(document, diagnostics);
     check_device(procedure, document, report);
     const Step& first = procedure.steps.front();
-    const auto keep_to_the_first = [&](std::size_t i, const char* key, const std::string& value, const std::string& wanted) {
-        if (value != wanted)
-            report.error(Code::one_tool_only, span_in(document, "steps", i, key),
-                         std::string("Another ") + key + " than the first step's is not possible yet.", wanted,
-                         report.because(span_in(document, "steps", 0, key), "the first step's is this."));
-    };
-    for (std::size_t i = 1; i < procedure.steps.size(); ++i) {
-        keep_to_the_first(i, "instrument", procedure.steps[i].instrument, first.instrument);
-        keep_to_the_first(i, "axis", procedure.steps[i].axis, first.axis);
-    }
+    for (std::size_t i = 1; i < procedure.steps.size(); ++i)
+        if (const std::string& instrument = procedure.steps[i].instrument; instrument != first.instrument)
+            report.error(Code::one_tool_only, span_in(document, "steps", i, "instrument"),
+                         "Another instrument than the first step's is not possible yet.", first.instrument,
+                         report.because(span_in(document, "steps", 0, "instrument"), "the first step's is this."));
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.size() < 2)

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/belongings.h"
 #include "core/field/bone_surface.h"
+#include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "core/session/content_hash.h"
 #include "core/session/envelope.h"
@@ -19,6 +21,7 @@ namespace kerf {
 namespace {
 
 constexpr int volume_interval = 50;  // ticks between counts of the removed volume
+constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
 
 std::vector<SignalColumn> signal_columns(const kerf_component& force) {
     std::vector<SignalColumn> columns;
@@ -71,6 +74,50 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     for (std::uint32_t i = 0; i < scene.setup.force->force->signal_count; ++i)
         if (std::string_view(scene.setup.force->force->signals[i].id) == "drive_power") row.power_drive = row.signals[i];
     return row;
+}
+
+std::string text_of(const Separation& separation) {
+    const auto volume = [](double v) { return quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
+    std::string text;
+    if (separation.parts.size() > 1)
+        for (const auto& part : separation.parts) text += (text.empty() ? "body " : ", body ") + std::to_string(part.body) + ": " + volume(part.volume);
+    if (separation.crumbs == 0) return text;
+    return text + (text.empty() ? "" : "; ") + std::to_string(separation.crumbs) + (separation.crumbs == 1 ? " crumb, " : " crumbs, ") +
+           volume(separation.crumb_volume);
+}
+
+/// What the cut of a step has left of all bodies, each seen where it was before it moved.
+std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const StepMonitor& monitor, std::size_t step) {
+    const AxisFrame& frame = scene.frames[step];
+    if (frame.across == Vec3{}) return {};
+    const WallWindow window{.entry = frame.entry, .along = frame.along, .normal = frame.across,
+                            .half_width = scene.outline.cutting.largest_radius(), .depth = std::max(0.0, monitor.steps()[step].deepest)};
+    std::vector<Vec3> points;
+    const PresentBone& bone = simulation.present();
+    for (std::size_t body = 0; body < bone.count(); ++body) add_wall_points(*bone.piece(body).bone, bone.cut(body), window, points);
+    return fit_wall(points, window, scene.outline.cutting.thickness());
+}
+
+std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
+
+void append(const Mesh& more, Mesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+    mesh.tissue.insert(mesh.tissue.end(), more.tissue.begin(), more.tissue.end());
+    for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+}
+/// Each piece where it is at the end.
+Mesh all_surfaces(const Simulation& simulation, int stride) {
+    Mesh all;
+    for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
+        const LiveBody& live = *simulation.bodies()[body];
+        Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
+        for (Vec3& p : one.vertices) p = live.world_from_body * p;
+        for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
+        append(one, all);
+    }
+    return all;
 }
 
 }  // namespace
@@ -141,20 +188,36 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const HandPlan plan = plan_of(*rehearsal, scene);
     simulated_hand::SimulatedHand hand(plan.plant, plan.intent, plan.start, Simulation::dt);
     Simulation simulation(scene.body, scene.setup, scene.outline, scene.gains, plan.start);
+    simulation.look_for_pieces(crumb);
+    simulation.replay_adoptions(request.adoptions);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
-    double removed = 0.0;  // [m³]
+    std::vector<Pose> world_from_body(1, identity_pose());
+    double removed = 0.0, removed_before_step = 0.0;  // [m³]
     ContentHash hash;
     RunEnd end = RunEnd::time_over;
 
-    const auto add_event = [&](const std::string& id, const std::string& detail) {
+    const auto add_event_at = [&](std::uint64_t tick, const std::string& id, const std::string& detail) {
         EventRow event;
-        event.tick = simulation.ticks() - 1;
+        event.tick = tick;
         event.time = static_cast<double>(event.tick) * Simulation::dt;
         event.id = id;
         event.detail = detail;
         kerf::add_event(hash, event);
         if (recorder) recorder->push_event(event);
         outcome.events.push_back(Recorder::as_kept(std::move(event)));
+    };
+    const auto add_event = [&](const std::string& id, const std::string& detail) { add_event_at(simulation.ticks() - 1, id, detail); };
+
+    // The tick is that after which the loop took the parts over.
+    const auto take_separations = [&](std::uint64_t tick) {
+        for (const Separation& separation : simulation.take_separations()) {
+            add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
+            Owners owners = monitor.owners();
+            pass_on(owners, separation, scene, simulation.present());
+            monitor.belong(std::move(owners));
+        }
+        world_from_body.clear();
+        for (const auto& body : simulation.bodies()) world_from_body.push_back(body->world_from_body);
     };
 
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
@@ -166,13 +229,21 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         if (!is_replay) hand.step(result.command);
 
         if (simulation.ticks() % volume_interval == 0) removed = simulation.present().removed();
-        monitor.observe({static_cast<double>(simulation.ticks() - 1) * Simulation::dt, result.world_from_tool, result.is_cutting,
-                         result.thrust > 0.0},
+        take_separations(simulation.ticks() - 1);
+        const double now = static_cast<double>(simulation.ticks() - 1) * Simulation::dt;
+        const std::size_t step = monitor.current();
+        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0, result.thrust, world_from_body},
                         scene.outline.cutting);
         const TickRow row = row_of(result, scene, simulation, monitor, handle, removed);
         add_tick(hash, row);
         outcome.ticks.push_back(row);
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+        if (monitor.current() != step) {
+            removed = simulation.present().removed();
+            monitor.judge_cut(step, wall_of(scene, simulation, monitor, step), removed - removed_before_step, now);
+            removed_before_step = removed;
+            for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+        }
         for (std::size_t i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
         if (recorder) {
             recorder->push(row);
@@ -188,7 +259,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         if (request.progress && simulation.ticks() % 250 == 0)
             request.progress(is_replay ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
                                        : static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
-                             "drilling, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
+                             "working, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
         if (result.is_quarantined && linear(result.command.wrench) == Vec3{}) {  // it has faded
             end = RunEnd::fault;
             break;
@@ -209,6 +280,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     }
 
     simulation.finish();
+    take_separations(simulation.ticks());  // a tick that never came: a replay takes over what is left at its end too
     hash.add(simulation.present().hash());
     summary.duration = static_cast<double>(simulation.ticks()) * Simulation::dt;
     summary.ticks = simulation.ticks();
@@ -219,17 +291,25 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     judge(monitor, end, summary.duration, summary);
     summary.metrics = metrics_of(monitor, scene);
     summary.metrics.push_back(port_energy_row(simulation.passivity()));
+    const PresentBone& bone = simulation.present();
+    for (std::size_t body = 0; body < bone.count(); ++body)
+        summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)), surface_file(body)});
+    for (MetricRow& row : piece_metrics(summary, bone_volume(scene.body, CutField(scene.body, 0)), bone.crumbs(), bone.crumb_volume()))
+        summary.metrics.push_back(std::move(row));
     outcome.is_as_expected = ended_as_expected(*rehearsal, monitor, summary.verdict);
 
     if (recorder == nullptr) return outcome;
     if (request.progress) request.progress(1.0, "writing the results");
-    const Mesh bone = bone_surface(scene.body, simulation.exact());
-    const DrawnSurface drawn = drawn_surface(bone_surface(scene.body, simulation.exact(), 2));
+    const DrawnSurface drawn = drawn_surface(all_surfaces(simulation, 2));
     for (const std::string& error :
          {recorder->finish(summary, drawn), write_file(request.out + "/summary.json", summary_json(summary)),
-          write_file(request.out + "/bone.stl", stl_bytes(bone)),
           write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
         if (!error.empty()) outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
+    for (const PieceRow& piece : summary.pieces)
+        if (const std::string error = write_file(request.out + "/" + piece.file,
+                                                 stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body))));
+            !error.empty())
+            outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
     return outcome;
 }
 

@@ -12,9 +12,10 @@ namespace kerf {
 
 struct RunRequest {
     std::string rehearsal;   ///< id; empty: the first
-    std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl; empty: nothing is written
+    std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl, bone-1.stl …; empty: nothing is written
     std::string learner, mode = "practice";
     std::vector<Pose> replay;  ///< device poses of a recorded run: the hand does what it did then
+    std::vector<std::uint64_t> adoptions;  ///< of that run: the ticks after which the loop took over what had come apart
     std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };

@@ -12,6 +12,9 @@ enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrec
 /// The metric rows of the steps: depth, clearance to each limited zone, entry offset, time.   [any] pure.
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
 
+/// What came of the bone, if it came apart: pieces, crumbs, and the balance with the bone `before` [m³].   [any] pure.
+[[nodiscard]] std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs, double crumb_volume);
+
 /// How passive the loop was.   [any] pure.
 [[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
 

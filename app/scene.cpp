@@ -43,7 +43,9 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
                                        [&](const LandmarkAxis& a) { return a.id == step.axis; });
         const AxisInBone found = axis_in_bone(scene.body, *axis);
         check_axis(scene.anatomy, *axis, found, diagnostics);
-        scene.frames.push_back(axis_frame(*axis, found.entry, scene.anatomy));
+        const auto plane = std::find_if(scene.anatomy.planes.begin(), scene.anatomy.planes.end(),
+                                        [&](const LandmarkPlane& p) { return p.id == step.plane; });
+        scene.frames.push_back(axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
         scene.share_in_bone.push_back(found.share);
     }
     if (has_error(diagnostics)) return std::nullopt;
@@ -70,12 +72,12 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.plant.resolution = scene.device->resolution;
     plan.intent.reaction = rehearsal.reaction;
 
-    const AxisFrame& frame = scene.frames.front();
-    plan.start = frame.pose_at(rehearsal.path.front());
+    const auto pose_at = [&](const Waypoint& waypoint) { return scene.frames[waypoint.step].pose_at(waypoint); };
+    plan.start = pose_at(rehearsal.path.front());
     for (std::size_t i = 1; i < rehearsal.path.size(); ++i) {
         const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
-        const bool is_into_bone = to.depth > from.depth && to.depth > 0.0;
-        plan.intent.legs.push_back({.target = frame.pose_at(to),
+        const bool is_into_bone = to.step == from.step && to.depth > from.depth && to.depth > 0.0;
+        plan.intent.legs.push_back({.target = pose_at(to),
                                     .speed = is_into_bone ? rehearsal.feed : rehearsal.approach,
                                     .push = rehearsal.push * scene.gains.force_scale});
     }

@@ -94,16 +94,30 @@ Pose goal_pose(const Scene& scene, std::size_t step) {
 std::string tool_outline(const View& view, const Scene& scene, const Pose& tool) {
     const Vec3 along = tool * Vec3{0, 0, 1} - tool * Vec3{};
     Vec3 across = cross(along, view.away());
+    if (length(across) < 0.1 && scene.outline.cutting.is_prism()) {  // seen along its axis: what it sweeps
+        const Vec3 aside = scene.outline.cutting.largest_radius() * rotate(tool.rotation, {1, 0, 0});
+        const Vec3 up = 0.5 * scene.outline.cutting.thickness() * rotate(tool.rotation, {0, 1, 0});
+        std::string corners;
+        for (const Vec3 corner : {aside + up, aside - up, -1.0 * (aside + up), up - aside}) {
+            const Vec3 at = tool.position + corner;
+            corners += px(view.x_of(at)) + "," + px(view.y_of(at)) + " ";
+        }
+        return "<polygon points=\"" + corners + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
+    }
     if (length(across) < 0.1) {  // seen along its axis
         const double radius = scene.outline.whole.largest_radius() / view.pixel();
         return "<circle cx=\"" + px(view.x_of(tool.position)) + "\" cy=\"" + px(view.y_of(tool.position)) + "\" r=\"" +
                px(radius) + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
     }
     across = normalized(across);
+    // A blade is seen from its edge, or flat.
+    const ToolSolid& whole = scene.outline.whole;
+    const bool is_edge_on = whole.is_prism() && std::abs(dot(across, rotate(tool.rotation, {0, 1, 0}))) > 0.7;
     std::string there, back;
-    for (const kerf_profile_point& point : scene.outline.whole.outline()) {
+    for (const kerf_profile_point& point : whole.outline()) {
         const Vec3 middle = tool * Vec3{0, 0, point.z};
-        const Vec3 a = middle + point.radius * across, b = middle - point.radius * across;
+        const double half = is_edge_on ? 0.5 * whole.thickness() : point.radius;
+        const Vec3 a = middle + half * across, b = middle - half * across;
         there += px(view.x_of(a)) + "," + px(view.y_of(a)) + " ";
         back = px(view.x_of(b)) + "," + px(view.y_of(b)) + " " + back;
     }
@@ -153,14 +167,15 @@ std::string step_views(const Scene& scene, std::size_t step) {
     const AxisFrame& frame = scene.frames[step];
     const Pose tool = goal_pose(scene, step);
     const double depth = frame.depth_of(tool.position);
-    Vec3 across = frame.medial;
+    const bool has_plane = frame.across != Vec3{};
+    Vec3 across = has_plane ? frame.across : frame.medial;
     if (length(across) < 0.5) across = normalized(cross(frame.along, std::abs(frame.along.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
     const Vec3 other = cross(frame.along, across);
-    const char* side = length(frame.medial) > 0.5 ? "; the midline is on the right" : "";
+    const char* side = has_plane ? ", across the plane" : length(frame.medial) > 0.5 ? "; the midline is on the right" : "";
     const double width = std::max(60e-3, 1.8 * depth);
     std::string figures;
     for (const bool is_first : {true, false}) {
-        View view{is_first ? std::string("Along the axis") + side : std::string("Along the axis, a quarter turn further"),
+        View view{is_first ? std::string("Along the axis") + side : std::string(has_plane ? "In the plane" : "Along the axis, a quarter turn further"),
                   frame.entry + 0.5 * depth * frame.along, is_first ? across : other, -1.0 * frame.along, width};
         figures += figure(view, cut_through(view, scene), tool_outline(view, scene, tool) + landmarks(view, scene, 3e-3));
     }

@@ -75,6 +75,7 @@ constexpr CodeEntry entries[] = {
     {309, "no such limit", "A rehearsal expects a limit to break that no step has.", "It could never end as it says.", "Name the zone of a limit, or its quantity where it has no zone; or add the limit."},
     {310, "instrument not used", "No step uses an instrument.", "Most likely a step names another one by mistake. Only a warning.", "Remove it, or name it in a step.", true},
     {311, "unknown variant", "The procedure has no variant of this name.", "Running the procedure as it is instead would be recorded as something that it is not.", "Write one of those that the message lists."},
+    {312, "unknown step", "A waypoint of a rehearsal is seen from a step that there is not.", "Nobody can tell along which axis its depth counts.", "Write one that the message lists."},
 
     // ---- its numbers
     {401, "not a number", "A number is needed, and something else stands there.", "Numbers have a decimal point, whatever the language of the computer, and no signs for thousands.", "Write a number, and its unit behind it."},
@@ -94,6 +95,9 @@ constexpr CodeEntry entries[] = {
     {503, "tissue missing in the anatomy", "The anatomy has no tissue of a name that the procedure needs.", "The procedure was written for bone that has it.", "Correct the spelling, add it to the anatomy, or choose another anatomy."},
     {504, "point instead of an axis", "A step follows a landmark that is a point.", "A point has no direction.", "Name an axis, or give the anatomy one."},
     {505, "no midline", "A rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.", "Nobody can tell which way `medial:` goes.", "Add `midline` to the anatomy's points, or remove `medial:`."},
+    {506, "no plane", "The `plane:` of a step is a point or an axis of the anatomy.", "Neither says how a blade is to be turned.", "Name a plane, or give the anatomy one."},
+    {507, "axis out of its plane", "A step's axis leads out of the plane that its blade should lie in, or runs beside it.", "A blade that is fed across its own plane binds in its slot.", "Turn or move the axis or the plane in the anatomy."},
+    {508, "step without a plane", "Something is measured in the plane of a step that names none.", "Without one a blade may be turned anyhow about its axis.", "Give the step a `plane:`, the name of a landmark plane."},
 
     // ---- bone and data files
     {601, "phantom without bone", "No part of the phantom adds bone.", "There is nothing to cut.", "Give `phantom.parts` at least one part without `subtract`."},
@@ -160,7 +164,7 @@ constexpr CodeEntry entries[] = {
 
     // ---- what it asks of a run
     {701, "unknown device", "There is no record of a device of this name.", "The greatest force, mass and friction of the device decide the scale of what is felt.", "Write one that the message lists."},
-    {702, "another tool or axis", "A step changes the instrument or the axis.", "A run keeps to one tool and one axis, for now.", "Write what the first step has."},
+    {702, "another tool", "A step changes the instrument.", "A run keeps to one tool, for now.", "Write what the first step has."},
     {703, "impossible tool", "The plugin refuses a tool with these parameters.", "Each value is within its range, but together they make no tool.", "Follow the plugin's own words in the message; `kerf describe` tells what the parameters mean."},
     {704, "rehearsal without a way", "A rehearsal has fewer than two waypoints.", "It needs to start somewhere and to go somewhere.", "Add a waypoint."},
     {705, "rehearsal starts in bone", "The first waypoint of a rehearsal is inside the bone.", "The tool cannot appear in the middle of bone: it must come there.", "Let it start outside, as in `- {depth: -5 mm}`."},

@@ -34,17 +34,26 @@ struct Bound {
 };
 
 struct Goal {
-    std::string quantity;  ///< "entry" (first bone met) or "depth" (of the tip along the step's axis, from the entry [m])
-    Bound bound;           ///< empty for "entry"
+    /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]) or "separated" (the bone has
+    /// come apart, in this step or before).
+    std::string quantity;
+    Bound bound;           ///< of "depth"
     SourcePlace place;
 };
 
 struct Limit {
-    std::string quantity;  ///< "depth" [m] or "clearance" (of the cutting region to `zone` [m], negative inside)
+    /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside) or "thrust" [N]. When it
+    /// has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m].
+    std::string quantity;
     std::string zone;      ///< for "clearance"
     Bound bound;
     std::string reason;    ///< the sentence a trainee reads when it is broken
     SourcePlace place;
+
+    /// Measured on the wall of the cut, in the step's plane.
+    [[nodiscard]] bool is_of_wall() const noexcept { return quantity == "plane_angle" || quantity == "plane_offset" || quantity == "flatness"; }
+    /// How rehearsals and results call it.
+    [[nodiscard]] const std::string& name() const noexcept { return zone.empty() ? quantity : zone; }
 };
 
 struct Step {
@@ -53,12 +62,16 @@ struct Step {
     std::string axis;        ///< name of the landmark axis
     std::vector<Goal> goals;
     std::vector<Limit> limits;
+    std::string plane{};     ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
 };
 
-/// One waypoint of a rehearsal, in the frame of the step's axis: depth from the axis's origin along it, and a shift.
+/// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt.
 struct Waypoint {
     double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
     double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
+    double aside = 0.0;   ///< [m] sideways in the step's plane, along the tool's x
+    double tilt = 0.0;    ///< [rad] about the axis, out of the step's plane
+    std::size_t step = 0; ///< whose frame
 };
 
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.

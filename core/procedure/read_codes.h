@@ -51,6 +51,7 @@ enum class Code {
     unknown_limit = 309,        ///< a rehearsal expects a limit to break that no step has
     unused_instrument = 310,    ///< warning
     unknown_variant = 311,
+    unknown_step = 312,         ///< a waypoint is seen from a step that there is not
 
     // Its numbers
     not_a_number = 401,
@@ -69,13 +70,16 @@ enum class Code {
     missing_tissue = 503,
     axis_is_a_point = 504,
     missing_midline = 505,
+    not_a_plane = 506,     ///< a step's `plane` is a point or an axis of the anatomy
+    axis_off_plane = 507,  ///< a step's axis leads out of its plane
+    needs_plane = 508,     ///< something is measured in the plane of a step that names none
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,
 
     // What it asks of a run
     unknown_device = 701,
-    one_tool_only = 702,     ///< a step with another instrument or axis than the first
+    one_tool_only = 702,     ///< a step with another instrument than the first
     impossible_tool = 703,   ///< the plugin refuses these parameters
     no_way = 704,            ///< a rehearsal with fewer than two waypoints
     starts_in_bone = 705,

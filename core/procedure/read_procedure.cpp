@@ -2,6 +2,7 @@
 #include "core/procedure/read_procedure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
+#include "kerf/units.hpp"
 
 namespace kerf {
 namespace {
@@ -210,7 +212,11 @@ private:
 // ---- steps -------------------------------------------------------------------------------------------------------
 
 /// `{at_least: …, at_most: …}`, one or both.
-void read_bound_values(MapReader& map, const std::string& name, Bound& bound, Report& report) {
+void read_bound_values(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
+    if (shape.find("at_least") == nullptr) {
+        if (const Node* node = map.find("at_most")) bound.at_most = read_quantity(*node, map.name_of("at_most"), map.need_of("at_most"), report);
+        return;
+    }
     bool is_bounded = false;
     const auto read_end = [&](const char* key, std::optional<double>& value) {
         const Node* node = map.find(key);
@@ -231,9 +237,9 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
     if (const Node* quantity = map.one_of()) {
         goal.quantity = quantity->key;
         goal.place = document.place(quantity->key_span);
-        const bool is_entry = quantity->key == "entry";
-        MapReader bound(*quantity, is_entry ? shapes::entry_goal : shapes::depth_bound, quantity->key, report);
-        if (!is_entry) read_bound_values(bound, quantity->key, goal.bound, report);
+        const Shape& shape = *shapes::goal.find(quantity->key)->value.shape;
+        MapReader bound(*quantity, shape, quantity->key, report);
+        if (!shape.keys.empty()) read_bound_values(bound, shape, quantity->key, goal.bound, report);
         bound.finish();
     }
     map.finish();
@@ -266,13 +272,14 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
         limit.quantity = quantity->key;
         limit.place = document.place(quantity->key_span);
         const bool is_clearance = quantity->key == "clearance";
-        MapReader bound(*quantity, is_clearance ? shapes::clearance_bound : shapes::depth_bound, quantity->key, report);
+        const Shape& shape = *shapes::limit.find(quantity->key)->value.shape;
+        MapReader bound(*quantity, shape, quantity->key, report);
         if (const Node* zone = is_clearance ? bound.find("zone") : nullptr) {
             limit.zone = read_id(*zone, "clearance.zone", report).value_or("");
             if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
                 refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
-        read_bound_values(bound, quantity->key, limit.bound, report);
+        read_bound_values(bound, shape, quantity->key, limit.bound, report);
         bound.finish();
     }
     limit.reason = map.text("reason");
@@ -296,6 +303,11 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
         if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
             refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document, report);
     }
+    if (const Node* plane = map.find("plane")) {
+        step.plane = read_id(*plane, "plane", report).value_or("");
+        if (!step.plane.empty() && !contains(procedure.needs_landmarks, step.plane))
+            refuse_undeclared(Code::undeclared_landmark, *plane, "landmark", procedure.needs_landmarks, document, report);
+    }
     if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report)) step.goals.push_back(read_goal(goal, document, report));
     if (const Node* limits = map.find("limits"))
@@ -312,8 +324,7 @@ std::vector<std::string> limit_names(const std::vector<Step>& steps) {
     std::vector<std::string> names;
     for (const Step& step : steps)
         for (const Limit& limit : step.limits)
-            if (const std::string& name = limit.zone.empty() ? limit.quantity : limit.zone; !contains(names, name))
-                names.push_back(name);
+            if (!contains(names, limit.name())) names.push_back(limit.name());
     return names;
 }
 
@@ -345,7 +356,33 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
         report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
 }
 
-Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, Report& report) {
+void refuse_step(const Node& name, const std::vector<Step>& steps, Report& report) {
+    std::vector<std::string> known;
+    for (const Step& step : steps) known.push_back(step.id);
+    const std::string meant = closest(name.text, known, report);
+    report.error(Code::unknown_step, name.span, "There is no such step; there is " + listed(known) + "." + or_choose(meant), meant);
+}
+
+/// `step` is that of the waypoint before.
+Waypoint read_waypoint(const Node& point, std::size_t step, const std::vector<Step>& steps, Report& report) {
+    MapReader waypoint(point, shapes::waypoint, "waypoint", report);
+    Waypoint at;
+    at.step = step;
+    if (const Node* name = waypoint.find("step"))
+        if (const std::string id = read_id(*name, "waypoint.step", report).value_or(""); !id.empty()) {
+            const auto found = std::find_if(steps.begin(), steps.end(), [&](const Step& s) { return s.id == id; });
+            if (found != steps.end()) at.step = static_cast<std::size_t>(found - steps.begin());
+            else if (!steps.empty()) refuse_step(*name, steps, report);
+        }
+    at.depth = waypoint.quantity("depth");
+    waypoint.quantity("medial", at.medial);
+    waypoint.quantity("aside", at.aside);
+    waypoint.quantity("tilt", at.tilt);
+    waypoint.finish();
+    return at;
+}
+
+Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const std::vector<Step>& steps, Report& report) {
     MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
@@ -360,14 +397,8 @@ Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limit
         hand.finish();
     }
     if (const Node* path = map.find("path"))
-        for (const Node& point : read_list(*path, "path", report)) {
-            MapReader waypoint(point, shapes::waypoint, "waypoint", report);
-            Waypoint at;
-            at.depth = waypoint.quantity("depth");
-            waypoint.quantity("medial", at.medial);
-            waypoint.finish();
-            rehearsal.path.push_back(at);
-        }
+        for (const Node& point : read_list(*path, "path", report))
+            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step, steps, report));
     map.finish();
     return rehearsal;
 }
@@ -481,7 +512,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     if (const Node* node = map.find("rehearsals")) {
         const std::vector<std::string> limits = limit_names(procedure.steps);
         for (const Node& item : read_list(*node, "rehearsals", report))
-            add_unique(read_rehearsal(item, limits, report), item, rehearsal_ids, procedure.rehearsals, report);
+            add_unique(read_rehearsal(item, limits, procedure.steps, report), item, rehearsal_ids, procedure.rehearsals, report);
     }
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
@@ -509,6 +540,64 @@ void check_names(const std::vector<std::string>& needed, const std::vector<std::
                                                       (present.empty() ? "." : "; it has " + listed(present) + ".") +
                                                       or_choose(meant, "Add it there, or choose another anatomy."),
                      meant, report.is_full() ? std::nullopt : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
+    }
+}
+
+template <class T>
+const T& find_by_id(const std::vector<T>& things, const std::string& id) {
+    return *std::find_if(things.begin(), things.end(), [&](const T& thing) { return thing.id == id; });
+}
+
+/// A blade that is fed along the axis would leave the plane.
+void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpan span, const Anatomy& anatomy, Report& report) {
+    using namespace literals;
+    constexpr double most_angle = 3.0_deg;
+    const double angle = std::asin(std::clamp(std::abs(dot(normalized(axis.to - axis.from), plane.normal)), 0.0, 1.0));
+    const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)), most_off = axis.tolerance + plane.tolerance;
+    const auto rounded = [](double value, double step, const char* unit) { return quantity_text(std::round(value / step) * step, unit); };
+    const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis stands here.");
+    if (angle > most_angle)
+        report.error(Code::axis_off_plane, span,
+                     "The axis " + quoted_id(axis.id) + " leads out of the plane " + quoted_id(plane.id) + " by " + rounded(angle, 0.1_deg, "deg") +
+                         ", must be at most 3 deg: a blade fed along it would bind. Turn one of the two.", {}, here);
+    else if (off > most_off + 1e-9)
+        report.error(Code::axis_off_plane, span,
+                     "The axis " + quoted_id(axis.id) + " runs " + rounded(off, 0.1_mm, "mm") + " beside the plane " + quoted_id(plane.id) +
+                         ", must be at most " + rounded(most_off, 0.1_mm, "mm") + ", their tolerances together. Move one of the two.", {}, here);
+}
+
+/// What is measured in the plane of a step needs one. `step` may be null.
+void refuse_without_plane(const Node& what, const std::string& step_id, const Node* step, Report& report) {
+    report.error(Code::needs_plane, what.key_span,
+                 quoted_id(what.key) + " is measured in the plane of the step, and the step " + quoted_id(step_id) +
+                     " names none. Give it a `plane:`, or remove " + quoted_id(what.key) + ".", {},
+                 step ? std::optional(report.because(step->span, "the step stands here.")) : std::nullopt);
+}
+
+void check_planes(const Procedure& procedure, const Document& document, Report& report) {
+    const auto item = [](const Node* list, std::size_t i) { return list && i < list->children.size() ? &list->children[i] : nullptr; };
+    const Node* steps = document.root.find("steps");
+    const Node* rehearsals = document.root.find("rehearsals");
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
+        const Node* step = item(steps, s);
+        const Node* limits = step ? step->find("limits") : nullptr;
+        for (std::size_t l = 0; l < procedure.steps[s].limits.size(); ++l) {
+            const Limit& limit = procedure.steps[s].limits[l];
+            const Node* written = item(limits, l);
+            const Node* node = written ? written->find(limit.quantity) : nullptr;
+            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty()) refuse_without_plane(*node, procedure.steps[s].id, step, report);
+        }
+    }
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
+        const Node* rehearsal = item(rehearsals, r);
+        const Node* path = rehearsal ? rehearsal->find("path") : nullptr;
+        for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
+            const std::size_t s = procedure.rehearsals[r].path[w].step;
+            const Node* waypoint = item(path, w);
+            if (!waypoint || !procedure.steps[s].plane.empty()) continue;
+            for (const char* key : {"aside", "tilt"})
+                if (const Node* node = waypoint->find(key)) refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
+        }
     }
 }
 
@@ -552,11 +641,11 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     const Node* needs = document.root.find("needs");
     const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };
 
-    std::vector<std::string> axes, points, landmarks, zones, tissues;
+    std::vector<std::string> axes, points, planes, landmarks, zones, tissues;
     append_ids(anatomy.axes, axes);
     append_ids(anatomy.points, points);
-    append_ids(anatomy.axes, landmarks);
-    append_ids(anatomy.points, landmarks);
+    append_ids(anatomy.planes, planes);
+    for (const auto* some : {&axes, &points, &planes}) landmarks.insert(landmarks.end(), some->begin(), some->end());
     append_ids(anatomy.zones, zones);
     append_ids(anatomy.tissues, tissues);
     check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy, report);
@@ -566,15 +655,31 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     const Node* steps = document.root.find("steps");
     for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
         const std::string& axis = procedure.steps[i].axis;
-        if (!contains(points, axis) || contains(axes, axis)) continue;
+        const std::string& plane = procedure.steps[i].plane;
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
-        const std::string meant = closest(axis, axes, report);
-        report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                     "The landmark " + quoted_id(axis) + " is a point of the anatomy; a step follows an axis." +
-                         or_choose(meant, "Name an axis, or give the anatomy one."),
-                     meant, in_anatomy(anatomy, {"landmarks", "points", axis}, "it is a point here."));
+        if (const bool is_point = contains(points, axis); (is_point || contains(planes, axis)) && !contains(axes, axis)) {
+            const std::string meant = closest(axis, axes, report);
+            report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
+                         "The landmark " + quoted_id(axis) + " is a " + (is_point ? "point" : "plane") + " of the anatomy; a step follows an axis." +
+                             or_choose(meant, "Name an axis, or give the anatomy one."),
+                         meant, in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis}, is_point ? "it is a point here." : "it is a plane here."));
+        }
+        if (plane.empty() || !contains(landmarks, plane)) continue;
+        const Node* plane_node = step ? step->find("plane") : nullptr;
+        if (!contains(planes, plane)) {
+            const bool is_point = contains(points, plane);
+            const std::string meant = closest(plane, planes, report);
+            report.error(Code::not_a_plane, plane_node ? plane_node->span : TextSpan{},
+                         "The landmark " + quoted_id(plane) + " is " + (is_point ? "a point" : "an axis") + " of the anatomy; a blade lies in a plane." +
+                             or_choose(meant, "Name a plane, or give the anatomy one."),
+                         meant, in_anatomy(anatomy, {"landmarks", is_point ? "points" : "axes", plane}, is_point ? "it is a point here." : "it is an axis here."));
+        } else if (contains(axes, axis)) {
+            check_lies_in(find_by_id(anatomy.axes, axis), find_by_id(anatomy.planes, plane), plane_node ? plane_node->span : TextSpan{}, anatomy, report);
+        }
     }
+
+    check_planes(procedure, document, report);
 
     if (contains(points, midline)) return;
     const Node* rehearsals = document.root.find("rehearsals");

@@ -56,7 +56,7 @@ const Shape metadata{"metadata", "What the procedure is called, and how far it m
 }};
 
 const Shape needs{"needs", "What the anatomy must have, by name: no coordinates stand in a procedure.", {
-    {optional, "landmarks", list(id()), "Points and axes.", "[right_pedicle, midline]"},
+    {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
     {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
     {optional, "tissues", list(id()), "Tissues that the bone must be made of.", "[cortical, cancellous]"},
 }};
@@ -98,14 +98,37 @@ const Shape clearance_bound{"clearance_bound", "Distance of what cuts to a zone,
     {any_of, "at_most", length(-50.0_mm, 50.0_mm), "No farther than this.", "20 mm"},
 }};
 
+const Shape separated_goal{"separated_goal", "The bone has come apart, in this step or before.", {}};
+
+const Shape thrust_bound{"thrust_bound", "Of the bone on the tool, against its feed.", {
+    {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
+}};
+
+const Shape angle_bound{"angle_bound", "Between the wall that the cut left and the step's plane.", {
+    {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 45.0_deg), "No more than this.", "3 deg"},
+}};
+
+const Shape offset_bound{"offset_bound", "Of the wall that the cut left from where a blade in the step's plane would leave it, to either side.", {
+    {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
+}};
+
+const Shape flatness_bound{"flatness_bound", "Between two parallel planes that hold the wall that the cut left.", {
+    {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
+}};
+
 const Shape goal{"goal", "What must be reached; goals are met in their order.", {
     {one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
     {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
+    {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
 }};
 
 const Shape limit{"limit", "What must not happen meanwhile.", {
     {one_of, "clearance", map(clearance_bound), "How near what cuts may come to a zone.", "{zone: canal, at_least: 0 mm}"},
     {one_of, "depth", map(depth_bound), "How deep the tip may be.", "{at_most: 38 mm}"},
+    {one_of, "thrust", map(thrust_bound), "How hard the running tool may be pushed.", "{at_most: 60 N}"},
+    {one_of, "plane_angle", map(angle_bound), "How far the cut may be tilted out of the step's plane, measured on its wall when the step has ended.", "{at_most: 3 deg}"},
+    {one_of, "plane_offset", map(offset_bound), "How far it may lie beside the plane, measured likewise.", "{at_most: 1 mm}"},
+    {one_of, "flatness", map(flatness_bound), "How uneven it may be, measured likewise.", "{at_most: 0.5 mm}"},
     {required, "reason", text(), "The sentence that a trainee reads when it happens.", "The hole is deeper than planned."},
 }};
 
@@ -114,6 +137,7 @@ const Shape step{"step", "One thing to do.", {
     {required, "title", text(), "What to do, for the trainee.", "Drill the pilot hole"},
     {required, "instrument", id(), "One of `instruments`.", "pilot"},
     {required, "axis", id(), "One of `needs.landmarks`; the tool should follow it.", "right_pedicle"},
+    {optional, "plane", id(), "One of `needs.landmarks`; the flat side of a blade should lie in it, its y along the plane's normal.", "resection"},
     {required, "goals", list(map(goal)), "What must be reached, in this order.", "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
     {optional, "limits", list(map(limit)), "What must not happen meanwhile.", "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
 }};
@@ -129,9 +153,12 @@ const Shape hand{"hand", "What the simulated hand is like.", {
     {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
 }};
 
-const Shape waypoint{"waypoint", "Where the hand goes, seen along the step's axis.", {
+const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.", {
+    {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
     {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
     {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
+    {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
+    {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
 }};
 
 const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {

@@ -8,11 +8,34 @@
 
 namespace kerf {
 
-Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
-    return {entry + w.depth * along + w.medial * medial, quat_between({0, 0, 1}, along)};
+namespace {
+
+/// About unit `axis`, from unit `from` to unit `to`, which are both across it.
+Quat turn_about(Vec3 axis, Vec3 from, Vec3 to) noexcept {
+    const double cosine = dot(from, to), sine = dot(cross(from, to), axis);
+    // Of the two half angles the one that cannot vanish.
+    double half_cosine, half_sine;
+    if (cosine >= 0.0) {
+        half_cosine = std::sqrt(0.5 * (1.0 + cosine));
+        half_sine = 0.5 * sine / half_cosine;
+    } else {
+        half_sine = std::sqrt(0.5 * (1.0 - cosine));
+        half_cosine = 0.5 * sine / half_sine;
+    }
+    return normalized(Quat{half_cosine, half_sine * axis.x, half_sine * axis.y, half_sine * axis.z});
 }
 
-AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept {
+}  // namespace
+
+Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
+    const Vec3 tip = entry + w.depth * along + w.medial * medial + w.aside * aside();
+    Quat rotation = quat_between({0, 0, 1}, along);
+    if (across != Vec3{}) rotation = turn_about(along, rotate(rotation, {0, 1, 0}), across) * rotation;
+    if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
+    return {tip, rotation};
+}
+
+AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy, const LandmarkPlane* plane) noexcept {
     AxisFrame frame;
     frame.along = normalized(axis.to - axis.from);
     frame.entry = axis.from + entry_along_axis * frame.along;
@@ -22,6 +45,7 @@ AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const An
             const Vec3 away = point.at - frame.entry;
             frame.medial = normalized(away - dot(away, frame.along) * frame.along);
         }
+    if (plane != nullptr) frame.across = normalized(plane->normal - dot(plane->normal, frame.along) * frame.along);
     return frame;
 }
 
@@ -39,8 +63,20 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone
     return least;
 }
 
+namespace {
+
+/// The tool as the body `owner` sees it.
+Pose seen_from(std::size_t owner, const Observation& now) noexcept {
+    if (owner >= now.world_from_body.size()) return now.world_from_tool;
+    return inverse(now.world_from_body[owner]) * now.world_from_tool;
+}
+
+}  // namespace
+
 StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames)
     : anatomy_(&anatomy), frames_(std::move(frames)) {
+    owners_.zone.assign(anatomy.zones.size(), 0);
+    owners_.step.assign(procedure.steps.size(), 0);
     for (const auto& step : procedure.steps) {
         StepState state;
         state.step = &step;
@@ -54,12 +90,14 @@ StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std
 }
 
 void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
-    const auto& [time, tool, is_running, is_resisted] = now;
+    const double time = now.time;
+    const bool is_running = now.is_running, is_resisted = now.is_resisted;
     const bool is_in_bone = is_running && is_resisted;
     news_.clear();
     if (current_ >= steps_.size()) return;
     StepState& state = steps_[current_];
     const AxisFrame& frame = frames_[current_];
+    const Pose tool = seen_from(owners_.step[current_], now);
     if (!state.start) state.start = time;
 
     const double depth = frame.depth_of(tool.position);
@@ -78,34 +116,28 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
 
     for (auto& limit : state.limits) {
         if (!is_running) continue;  // a still tool harms nothing
-        double value = depth;
+        if (limit.limit->is_of_wall()) continue;  // there is none yet
+        double value = limit.limit->quantity == "thrust" ? now.thrust : depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
                                            [&](const Zone& z) { return z.id == limit.limit->zone; });
             if (zone == anatomy_->zones.end()) continue;
+            const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
             // Distances are 1-Lipschitz: far from the zone the tip alone shows that nothing new can be learnt.
             const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
-            if (limit.is_seen && distance_to_any(zone->solids, tool.position) - reach > limit.worst) continue;
-            value = clearance(cutting, tool, *zone);
+            if (limit.is_seen && distance_to_any(zone->solids, seen.position) - reach > limit.worst) continue;
+            value = clearance(cutting, seen, *zone);
         }
-        const Bound& bound = limit.limit->bound;
-        const bool is_broken = (bound.at_least && value < *bound.at_least) || (bound.at_most && value > *bound.at_most);
-        const bool is_low_bad = bound.at_least.has_value();
-        if (!limit.is_seen || (is_low_bad ? value < limit.worst : value > limit.worst)) limit.worst = value;
-        limit.is_seen = true;
-        if (is_broken && !limit.broken_at) {
-            limit.broken_at = time;
-            news_.emplace_back(limit.limit->zone.empty() ? "limit_broken" : "zone_entered",
-                               limit.limit->zone.empty() ? limit.limit->quantity : limit.limit->zone);
-        }
+        hold(limit, value, time);
     }
 
     for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
         if (state.goal_done[g]) continue;
         const Goal& goal = state.step->goals[g];
-        const bool is_reached = goal.quantity == "entry" ? state.deepest >= 0.0
-                                                         : state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
-                                                               state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
+        const bool is_reached = goal.quantity == "entry"       ? state.deepest >= 0.0
+                                : goal.quantity == "separated" ? now.world_from_body.size() > 1
+                                                               : state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
+                                                                     state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
         if (!is_reached) break;  // goals are reached in order
         state.goal_done[g] = true;
         news_.emplace_back("goal_reached", state.step->id + ": " + goal.quantity);
@@ -118,6 +150,31 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
         news_.emplace_back("step_done", state.step->id);
         ++current_;
     }
+}
+
+void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {
+    news_.clear();
+    StepState& state = steps_[step];
+    state.wall = wall;
+    state.removed = removed;
+    if (!wall) return;
+    for (auto& limit : state.limits) {
+        const std::string& quantity = limit.limit->quantity;
+        if (quantity == "plane_angle") hold(limit, wall->angle, time);
+        if (quantity == "plane_offset") hold(limit, wall->offset, time);
+        if (quantity == "flatness") hold(limit, wall->flatness, time);
+    }
+}
+
+void StepMonitor::hold(LimitState& limit, double value, double time) {
+    const Bound& bound = limit.limit->bound;
+    const bool is_broken = (bound.at_least && value < *bound.at_least) || (bound.at_most && value > *bound.at_most);
+    const bool is_low_bad = bound.at_least.has_value();
+    if (!limit.is_seen || (is_low_bad ? value < limit.worst : value > limit.worst)) limit.worst = value;
+    limit.is_seen = true;
+    if (!is_broken || limit.broken_at) return;
+    limit.broken_at = time;
+    news_.emplace_back(limit.limit->zone.empty() ? "limit_broken" : "zone_entered", limit.limit->name());
 }
 
 }  // namespace kerf

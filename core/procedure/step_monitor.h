@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/field/cut_wall.h"
 #include "core/field/tool_solid.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
@@ -17,12 +19,17 @@ struct AxisFrame {
     Vec3 entry{};   ///< LPS [m]
     Vec3 along{};   ///< unit, into the bone
     Vec3 medial{};  ///< unit, across the axis towards the landmark `midline`; zero without it
+    Vec3 across{};  ///< unit, across the axis along the normal of the step's plane; zero without one
 
     [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
-    /// Tool pose at a waypoint: tip there, shaft along the axis.
+    /// In the plane, beside the axis: the tool's x.
+    [[nodiscard]] Vec3 aside() const noexcept { return cross(across, along); }
+    /// Tool pose at a waypoint: tip there, +z along the axis and, with a plane, y along its normal.
     [[nodiscard]] Pose pose_at(const Waypoint& waypoint) const noexcept;
 };
-[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy) noexcept;
+/// `plane` may be null.
+[[nodiscard]] AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy,
+                                   const LandmarkPlane* plane = nullptr) noexcept;
 
 /// How far the outline of a solid stays from a zone [m]; negative inside. Looked at on rings along the outline.
 [[nodiscard]] double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone& zone) noexcept;
@@ -33,6 +40,14 @@ struct Observation {
     Pose world_from_tool = identity_pose();
     bool is_running = false;                  ///< the tool removes what it sweeps
     bool is_resisted = false;                 ///< bone resists it
+    double thrust = 0.0;                      ///< [N] of the bone on the tool, against its feed
+    std::span<const Pose> world_from_body{};  ///< of each body; empty: there is one, and it has not moved
+};
+
+/// Which body each thing of the anatomy belongs to, and moves with.
+struct Owners {
+    std::vector<std::size_t> zone;  ///< of each of the anatomy's zones
+    std::vector<std::size_t> step;  ///< of the frame of each step
 };
 
 struct LimitState {
@@ -51,6 +66,8 @@ struct StepState {
     double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first cut bone
     double farthest_offset = 0.0;      ///< [m] of the tip from the axis while it cut bone
     bool has_met_bone_still = false;   ///< it stood on bone without running
+    std::optional<CutWall> wall;       ///< that its cut left, measured when it had ended
+    double removed = 0.0;              ///< [m³] in this step
 
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
 };
@@ -62,6 +79,11 @@ public:
 
     /// Shows one tick, of a tool whose cutting region is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);
+    /// Shows what the step that ended in the last tick left: the wall of its cut, if one was found, and what was `removed` in it [m³].
+    void judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time);
+    /// From now on things move with these bodies.
+    void belong(Owners owners) { owners_ = std::move(owners); }
+    [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
     /// Index of the step that runs; the number of steps when all are done.
@@ -71,8 +93,12 @@ public:
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& news() const noexcept { return news_; }
 
 private:
+    /// Holds a measured value against its limit.
+    void hold(LimitState& limit, double value, double time);
+
     const Anatomy* anatomy_;
     std::vector<AxisFrame> frames_;
+    Owners owners_;  ///< at first all belongs to body 0
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
     std::vector<std::pair<std::string, std::string>> news_;

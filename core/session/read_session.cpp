@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "core/session/recorder.h"
 #include "core/session/session_file.h"
 
 namespace kerf {
@@ -22,7 +23,7 @@ bool is_plausible(const Pose& pose) {
 
 std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
     SessionFile file;
-    if (error = file.open(path, {"session", "ticks"}); !error.empty()) return std::nullopt;
+    if (error = file.open(path, {"session", "ticks", "events"}); !error.empty()) return std::nullopt;
 
     RecordedInputs inputs;
     SessionQuery keys(file.handle(), "SELECT key, value FROM session");
@@ -51,7 +52,9 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         }
         inputs.device_from_handle.push_back(pose);
     }
-    if (keys.has_failed() || ticks.has_failed() || inputs.device_from_handle.empty()) {
+    SessionQuery adoptions(file.handle(), std::string("SELECT tick FROM events WHERE id IN ('") + came_apart_event + "', '" + crumbled_event + "') ORDER BY rowid");
+    while (adoptions.next()) inputs.adoptions.push_back(static_cast<std::uint64_t>(adoptions.integer(0)) + 1);
+    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }

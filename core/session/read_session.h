@@ -15,6 +15,7 @@ struct RecordedInputs {
     std::string variant;  ///< of the procedure; empty for none
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
+    std::vector<std::uint64_t> adoptions;  ///< ticks after which the loop took over what had come apart, in order
     std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short
 };
 

@@ -15,6 +15,9 @@ namespace kerf {
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
 inline constexpr std::int32_t session_schema_version = 2;
+/// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back. `came_apart`: there are
+/// further bodies; `crumbled`: crumbs alone.
+inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
 /// Stands in every file a run writes.
 inline constexpr const char* notice_line = "For training and research; not for diagnosis, planning or deciding treatment";
 

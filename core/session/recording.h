@@ -73,6 +73,13 @@ struct CutRow {
 
 struct SignalColumn { std::string id, help, unit; double per_unit = 1.0; };
 
+/// Bone that hangs together, at the end of a run.
+struct PieceRow {
+    std::size_t body = 0;  ///< 0 is what it began with, or the largest part of that
+    double volume = 0.0;   ///< [m³]
+    std::string file;      ///< its surface, beside the session
+};
+
 enum class Verdict { pass, fail, incomplete, invalid };
 const char* to_text(Verdict verdict) noexcept;
 
@@ -88,6 +95,7 @@ struct RunSummary {
     std::uint64_t ticks = 0, late_ticks = 0;
     double removed = 0.0;        ///< [m³]
     std::vector<std::pair<std::string, double>> removed_by_tissue;  ///< [m³]
+    std::vector<PieceRow> pieces{};
     double force_scale = 1.0, coupling_stiffness = 0.0;  ///< K_c [N/m], device side
     std::uint64_t hash = 0;
     std::vector<std::pair<std::string, std::string>> versions;

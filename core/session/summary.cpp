@@ -62,6 +62,9 @@ std::string summary_json(const RunSummary& summary) {
     for (const StepRow& step : summary.steps) steps.push_back(to_json(step));
     Json metrics = Json::array();
     for (const MetricRow& metric : summary.metrics) metrics.push_back(to_json(metric));
+    Json pieces = Json::array();
+    for (const PieceRow& piece : summary.pieces)
+        pieces.push_back({{"body", piece.body}, {"volume_mm3", plain_number(piece.volume * 1e9)}, {"file", piece.file}});
     Json versions = Json::object();
     for (const auto& [part, version] : summary.versions) versions[part] = version;
 
@@ -77,6 +80,7 @@ std::string summary_json(const RunSummary& summary) {
                         {"ticks", summary.ticks},
                         {"late_ticks", summary.late_ticks},
                         {"removed_mm3", plain_number(summary.removed * 1e9)},
+                        {"pieces", std::move(pieces)},
                         {"force_scale", plain_number(summary.force_scale)},
                         {"hash", hex16(summary.hash)},
                         {"versions", std::move(versions)},

@@ -12,8 +12,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <system_error>
+#include <vector>
 
+#include "core/field/present_bone.h"
 #include "core/session/recorder.h"
 
 namespace kerf {
@@ -110,15 +113,17 @@ std::string prepare_output(const std::string& folder, OutputLock& lock) {
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
 
     // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
-    constexpr std::string_view ours[] = {"session.db",   "session.db-wal",    "session.db-shm", "session.db-journal", "summary.json",
-                                         "report.html",  "bone.stl",          "summary.json.part", "report.html.part", "bone.stl.part"};
+    std::vector<std::string> ours{"session.db", "session.db-wal", "session.db-shm", "session.db-journal"};
+    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl"};
+    for (std::size_t body = 1; body < most_bodies; ++body) whole.push_back("bone-" + std::to_string(body) + ".stl");
+    for (const std::string& name : whole) ours.insert(ours.end(), {name, name + ".part"});
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (std::find(std::begin(ours), std::end(ours), name) == std::end(ours))
             return folder + " holds `" + name + "`, which no run has written, so it was left alone. Give a new or empty folder.";
     }
-    for (const std::string_view name : ours)
+    for (const std::string& name : ours)
         if (!error) fs::remove(path / name, error);
     return error ? folder + " could not be emptied: " + error.message() : std::string();
 }

@@ -48,13 +48,13 @@ TEST(RunChecks, NamesTheDeviceThatWasMeantWhereItStands) {
     EXPECT_NE(to_text(found).find("Write `touch`"), std::string::npos) << to_text(found);
 }
 
-TEST(RunChecks, PointsAtTheStepThatChangesItsAxis) {
+TEST(RunChecks, PointsAtTheStepThatChangesItsInstrument) {
     Procedure p = procedure();
     p.steps.push_back(p.steps[0]);
-    p.steps[1].axis = "right";
+    p.steps[1].instrument = "saw";
     Diagnostics found;
     check_run(p, found);
-    expect_one(found, "E0702", 6, 43);
+    expect_one(found, "E0702", 6, 30);
 }
 
 TEST(RunChecks, PointsAtRehearsalsThatCannotBeCarriedOut) {

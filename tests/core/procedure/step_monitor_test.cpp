@@ -45,6 +45,34 @@ struct Watch {
     }
 };
 
+TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
+    // Given an axis to the back and a plane that looks to the feet, as in a cut across a femur
+    const LandmarkAxis axis{"way", {0, -40.0_mm, 0}, {0, 40.0_mm, 0}, 0.0};
+    const LandmarkPlane plane{"level", {}, {0, 0, -1}, 0.0};
+    const AxisFrame frame = axis_frame(axis, 10.0_mm, {}, &plane);
+
+    // When the tool is 5 mm deep, 3 mm aside and turned by 30 degrees
+    const Pose straight = frame.pose_at({.depth = 5.0_mm, .aside = 3.0_mm});
+    const Pose tilted = frame.pose_at({.depth = 5.0_mm, .aside = 3.0_mm, .tilt = 30.0_deg});
+
+    // Then +z is the feed, y the plane's normal, and x = y × z, which here is the patient's left
+    const auto expect_near = [](Vec3 is, Vec3 wanted) { EXPECT_LT(length(is - wanted), 1e-9 /* rounding */); };
+    expect_near(rotate(straight.rotation, {0, 0, 1}), {0, 1, 0});
+    expect_near(rotate(straight.rotation, {0, 1, 0}), {0, 0, -1});
+    expect_near(straight.position, {3.0_mm, -25.0_mm, 0});
+    expect_near(rotate(tilted.rotation, {0, 0, 1}), {0, 1, 0});
+    EXPECT_NEAR(dot(rotate(tilted.rotation, {0, 1, 0}), {0, 0, -1}), 0.86602540378, 1e-9);
+    expect_near(tilted.position, straight.position);
+}
+
+TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
+    const LandmarkAxis axis{"way", {0, 0, -1.0_mm}, {0, 0, 1.0_mm}, 0.0};
+    const LandmarkPlane plane{"level", {}, {0, -1, 0}, 0.0};
+    const Pose pose = axis_frame(axis, 0.0, {}, &plane).pose_at({});
+    EXPECT_LT(length(rotate(pose.rotation, {0, 1, 0}) - Vec3{0, -1, 0}), 1e-12);
+    EXPECT_LT(length(rotate(pose.rotation, {0, 0, 1}) - Vec3{0, 0, 1}), 1e-12);
+}
+
 TEST(StepMonitor, GoalsAreReachedInOrderAndTheStepEndsOutside) {
     Watch run;
     run.show(-2.0_mm, 0.0, true, false);
@@ -90,6 +118,60 @@ TEST(StepMonitor, HowFarItWanderedIsCountedInBoneOnly) {
     run.show(3.0_mm, 0.1_mm);
     EXPECT_NEAR(run.monitor.steps()[0].entry_offset, 0.2_mm, 1e-12);
     EXPECT_NEAR(run.monitor.steps()[0].farthest_offset, 0.7_mm, 1e-12);
+}
+
+TEST(StepMonitor, AZoneThatBelongsToAPieceMovesWithIt) {
+    // Given two bodies, the second with the nerve, carried 20 mm away
+    Watch run;
+    const Pose moved[]{identity_pose(), {{20.0_mm, 0, 0}, {1, 0, 0, 0}}};
+    const auto show_at = [&](double x) {
+        run.monitor.observe({0.0, {{x, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, moved}, run.scene.drill);
+        return run.monitor.steps()[0].limits[0].broken_at.has_value();
+    };
+    run.monitor.belong({.zone = {1}, .step = {0, 0}});
+
+    // Then its place of before harms nobody, and its new one does
+    EXPECT_FALSE(show_at(3.5_mm));
+    EXPECT_TRUE(show_at(23.5_mm));
+}
+
+TEST(StepMonitor, BoneHasComeApartWhenThereAreTwoBodies) {
+    Case scene;
+    scene.procedure.steps[0].goals = {{"separated", {}, {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const Pose bodies[]{identity_pose(), identity_pose()};
+    const auto show = [&](std::size_t count) {
+        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, std::span(bodies).first(count)}, scene.drill);
+        return bool{monitor.steps()[0].goal_done[0]};
+    };
+    EXPECT_FALSE(show(1));
+    EXPECT_TRUE(show(2));
+}
+
+TEST(StepMonitor, ThrustCountsWhileTheToolRuns) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"thrust", "", {{}, 60.0_N}, "Forced.", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const auto show = [&](double thrust, bool is_running) {
+        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, is_running, true, thrust}, scene.drill);
+        return monitor.steps()[0].limits[0].broken_at.has_value();
+    };
+    EXPECT_FALSE(show(59.0_N, true));
+    EXPECT_FALSE(show(80.0_N, false));
+    EXPECT_TRUE(show(61.0_N, true));
+    EXPECT_EQ(monitor.steps()[0].limits[0].worst, 61.0_N);
+}
+
+TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"plane_angle", "", {{}, 3.0_deg}, "Tilted.", {}}, {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    monitor.judge_cut(0, CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
+    ASSERT_EQ(monitor.news().size(), 1u);
+    EXPECT_EQ(monitor.news()[0].second, "plane_angle");
+    EXPECT_TRUE(monitor.steps()[0].limits[0].broken_at);
+    EXPECT_FALSE(monitor.steps()[0].limits[1].broken_at);
+    EXPECT_EQ(monitor.steps()[0].removed, 2e-9);
 }
 
 TEST(StepMonitor, AStillToolHarmsNothing) {

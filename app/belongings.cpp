@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/belongings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/field/bone_surface.h"
+#include "core/procedure/solids.h"
+
+namespace kerf {
+
+void pass_on(Owners& owners, const Separation& separation, const Scene& scene, const PresentBone& bone) {
+    if (separation.parts.size() < 2) return;
+    std::vector<Mesh> parts;
+    for (const auto& part : separation.parts) parts.push_back(bone_surface(*bone.piece(part.body).bone, bone.cut(part.body), 2));
+    const auto nearest_to = [&](const auto& distance) {
+        std::size_t nearest = 0;
+        double least = HUGE_VAL;
+        for (std::size_t n = 0; n < parts.size(); ++n)
+            for (const Vec3 vertex : parts[n].vertices)
+                if (const double d = distance(vertex); d < least) {
+                    least = d;
+                    nearest = n;
+                }
+        return std::size_t{separation.parts[nearest].body};
+    };
+    for (std::size_t z = 0; z < owners.zone.size(); ++z)
+        if (owners.zone[z] == separation.parent)
+            owners.zone[z] = nearest_to([&](Vec3 p) { return distance_to_any(scene.anatomy.zones[z].solids, p); });
+    for (std::size_t s = 0; s < owners.step.size(); ++s)
+        if (owners.step[s] == separation.parent)
+            owners.step[s] = nearest_to([&](Vec3 p) { return length(p - scene.frames[s].entry); });
+}
+
+}  // namespace kerf

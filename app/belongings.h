@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/scene.h"
+#include "core/field/present_bone.h"
+
+namespace kerf {
+
+/// Zones and axes that belonged to a body which has come apart belong to the part nearest to them from now on, and move with it; of
+/// equally near ones to the first. A zone's distance is that of its solids to the part's surface, an axis's that of where it
+/// meets bone, both to what every second sample shows of it. Nothing has moved yet.   [main]
+void pass_on(Owners& owners, const Separation& separation, const Scene& scene, const PresentBone& bone);
+
+}  // namespace kerf

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shipped amputation, run whole: bone comes apart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "app/run_procedure.h"
+#include "core/session/read_session.h"
+#include "core/session/recorder.h"
+#include "core/session/write_file.h"
+#include "kerf/units.hpp"
+#include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+const Scene& knee() {
+    static const Scene scene = [] {
+        Diagnostics diagnostics;
+        auto made = make_scene(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", test::plugins(), diagnostics);
+        if (!made) throw std::runtime_error(to_text(diagnostics));
+        return std::move(*made);
+    }();
+    return scene;
+}
+
+const RunOutcome& outcome_of(const std::string& rehearsal) {
+    static std::map<std::string, RunOutcome> outcomes;
+    if (!outcomes.contains(rehearsal)) {
+        RunRequest request;
+        request.rehearsal = rehearsal;
+        outcomes.emplace(rehearsal, run_procedure(knee(), test::plugins(), request));
+    }
+    return outcomes.at(rehearsal);
+}
+
+double metric(const RunSummary& summary, const std::string& id) {
+    for (const auto& row : summary.metrics)
+        if (row.id == id) return row.value;
+    throw std::runtime_error("no metric " + id);
+}
+
+TEST(Amputation, TheExpertPassesAndTheBoneIsInTwo) {
+    const RunOutcome& run = outcome_of("expert");
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_TRUE(run.summary.reasons.empty());
+    ASSERT_EQ(run.summary.pieces.size(), 2u);
+    for (const char* cut : {"cut-1", "cut-2", "cut-3", "cut-4"}) {
+        EXPECT_LT(metric(run.summary, std::string(cut) + ".plane-angle"), 3.0_deg) << cut;
+        EXPECT_LT(metric(run.summary, std::string(cut) + ".flatness"), 1.0_mm) << cut;
+        EXPECT_GT(metric(run.summary, std::string(cut) + ".removed"), 0.0) << cut;
+    }
+}
+
+TEST(Amputation, NoBoneIsLostOrMade) {
+    for (const char* rehearsal : {"expert", "hasty", "tilted", "into-the-artery"})
+        EXPECT_LT(std::abs(metric(outcome_of(rehearsal).summary, "bone.balance")), 1e-5) << rehearsal;
+}
+
+TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
+    for (const char* rehearsal : {"hasty", "tilted", "into-the-artery"}) {
+        const RunOutcome& run = outcome_of(rehearsal);
+        EXPECT_EQ(run.summary.verdict, Verdict::fail) << rehearsal;
+        EXPECT_TRUE(run.is_as_expected) << rehearsal;
+        EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal;
+    }
+}
+
+TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
+    const RunOutcome& run = outcome_of("expert");
+    const auto apart = [](const EventRow& event) { return event.id == came_apart_event; };
+    ASSERT_EQ(std::count_if(run.events.begin(), run.events.end(), apart), 1);
+    const auto event = std::find_if(run.events.begin(), run.events.end(), apart);
+    EXPECT_EQ(run.ticks[event->tick].step, 3);
+}
+
+TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
+    // Given a recorded run, and another that would take its pieces over later than lock-step does
+    const test::TemporaryFolder folder;
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.out = folder / "first";
+    const RunOutcome recorded = run_procedure(knee(), test::plugins(), request);
+    ASSERT_TRUE(recorded.error.empty()) << recorded.error;
+    std::string error;
+    auto inputs = read_session(request.out + "/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    ASSERT_EQ(inputs->adoptions.size(), 1u);
+
+    // When it is replayed
+    RunRequest again;
+    again.rehearsal = "expert";
+    again.replay = inputs->device_from_handle;
+    again.adoptions = inputs->adoptions;
+    const RunOutcome same = run_procedure(knee(), test::plugins(), again);
+    again.adoptions = {inputs->adoptions[0] + 300};
+    const RunOutcome later = run_procedure(knee(), test::plugins(), again);
+
+    // Then only the ticks that were recorded give the recorded run
+    EXPECT_EQ(recorded.summary.hash, outcome_of("expert").summary.hash);
+    EXPECT_EQ(same.summary.hash, recorded.summary.hash);
+    EXPECT_NE(later.summary.hash, recorded.summary.hash);
+
+    // and each piece has a surface of its own, which a second run may write over.
+    EXPECT_TRUE(std::filesystem::exists(request.out + "/bone.stl"));
+    EXPECT_TRUE(std::filesystem::exists(request.out + "/bone-1.stl"));
+    OutputLock lock;
+    EXPECT_EQ(prepare_output(request.out, lock), "");
+}
+
+}  // namespace
+}  // namespace kerf
