@@ -14,7 +14,6 @@ namespace kerf {
 namespace {
 
 constexpr int outside_grid = 8192;  ///< [quanta] about a voxel
-constexpr std::array<int, 3> step_along{1, place_row, place_layer};
 
 constexpr std::array<int, 3> sample_of(int place) noexcept {
     return {(place & 15) - 1, (place >> 4 & 15) - 1, (place >> 8 & 15) - 1};

@@ -120,10 +120,10 @@ double bone_volume(const Body& body, const CutField& cut) noexcept {
     double voxels = 0.0;
     for (std::size_t b = 0; b < g.brick_count(); ++b) {
         if (body.surface.is_all_air(b) || cut.is_gone(b)) continue;
-        const auto [i, j, k] = g.brick_place(b);
+        const std::array<int, 3> at = g.brick_place(b);
         const BrickShares shares(body, cut, b);
         for_each_sample([&](int sample, int x, int y, int z) {
-            if (!body.region.contains(g.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z))) return;
+            if (!body.region.contains(g.sample_position(at[0] * brick_edge + x, at[1] * brick_edge + y, at[2] * brick_edge + z))) return;
             const double bone = shares.bone(sample);
             voxels += bone - shares.lost(sample, bone);
         });
