@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/belongings.h"
 #include "core/field/bone_surface.h"
@@ -86,15 +87,46 @@ std::string text_of(const Separation& separation) {
            volume(separation.crumb_volume);
 }
 
-/// What the cut of a step has left of all bodies, each seen where it was before it moved.
-std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const StepMonitor& monitor, std::size_t step) {
+/// What was cut already when a step began.
+class CutBefore {
+public:
+    void begin(const PresentBone& bone) {
+        cut_.clear();
+        came_from_.clear();
+        for (std::size_t body = 0; body < bone.count(); ++body) {
+            cut_.push_back(bone.cut(body));
+            came_from_.push_back(body);
+        }
+    }
+    /// Bodies that came apart since then were part of others.
+    void note(const Separation& separation) {
+        for (std::size_t n = 1; n < separation.parts.size(); ++n) came_from_.push_back(came_from_[separation.parent]);
+    }
+    /// Whether a point of a body may lie on an earlier cut: within half a voxel of it.
+    [[nodiscard]] bool reaches(const Body& bone, std::size_t body, Vec3 p) const {
+        return cut_[came_from_[body]].at(locate(bone, p)) > -0.5 * bone.grid().spacing;
+    }
+
+private:
+    std::vector<CutField> cut_;
+    std::vector<std::size_t> came_from_;
+};
+
+/// What the cut of a step, and no earlier one, has left of all bodies, each seen where it was before it moved.
+std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before, const StepMonitor& monitor,
+                               std::size_t step) {
     const AxisFrame& frame = scene.frames[step];
     if (frame.across == Vec3{}) return {};
     const WallWindow window{.entry = frame.entry, .along = frame.along, .normal = frame.across,
                             .half_width = scene.outline.cutting.largest_radius(), .depth = std::max(0.0, monitor.steps()[step].deepest)};
     std::vector<Vec3> points;
     const PresentBone& bone = simulation.present();
-    for (std::size_t body = 0; body < bone.count(); ++body) add_wall_points(*bone.piece(body).bone, bone.cut(body), window, points);
+    for (std::size_t body = 0; body < bone.count(); ++body) {
+        const Body& whole = *bone.piece(body).bone;
+        std::vector<Vec3> some;
+        add_wall_points(whole, bone.cut(body), window, some);
+        std::copy_if(some.begin(), some.end(), std::back_inserter(points), [&](Vec3 p) { return !before.reaches(whole, body, p); });
+    }
     return fit_wall(points, window, scene.outline.cutting.thickness());
 }
 
@@ -192,6 +224,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     simulation.replay_adoptions(request.adoptions);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     std::vector<Pose> world_from_body(1, identity_pose());
+    CutBefore before;
+    before.begin(simulation.present());
     double removed = 0.0, removed_before_step = 0.0;  // [m³]
     ContentHash hash;
     RunEnd end = RunEnd::time_over;
@@ -212,6 +246,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const auto take_separations = [&](std::uint64_t tick) {
         for (const Separation& separation : simulation.take_separations()) {
             add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
+            before.note(separation);
             Owners owners = monitor.owners();
             pass_on(owners, separation, scene, simulation.present());
             monitor.belong(std::move(owners));
@@ -240,8 +275,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
         if (monitor.current() != step) {
             removed = simulation.present().removed();
-            monitor.judge_cut(step, wall_of(scene, simulation, monitor, step), removed - removed_before_step, now);
+            monitor.judge_cut(step, wall_of(scene, simulation, before, monitor, step), removed - removed_before_step, now);
             removed_before_step = removed;
+            before.begin(simulation.present());
             for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
         }
         for (std::size_t i = 0; i < result.event_count; ++i) add_event(result.events[i], "");

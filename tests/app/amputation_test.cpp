@@ -72,6 +72,12 @@ TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
     }
 }
 
+TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
+    const RunSummary& run = outcome_of("tilted").summary;
+    EXPECT_NEAR(metric(run, "cut-3.plane-angle"), 8.0_deg, 0.5_deg /* the coupling gives way in the slot */);
+    for (const char* cut : {"cut-1", "cut-2", "cut-4"}) EXPECT_LT(metric(run, std::string(cut) + ".plane-angle"), 0.5_deg) << cut;
+}
+
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
     const RunOutcome& run = outcome_of("expert");
     const auto apart = [](const EventRow& event) { return event.id == came_apart_event; };
