@@ -453,7 +453,7 @@ void write_sessions() {
         "device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
         "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz";
     const std::string keys =
-        "CREATE TABLE session(key TEXT, value TEXT); INSERT INTO session VALUES('procedure_text','kind: Procedure'),"
+        "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value TEXT); INSERT INTO session VALUES('procedure_text','kind: Procedure'),"
         "('condition.variant','left'),('anatomy_hash','0123456789abcdef'),('hash','0123456789abcdef');";
     const std::string ticks = keys + "CREATE TABLE ticks(tick INTEGER, " + poses + ");";
     const auto rows = [](int count) {
@@ -483,7 +483,7 @@ void write_sessions() {
               "device_from_handle_qz FROM n"));
     // Written as short, since who writes it computes it
     std::string large = database(
-        "CREATE TABLE session(key TEXT, value TEXT AS (printf('%.*c', 000000009, 'x')));"
+        "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value TEXT AS (printf('%.*c', 000000009, 'x')));"
         "INSERT INTO session VALUES('procedure_text'); CREATE TABLE ticks(tick INTEGER, " +
         poses + ");" + rows(2));
     large.replace(large.find("000000009"), 9, "900000000");
