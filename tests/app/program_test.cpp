@@ -123,8 +123,8 @@ TEST(Program, ReportsFromTheSessionAloneByteForByteAndIntoNoOtherFile) {
     EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
 }
 
-/// A run in a process of its own, seen from the moment it has a session.
-pid_t started(const std::string& out, const std::string& log) {
+/// A run in a process of its own, held from the moment it has a session until it gets SIGCONT.
+pid_t begun_and_held(const std::string& out, const std::string& log) {
     const pid_t child = fork();
     if (child == 0) {
         if (std::freopen(log.c_str(), "w", stdout) == nullptr ||
@@ -135,6 +135,7 @@ pid_t started(const std::string& out, const std::string& log) {
     }
     for (int i = 0; i < 12'000 && !std::filesystem::exists(out + "/session.db-wal"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(child, SIGSTOP);
     return child;
 }
 
@@ -162,7 +163,7 @@ std::string stored(const std::string& session, const std::string& table, const s
 TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhile) {
     const TemporaryFolder folder;
     const std::string out = folder / "run";
-    const pid_t child = started(out, folder / "log");
+    const pid_t child = begun_and_held(out, folder / "log");
     ASSERT_TRUE(std::filesystem::exists(out + "/session.db-wal"));
 
     const Ended second = kerf("run " + variant(folder, "1 mm/s", "1 mm/s") + " --out " + out);
@@ -170,6 +171,7 @@ TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhil
     EXPECT_TRUE(has(second.err, "is being written by another run")) << second.err;
 
     kill(child, SIGINT);
+    kill(child, SIGCONT);
     EXPECT_EQ(exit_code_of(child), 3);
     EXPECT_TRUE(has(contents_of(folder / "log.err"), "interrupted")) << contents_of(folder / "log.err");
     const std::string summary = contents_of(out + "/summary.json");
