@@ -311,36 +311,31 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     joined(after, box_.first_after, box_.after);
 
     // Each component of now lies in one of before. Two that lie in the same have been parted.
+    const auto for_each_component = [&](const auto& what) {  // what(brick, component, its piece before, its piece now)
+        for (std::size_t n = 0; n < bricks; ++n) {
+            const auto was = before(n), is = after(n);
+            for (std::size_t c = 0; c < is.size(); ++c) {
+                std::size_t from = 0;
+                if (box_.part_of[n] == none)
+                    from = c;
+                else
+                    while (from + 1 < was.size() && !was[from].meets(is[c])) ++from;
+                what(n, c, root_of(box_.before, box_.first_before[n] + static_cast<std::uint32_t>(from)),
+                     root_of(box_.after, box_.first_after[n] + static_cast<std::uint32_t>(c)));
+            }
+        }
+    };
     std::map<std::uint32_t, std::map<std::uint32_t, std::pair<std::size_t, std::size_t>>> parts;
     std::vector<std::uint32_t> only(box_.before.size(), none);
-    for (std::size_t n = 0; n < bricks; ++n) {
-        const auto was = before(n), is = after(n);
-        for (std::size_t c = 0; c < is.size(); ++c) {
-            std::size_t from = 0;
-            if (box_.part_of[n] == none)
-                from = c;
-            else
-                while (from + 1 < was.size() && !was[from].meets(is[c])) ++from;
-            const std::uint32_t old_root = root_of(box_.before, box_.first_before[n] + static_cast<std::uint32_t>(from));
-            const std::uint32_t new_root = root_of(box_.after, box_.first_after[n] + static_cast<std::uint32_t>(c));
-            if (only[old_root] == none) only[old_root] = new_root;
-            if (only[old_root] != new_root) parts[old_root];
-        }
-    }
+    for_each_component([&](std::size_t, std::size_t, std::uint32_t old_root, std::uint32_t new_root) {
+        if (only[old_root] == none) only[old_root] = new_root;
+        if (only[old_root] != new_root) parts[old_root];
+    });
     if (parts.empty()) return;
-    for (std::size_t n = 0; n < bricks; ++n) {
-        const auto was = before(n), is = after(n);
-        for (std::size_t c = 0; c < is.size(); ++c) {
-            std::size_t from = 0;
-            if (box_.part_of[n] == none)
-                from = c;
-            else
-                while (from + 1 < was.size() && !was[from].meets(is[c])) ++from;
-            const auto part = parts.find(root_of(box_.before, box_.first_before[n] + static_cast<std::uint32_t>(from)));
-            if (part == parts.end()) continue;
-            part->second.try_emplace(root_of(box_.after, box_.first_after[n] + static_cast<std::uint32_t>(c)), brick_at(n), c);
-        }
-    }
+    for_each_component([&](std::size_t n, std::size_t c, std::uint32_t old_root, std::uint32_t new_root) {
+        if (const auto part = parts.find(old_root); part != parts.end())
+            part->second.try_emplace(new_root, brick_at(n), c);
+    });
     for (const auto& [root, places] : parts) {
         auto& list = fallen_apart_.emplace_back();
         for (const auto& [new_root, place] : places) list.push_back(place);

@@ -10,11 +10,9 @@
 
 namespace kerf {
 
-enum class BodyKind : std::uint8_t { bone, implant, graft };
-
 /// A body as the loop meets it: its bone, what edges see cut of it, and where it is. Does not move in memory.
 struct LiveBody {
-    /// Pre: `bone` and `solid` outlive it. Where `bone` has one material, `material` is which of the scene's it is.   [main, worker]
+    /// Pre: `of_bone` and `solid` outlive it.   [main, worker]
     LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const ToolSolid& solid);
     LiveBody(const LiveBody&) = delete;
     LiveBody& operator=(const LiveBody&) = delete;
@@ -24,7 +22,6 @@ struct LiveBody {
     [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept { return inverse(world_from_body) * world_from_tool; }
 
     std::uint16_t id;
-    BodyKind kind = BodyKind::bone;
     const Body* bone;
     CutField committed;
     CutTracker tracker;
@@ -45,7 +42,7 @@ struct Adoption {
     std::vector<std::unique_ptr<LiveBody>> parts;
 };
 
-/// Fields that hold all records of `from` before `through`.   [worker]
+/// Fields that hold all of the parent's records before `through`.   [worker]
 [[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid, std::uint64_t through);
 
 }  // namespace kerf
