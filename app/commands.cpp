@@ -162,6 +162,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         if (!error.empty()) return complain(error, exit_bad_input);
         request.replay = std::move(recorded->device_from_handle);
         request.adoptions = std::move(recorded->adoptions);
+        for (const auto& [tick, text] : recorded->hand_inputs) {
+            const auto input = hand_input(text);
+            if (!input) return complain(line.replay + ": the hand asked for `" + text + "`, which this Kerf does not know.", exit_bad_input);
+            request.hand_inputs.emplace_back(tick, *input);
+        }
         recorded_hash = recorded->hash;
     }
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;

@@ -52,8 +52,7 @@ std::string about(const ComponentInfo& component) {
     return text;
 }
 
-std::string about(const Plugin& plugin) {
-    const kerf_entry& entry = plugin.entry();
+std::string about(const kerf_entry& entry) {
     return std::string("plugin ") + entry.plugin_id + " " + entry.plugin_version +
            (entry.licence != nullptr ? std::string(", licence ") + entry.licence : "") + "\n";
 }
@@ -70,25 +69,21 @@ std::string list_of_components(const PluginRegistry& plugins) {
 std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
                                           std::string& error) {
     std::string text;
-    for (const auto& plugin : plugins.plugins()) {
-        const std::string id = plugin->entry().plugin_id;
+    for (const kerf_entry* entry : plugins.entries()) {
+        const std::string id = entry->plugin_id;
         std::string components;
         for (const ComponentInfo& component : plugins.catalog())
             if (component.plugin == id && (wanted.empty() || wanted == id || wanted == full_id(component)))
                 components += "\n" + about(component);
-        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(*plugin) + components;
+        if (!components.empty()) text += (text.empty() ? "" : "\n") + about(*entry) + components;
     }
     if (!text.empty()) return text + "\n" + notice_line + ".\n";
 
     std::vector<std::string> known;
-    for (const auto& plugin : plugins.plugins()) known.emplace_back(plugin->entry().plugin_id);
+    for (const kerf_entry* entry : plugins.entries()) known.emplace_back(entry->plugin_id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
     const std::string meant = closest(wanted, known);
-    if (known.empty())
-        error = "no plugin was found. Name the folder that holds some in KERF_PLUGIN_PATH.";
-    else
-        error = "there is no plugin or component `" + wanted + "`. Write " +
-                (meant.empty() ? listed(known) : "`" + meant + "`") + ".";
+    error = "there is no plugin or component `" + wanted + "`. Write " + (meant.empty() ? listed(known) : "`" + meant + "`") + ".";
     return std::nullopt;
 }
 

@@ -40,21 +40,28 @@ void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
         for (const Node& item : markups->children) check(&item, "file");
 }
 
-/// The first step's tool, as its plugin makes it.
-void make_tool(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
-    const auto& instruments = documents.procedure.instruments;
-    const auto instrument = std::find_if(instruments.begin(), instruments.end(), [&](const Instrument& i) {
-        return i.id == documents.procedure.steps.front().instrument;
-    });
-    documents.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
-    documents.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
-    documents.setup.tool_parameters = instrument->tool_parameters;
-    documents.setup.force_parameters = instrument->force_parameters;
-    documents.setup.drives = instrument->drives;
-    if (std::string why; !outline_of(documents.setup, documents.outline, why))
-        refuse_tool(documents.procedure, why, diagnostics);
-    else
-        check_kerf(documents.procedure, documents.outline.cutting, diagnostics);
+/// The tools of the steps, as their plugins make them.
+void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    std::vector<const Instrument*> used;
+    const Procedure& procedure = documents.procedure;
+    for (const Step& step : procedure.steps) {
+        const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                             [&](const Instrument& i) { return i.id == step.instrument; });
+        const auto at = std::find(used.begin(), used.end(), &*instrument);
+        documents.tool_of_step.push_back(static_cast<std::size_t>(at - used.begin()));
+        if (at != used.end()) continue;
+        used.push_back(&*instrument);
+        Tool& tool = documents.tools.emplace_back();
+        tool.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
+        tool.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
+        tool.setup.tool_parameters = instrument->tool_parameters;
+        tool.setup.force_parameters = instrument->force_parameters;
+        tool.setup.drives = instrument->drives;
+        if (std::string why; !outline_of(tool.setup, tool.outline, why))
+            refuse_tool(procedure, instrument->id, why, diagnostics);
+        else
+            check_kerf(procedure, instrument->id, tool.outline.cutting, diagnostics);
+    }
 }
 
 }  // namespace
@@ -76,7 +83,7 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
     check_run(documents.procedure, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
     check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
-    make_tool(documents, plugins, diagnostics);
+    make_tools(documents, plugins, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
     return documents;
 }

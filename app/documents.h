@@ -27,8 +27,8 @@ struct Documents {
     Anatomy anatomy;
     std::vector<std::uint64_t> markup_hashes;  ///< of the files that the anatomy's landmarks came from
     const DeviceRecord* device = nullptr;
-    ToolSetup setup;      ///< of the first step
-    ToolOutline outline;  ///< likewise
+    std::vector<Tool> tools;                ///< of the instruments that steps use, in the order of their first use
+    std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
 };
 
 /// Reads both and checks all that can be told without the bone. Error: whatever is wrong, all of it, in `diagnostics`.   [main]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/haptics/device_record.h"
 #include "core/procedure/document.h"
@@ -13,6 +14,8 @@
 namespace kerf {
 
 namespace {
+
+constexpr std::size_t most_tools = 8;
 
 /// A value of item `index` of the list `list`; the item if it has none, the whole document if there is no such item.
 TextSpan span_in(const Document& document, const char* list, std::size_t index, const char* key) {
@@ -35,10 +38,10 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
                  "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant), meant);
 }
 
-/// What the document says of the first step's instrument under `key`; the instrument where it says nothing.
-TextSpan span_of_instrument(const Document& document, const Procedure& procedure, const char* key) {
+/// What the document says of an instrument under `key`; the instrument where it says nothing.
+TextSpan span_of_instrument(const Document& document, const std::string& id, const char* key) {
     const Node* instruments = document.root.find("instruments");
-    const Node* instrument = instruments != nullptr ? instruments->find(procedure.steps.front().instrument) : nullptr;
+    const Node* instrument = instruments != nullptr ? instruments->find(id) : nullptr;
     const Node* value = instrument != nullptr ? instrument->find(key) : nullptr;
     return value != nullptr ? value->span : instrument != nullptr ? instrument->span : TextSpan{};
 }
@@ -53,12 +56,12 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     const Document& document = *read;
     Report report(document, diagnostics);
     check_device(procedure, document, report);
-    const Step& first = procedure.steps.front();
-    for (std::size_t i = 1; i < procedure.steps.size(); ++i)
-        if (const std::string& instrument = procedure.steps[i].instrument; instrument != first.instrument)
-            report.error(Code::one_tool_only, span_in(document, "steps", i, "instrument"),
-                         "Another instrument than the first step's is not possible yet.", first.instrument,
-                         report.because(span_in(document, "steps", 0, "instrument"), "the first step's is this."));
+    std::set<std::string> tools;
+    for (std::size_t i = 0; i < procedure.steps.size(); ++i)
+        if (tools.insert(procedure.steps[i].instrument).second && tools.size() == most_tools + 1)
+            report.error(Code::too_many_tools, span_in(document, "steps", i, "instrument"),
+                         "This is the " + std::to_string(tools.size()) + "th instrument in use, must be at most " + std::to_string(most_tools) +
+                             ". Use one of the others, or make two procedures of it.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.size() < 2)
@@ -72,11 +75,11 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     }
 }
 
-void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics& diagnostics) {
+void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics) {
     const auto read = document_of(procedure);
     const Document& document = *read;
     const Node* instruments = document.root.find("instruments");
-    const Node* node = instruments != nullptr ? instruments->find(procedure.steps.front().instrument) : nullptr;
+    const Node* node = instruments != nullptr ? instruments->find(instrument) : nullptr;
     const Node* tool = node != nullptr ? node->find("tool") : nullptr;
     const Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
     const std::string component = tool != nullptr && plugin != nullptr ? plugin->text + "/" + tool->text : "";
@@ -85,20 +88,20 @@ void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
-void check_kerf(const Procedure& procedure, const ToolSolid& cutting, Diagnostics& diagnostics) {
+void check_kerf(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
     if (!cutting.is_prism() || cutting.thickness() >= 2.0 * procedure.spacing * (1.0 - 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
     const double needed = std::floor(0.5 * cutting.thickness() / 0.01e-3 + 1e-6) * 0.01e-3;
     Report(*document, diagnostics)
-        .warning(Code::narrow_kerf, spacing != nullptr ? spacing->span : span_of_instrument(*document, procedure, "tool"),
+        .warning(Code::narrow_kerf, spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
                  "The saw's kerf of " + in_mm(cutting.thickness()) + " is narrower than two voxels of " + in_mm(procedure.spacing) +
                      ": its slot is lost between samples. It needs a spacing of " + in_mm(needed) + " or less.",
                  in_mm(needed));
 }
 
-void check_blade_fits(const Procedure& procedure, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {
+void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {
     if (!cutting.is_prism() || !region.is_bounded()) return;
     const Vec3 size = region.high - region.low;
     const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}), width = 2.0 * cutting.largest_radius();
@@ -106,7 +109,7 @@ void check_blade_fits(const Procedure& procedure, const ToolSolid& cutting, cons
     if (!is_thick && width < most) return;
     const auto document = document_of(procedure);
     Report(*document, diagnostics)
-        .error(Code::blade_beyond_region, span_of_instrument(*document, procedure, "tool"),
+        .error(Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
                "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) + (is_thick ? " across" : " of width") +
                    "; bone can be cut in a region of " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
                    ". Take a blade that fits in, or plan the axis so that the region is larger.");

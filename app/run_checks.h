@@ -9,17 +9,18 @@
 /// What a procedure asks of a run, each complaint at its place in the document.
 namespace kerf {
 
-/// Refuses a device without a record, a step that changes tool or axis, and rehearsals that cannot be carried out. None
-/// of it needs the bone.   [main]
+/// Refuses a device without a record, too many instruments, and rehearsals that cannot be carried out. None of it needs the
+/// bone.   [main]
 void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 
-/// The plugin refuses the first step's instrument, and `why`.   [main]
-void refuse_tool(const Procedure& procedure, const std::string& why, Diagnostics& diagnostics);
+/// The plugin refuses an instrument, and `why`.   [main]
+void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics);
 
 /// Warns of a blade whose kerf is under two voxels.   [main]
-void check_kerf(const Procedure& procedure, const ToolSolid& cutting, Diagnostics& diagnostics);
+void check_kerf(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
-void check_blade_fits(const Procedure& procedure, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics);
+void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,
+                      Diagnostics& diagnostics);
 
 }  // namespace kerf

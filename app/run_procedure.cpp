@@ -24,14 +24,79 @@ namespace {
 constexpr int volume_interval = 50;  // ticks between counts of the removed volume
 constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
 
-std::vector<SignalColumn> signal_columns(const kerf_component& force) {
+/// The signals of all tools side by side; tools with the same law share theirs.
+struct SignalTable {
     std::vector<SignalColumn> columns;
-    for (std::uint32_t i = 0; i < force.force->signal_count; ++i) {
-        const kerf_signal& s = force.force->signals[i];
-        const std::string unit = s.display_unit;
-        columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
+    std::vector<std::size_t> first;  ///< of each tool
+
+    explicit SignalTable(const std::vector<Tool>& tools) {
+        for (std::size_t t = 0; t < tools.size(); ++t) {
+            const kerf_component* force = tools[t].setup.force;
+            const auto same = std::find_if(tools.begin(), tools.begin() + static_cast<std::ptrdiff_t>(t), [&](const Tool& tool) { return tool.setup.force == force; });
+            first.push_back(same < tools.begin() + static_cast<std::ptrdiff_t>(t) ? first[static_cast<std::size_t>(same - tools.begin())] : columns.size());
+            if (first.back() < columns.size()) continue;
+            for (std::uint32_t i = 0; i < force->force->signal_count; ++i) {
+                const kerf_signal& s = force->force->signals[i];
+                const std::string unit = s.display_unit;
+                columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
+            }
+        }
+        if (columns.size() > most_signal_columns) columns.resize(most_signal_columns);
     }
-    return columns;
+    /// Those of the tool in hand; the others are 0.
+    void fill(const Simulation& simulation, TickRow& row) const {
+        const kerf_force& force = *simulation.setup().force->force;
+        for (std::uint32_t i = 0; i < force.signal_count; ++i) {
+            const std::size_t column = first[simulation.tool()] + i;
+            if (column < columns.size()) row.signals[column] = simulation.signals()[i];
+            if (std::string_view(force.signals[i].id) == "drive_power") row.power_drive = simulation.signals()[i];
+        }
+    }
+};
+
+/// What a hand asks for besides moving: as its rehearsal says, or as it was recorded.
+class HandInputs {
+public:
+    HandInputs(const RunRequest& request, const HandPlan& plan) : request_(&request), plan_(&plan) {}
+    /// Before a tick, of a hand that has gone `legs` of its way.
+    [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs) {
+        std::vector<HandInput> inputs;
+        if (request_->replay.empty()) {
+            for (; next_ <= legs && next_ < plan_->inputs.size(); ++next_)
+                inputs.insert(inputs.end(), plan_->inputs[next_].begin(), plan_->inputs[next_].end());
+        } else {
+            for (; next_ < request_->hand_inputs.size() && request_->hand_inputs[next_].first <= tick; ++next_)
+                inputs.push_back(request_->hand_inputs[next_].second);
+        }
+        return inputs;
+    }
+
+private:
+    const RunRequest* request_;
+    const HandPlan* plan_;
+    std::size_t next_ = 0;
+};
+
+/// Carries out what a hand asks for. Not empty: why not.
+std::string carry_out(const HandInput& input, Simulation& simulation) {
+    switch (input.kind) {
+        case HandInput::Kind::drive: {
+            const kerf_tool& tool = *simulation.setup().tool->tool;
+            for (std::uint32_t i = 0; i < tool.drive_count; ++i)
+                if (input.drive == tool.drives[i].id) {
+                    simulation.command_drive(i, input.value);
+                    return {};
+                }
+            return "the tool in hand has no drive " + input.drive;
+        }
+        case HandInput::Kind::remove:
+            if (simulation.held() < 0) return "nothing is held";
+            simulation.show_body(static_cast<std::size_t>(simulation.held()), false);
+            return {};
+        case HandInput::Kind::undo: return simulation.undo();
+        case HandInput::Kind::redo: return simulation.redo();
+    }
+    return {};
 }
 
 /// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
@@ -52,7 +117,7 @@ std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 ti
 }
 
 TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
-               const Pose& handle, double removed) {
+               const SignalTable& signals, const Pose& handle, double removed) {
     TickRow row;
     row.tick = simulation.ticks() - 1;
     row.time = static_cast<double>(row.tick) * Simulation::dt;
@@ -71,9 +136,7 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     row.iterations = result.iterations;
     row.power_hand = result.power_hand;
     row.removed = removed;
-    std::copy(simulation.signals(), simulation.signals() + scene.setup.force->force->signal_count, row.signals);
-    for (std::uint32_t i = 0; i < scene.setup.force->force->signal_count; ++i)
-        if (std::string_view(scene.setup.force->force->signals[i].id) == "drive_power") row.power_drive = row.signals[i];
+    signals.fill(simulation, row);
     return row;
 }
 
@@ -118,7 +181,7 @@ std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation,
     const AxisFrame& frame = scene.frames[step];
     if (frame.across == Vec3{}) return {};
     const WallWindow window{.entry = frame.entry, .along = frame.along, .normal = frame.across,
-                            .half_width = scene.outline.cutting.largest_radius(), .depth = std::max(0.0, monitor.steps()[step].deepest)};
+                            .half_width = scene.tool(step).outline.cutting.largest_radius(), .depth = std::max(0.0, monitor.steps()[step].deepest)};
     std::vector<Vec3> points;
     const PresentBone& bone = simulation.present();
     for (std::size_t body = 0; body < bone.count(); ++body) {
@@ -127,7 +190,7 @@ std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation,
         add_wall_points(whole, bone.cut(body), window, some);
         std::copy_if(some.begin(), some.end(), std::back_inserter(points), [&](Vec3 p) { return !before.reaches(whole, body, p); });
     }
-    return fit_wall(points, window, scene.outline.cutting.thickness());
+    return fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
 }
 
 std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
@@ -144,6 +207,7 @@ Mesh all_surfaces(const Simulation& simulation, int stride) {
     Mesh all;
     for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
         const LiveBody& live = *simulation.bodies()[body];
+        if (!live.is_present) continue;
         Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
         for (Vec3& p : one.vertices) p = live.world_from_body * p;
         for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
@@ -181,7 +245,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.versions.emplace_back("kerf", KERF_VERSION);
     for (const auto& plugin : plugins.plugins()) summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
     for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
-    summary.signals = signal_columns(*scene.setup.force);
+    const SignalTable signals(scene.tools);
+    summary.signals = signals.columns;
     summary.anatomy_notes = scene.import.notes;
 
     // The record is open before the first tick, so that whatever happens leaves something to read.
@@ -219,7 +284,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
 
     const HandPlan plan = plan_of(*rehearsal, scene);
     simulated_hand::SimulatedHand hand(plan.plant, plan.intent, plan.start, Simulation::dt);
-    Simulation simulation(scene.body, scene.setup, scene.outline, scene.gains, plan.start);
+    Simulation simulation(scene.body, scene.tools, scene.gains, plan.start);
+    HandInputs hand_inputs(request, plan);
     simulation.look_for_pieces(crumb);
     simulation.replay_adoptions(request.adoptions);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
@@ -251,13 +317,31 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             pass_on(owners, separation, scene, simulation.present());
             monitor.belong(std::move(owners));
         }
+    };
+    const auto where_they_are = [&] {
         world_from_body.clear();
         for (const auto& body : simulation.bodies()) world_from_body.push_back(body->world_from_body);
+    };
+
+    const auto record_cuts = [&] {
+        if (recorder == nullptr) return;
+        for (const CutRecord& record : simulation.closed())
+            recorder->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
     };
 
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
     while (simulation.ticks() < most_ticks) {
         const bool is_replay = !request.replay.empty();
+        if (const std::size_t tool = scene.tool_of_step[monitor.current()]; tool != simulation.tool()) {
+            simulation.take_tool(tool);
+            record_cuts();
+            take_separations(simulation.ticks());
+            add_event_at(simulation.ticks(), "tool.taken", scene.procedure.steps[monitor.current()].instrument);
+        }
+        for (const HandInput& input : hand_inputs.take(simulation.ticks(), hand.leg())) {
+            add_event_at(simulation.ticks(), hand_input_event, text_of(input));
+            if (const std::string why_not = carry_out(input, simulation); !why_not.empty()) add_event_at(simulation.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+        }
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
         const TickResult result = scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});
         simulation.after_tick();
@@ -265,11 +349,12 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
 
         if (simulation.ticks() % volume_interval == 0) removed = simulation.present().removed();
         take_separations(simulation.ticks() - 1);
+        where_they_are();
         const double now = static_cast<double>(simulation.ticks() - 1) * Simulation::dt;
         const std::size_t step = monitor.current();
-        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0, result.thrust, world_from_body},
-                        scene.outline.cutting);
-        const TickRow row = row_of(result, scene, simulation, monitor, handle, removed);
+        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0, result.thrust, world_from_body, simulation.held()},
+                        simulation.outline().cutting);
+        const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, removed);
         add_tick(hash, row);
         outcome.ticks.push_back(row);
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
@@ -283,10 +368,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         for (std::size_t i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
         if (recorder) {
             recorder->push(row);
-            for (int i = 0; i < result.closed_records; ++i) {
-                const CutRecord& record = simulation.closed_record(i);
-                recorder->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
-            }
+            record_cuts();
             if (!recorder->wait_for_room()) {
                 end = RunEnd::unrecorded;
                 break;
@@ -316,6 +398,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     }
 
     simulation.finish();
+    record_cuts();
     take_separations(simulation.ticks());  // a tick that never came: a replay takes over what is left at its end too
     hash.add(simulation.present().hash());
     summary.duration = static_cast<double>(simulation.ticks()) * Simulation::dt;

@@ -28,14 +28,18 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     scene.procedure = std::move(documents.procedure);
     scene.anatomy = std::move(documents.anatomy);
     scene.device = documents.device;
-    scene.setup = std::move(documents.setup);
-    scene.outline = std::move(documents.outline);
+    scene.tools = std::move(documents.tools);
+    scene.tool_of_step = std::move(documents.tool_of_step);
 
     ImportReport& import = scene.import;
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
-    check_blade_fits(scene.procedure, scene.outline.cutting, scene.body.region, diagnostics);
+    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
+        const auto user = std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool);
+        check_blade_fits(scene.procedure, scene.procedure.steps[static_cast<std::size_t>(user - scene.tool_of_step.begin())].instrument,
+                         scene.tools[tool].outline.cutting, scene.body.region, diagnostics);
+    }
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     for (const auto& step : scene.procedure.steps) {
@@ -53,7 +57,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
     double feed = 0.0;
     for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
-    scene.work_force = work_force(scene.setup, scene.body, feed > 0.0 ? feed : 1e-3);
+    for (const Tool& tool : scene.tools) scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
     scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
     return scene;
 }
@@ -74,7 +78,9 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
 
     const auto pose_at = [&](const Waypoint& waypoint) { return scene.frames[waypoint.step].pose_at(waypoint); };
     plan.start = pose_at(rehearsal.path.front());
+    plan.inputs.push_back(rehearsal.path.front().inputs);
     for (std::size_t i = 1; i < rehearsal.path.size(); ++i) {
+        plan.inputs.push_back(rehearsal.path[i].inputs);
         const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
         const bool is_into_bone = to.step == from.step && to.depth > from.depth && to.depth > 0.0;
         plan.intent.legs.push_back({.target = pose_at(to),

@@ -25,8 +25,9 @@ struct Scene {
     Body body;
     std::vector<AxisFrame> frames;      ///< one per step
     std::vector<double> share_in_bone;  ///< of each step's axis behind its entry [–]
-    ToolSetup setup;
-    ToolOutline outline;
+    std::vector<Tool> tools;                ///< those that steps use
+    std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
+    [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;            ///< [N] the scale was made for
@@ -49,6 +50,7 @@ struct HandPlan {
     simulated_hand::Plant plant;
     simulated_hand::Intent intent;
     Pose start = identity_pose();
+    std::vector<std::vector<HandInput>> inputs;  ///< asked for at the start, and at the end of each leg
 };
 [[nodiscard]] HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene);
 

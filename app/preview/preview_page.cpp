@@ -91,12 +91,12 @@ Pose goal_pose(const Scene& scene, std::size_t step) {
 }
 
 /// The outline of the tool as the plane of the view cuts it.
-std::string tool_outline(const View& view, const Scene& scene, const Pose& tool) {
+std::string tool_outline(const View& view, const ToolOutline& outline, const Pose& tool) {
     const Vec3 along = tool * Vec3{0, 0, 1} - tool * Vec3{};
     Vec3 across = cross(along, view.away());
-    if (length(across) < 0.1 && scene.outline.cutting.is_prism()) {  // seen along its axis: what it sweeps
-        const Vec3 aside = scene.outline.cutting.largest_radius() * rotate(tool.rotation, {1, 0, 0});
-        const Vec3 up = 0.5 * scene.outline.cutting.thickness() * rotate(tool.rotation, {0, 1, 0});
+    if (length(across) < 0.1 && outline.cutting.is_prism()) {  // seen along its axis: what it sweeps
+        const Vec3 aside = outline.cutting.largest_radius() * rotate(tool.rotation, {1, 0, 0});
+        const Vec3 up = 0.5 * outline.cutting.thickness() * rotate(tool.rotation, {0, 1, 0});
         std::string corners;
         for (const Vec3 corner : {aside + up, aside - up, -1.0 * (aside + up), up - aside}) {
             const Vec3 at = tool.position + corner;
@@ -105,13 +105,13 @@ std::string tool_outline(const View& view, const Scene& scene, const Pose& tool)
         return "<polygon points=\"" + corners + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
     }
     if (length(across) < 0.1) {  // seen along its axis
-        const double radius = scene.outline.whole.largest_radius() / view.pixel();
+        const double radius = outline.whole.largest_radius() / view.pixel();
         return "<circle cx=\"" + px(view.x_of(tool.position)) + "\" cy=\"" + px(view.y_of(tool.position)) + "\" r=\"" +
                px(radius) + "\" fill=\"none\" stroke=\"#5fb0ff\" stroke-width=\"2\"/>";
     }
     across = normalized(across);
     // A blade is seen from its edge, or flat.
-    const ToolSolid& whole = scene.outline.whole;
+    const ToolSolid& whole = outline.whole;
     const bool is_edge_on = whole.is_prism() && std::abs(dot(across, rotate(tool.rotation, {0, 1, 0}))) > 0.7;
     std::string there, back;
     for (const kerf_profile_point& point : whole.outline()) {
@@ -177,11 +177,11 @@ std::string step_views(const Scene& scene, std::size_t step) {
     for (const bool is_first : {true, false}) {
         View view{is_first ? std::string("Along the axis") + side : std::string(has_plane ? "In the plane" : "Along the axis, a quarter turn further"),
                   frame.entry + 0.5 * depth * frame.along, is_first ? across : other, -1.0 * frame.along, width};
-        figures += figure(view, cut_through(view, scene), tool_outline(view, scene, tool) + landmarks(view, scene, 3e-3));
+        figures += figure(view, cut_through(view, scene), tool_outline(view, scene.tool(step).outline, tool) + landmarks(view, scene, 3e-3));
     }
     View section{"Across the axis, " + rounded(0.5e3 * depth, 1) + " mm behind the entry", frame.entry + 0.5 * depth * frame.along,
                  across, cross(across, frame.along), 50e-3};
-    figures += figure(section, cut_through(section, scene), tool_outline(section, scene, {section.centre, tool.rotation}));
+    figures += figure(section, cut_through(section, scene), tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation}));
     return "<section><h2>Step " + html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
            rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
 }

@@ -126,9 +126,9 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
             const Stretch around{-0.25, 0.25};
             const auto zone = [&](double way) { return zones_distance(scene, from + way * away); };
             if (!scene.anatomy.zones.empty()) lay_over(first_inside(around, 0.5 * h, zone), around.end, zone_colour);
-            for (const Pose& tool : tools) {
-                const Pose tool_from_world = inverse(tool);
-                const auto distance = [&](double way) { return scene.outline.whole.distance(tool_from_world * (from + way * away)); };
+            for (std::size_t step = 0; step < tools.size(); ++step) {
+                const Pose tool_from_world = inverse(tools[step]);
+                const auto distance = [&](double way) { return scene.tool(step).outline.whole.distance(tool_from_world * (from + way * away)); };
                 const double way = first_inside(around, 0.25 * h, distance);
                 lay_over(way, around.end, tool_colour);
             }

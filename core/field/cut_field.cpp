@@ -364,21 +364,26 @@ std::uint64_t CutField::hash() const noexcept {
     return hash.value();
 }
 
-bool CutField::same_bits(const CutField &other) const noexcept {
+bool CutField::same_in(std::size_t brick_index, const CutField& other) const noexcept {
+    const std::int16_t *mine = stored(brick_index), *theirs = other.stored(brick_index);
+    if (mine == nullptr && theirs == nullptr) return true;
+    if (mine != nullptr && theirs != nullptr) return std::memcmp(mine, theirs, stored_samples * sizeof(std::int16_t)) == 0;
+    const std::int16_t* some = mine != nullptr ? mine : theirs;
+    return std::all_of(some, some + stored_samples, [](std::int16_t s) { return s == -32767; });
+}
+
+bool CutField::same_bits(const CutField& other) const noexcept {
     if (start_.size() != other.start_.size()) return false;
-    const auto is_default = [](const std::int16_t *v) {
-        return std::all_of(v, v + stored_samples, [](std::int16_t s) { return s == -32767; });
-    };
-    for (std::size_t b = 0; b < start_.size(); ++b) {
-        const std::int16_t *mine = stored(b), *theirs = other.stored(b);
-        if (mine == nullptr && theirs == nullptr) continue;
-        if (mine == nullptr || theirs == nullptr) {
-            if (!is_default(mine != nullptr ? mine : theirs)) return false;
-        } else if (std::memcmp(mine, theirs, stored_samples * sizeof(std::int16_t)) != 0) {
-            return false;
-        }
-    }
+    for (std::size_t b = 0; b < start_.size(); ++b)
+        if (!same_in(b, other)) return false;
     return true;
+}
+
+std::vector<std::size_t> CutField::differing_bricks(const CutField& other) const {
+    std::vector<std::size_t> bricks;
+    for (std::size_t b = 0; b + 1 < start_.size(); ++b)
+        if (!same_in(b, other)) bricks.push_back(b);
+    return bricks;
 }
 
 }  // namespace kerf

@@ -92,6 +92,8 @@ public:
 
     /// 64-bit FNV-1a over every sample that is not the default, with its index.
     [[nodiscard]] std::uint64_t hash() const noexcept;
+    /// Bricks whose values are not the same in another cut of the same body, ascending.   [worker]
+    [[nodiscard]] std::vector<std::size_t> differing_bricks(const CutField& other) const;
     /// Whether both hold the same bits (storage may differ).
     [[nodiscard]] bool same_bits(const CutField& other) const noexcept;
     [[nodiscard]] const Grid& grid() const noexcept { return body_->grid(); }
@@ -133,6 +135,7 @@ private:
     std::size_t clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record, std::size_t next,
                              int most, int& touched) noexcept;
 
+    [[nodiscard]] bool same_in(std::size_t brick_index, const CutField& other) const noexcept;
     /// Room for every brick that can be cut, and what may be cut.
     void prepare();
     /// Of samples that were put in at once.

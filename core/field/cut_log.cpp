@@ -31,8 +31,16 @@ void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcep
     last_removing_ = other.last_removing_;
     has_removed_ = other.has_removed_;
     is_started_ = other.is_started_;
-    sequence_ = last_reversal_ = next;
+    solid_ = other.solid_;
+    solid_number_ = other.solid_number_;
+    number_from(next);
     closed_count_ = 0;
+}
+
+void CutTracker::take_tool(const ToolSolid& solid, std::uint16_t number) noexcept {
+    solid_ = &solid;
+    solid_number_ = number;
+    has_removed_ = is_started_ = false;
 }
 
 int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
@@ -64,6 +72,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     CutRecord record;
     record.sequence = sequence_++;
     record.body = body_id_;
+    record.solid = solid_number_;
     record.tick = tick;
     record.from = open_from_;
     record.to = to;

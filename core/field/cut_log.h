@@ -56,6 +56,10 @@ public:
     }
     [[nodiscard]] std::uint16_t body_id() const noexcept { return body_id_; }
     void name(std::uint16_t body_id) noexcept { body_id_ = body_id; }
+    /// Another tool cuts from now on; `number` is how records call it. Pre: nothing is pending.   [haptic, nonblocking]
+    void take_tool(const ToolSolid& solid, std::uint16_t number) noexcept;
+    /// Records are numbered on from `next`.   [haptic, nonblocking]
+    void number_from(std::uint64_t next) noexcept { sequence_ = last_reversal_ = next; }
     /// Of one of them, 0 … pending_count() − 1, the newest last.
     [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
         return -solid_->distance(tool_from_body(i) * point_in_body);
@@ -112,7 +116,7 @@ private:
     bool is_started_ = false;
     std::uint64_t sequence_ = 0, closed_ever_ = 0;
     std::array<CutRecord, recent_capacity> recent_{};
-    std::uint16_t body_id_ = 0;  ///< records say it
+    std::uint16_t body_id_ = 0, solid_number_ = 0;  ///< records say them
     std::uint64_t last_reversal_ = 0;  ///< sequence of the first record after the path last turned back
     std::array<CutRecord, 2> closed_{};
     int closed_count_ = 0;

@@ -39,13 +39,56 @@ std::vector<Separation> PresentBone::apply(const CutRecord& record, const ToolSo
 }
 
 void PresentBone::adopted(const Separation& separation) {
-    for (std::size_t n = 1; n < separation.parts.size(); ++n) pieces_[separation.parts[n].body]->still_in.reset();
+    for (std::size_t n = 1; n < separation.parts.size(); ++n) {
+        PresentPiece& part = *pieces_[separation.parts[n].body];
+        part.still_in.reset();
+        part.image.reset();
+    }
+}
+
+BoneImage PresentBone::image() {
+    count_removed();
+    BoneImage all{{}, crumbs_, refused_, crumb_volume_};
+    for (auto& piece : pieces_) {
+        if (piece->image == nullptr)
+            piece->image = std::make_shared<const PieceImage>(PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off});
+        all.pieces.push_back(piece->image);
+    }
+    return all;
+}
+
+bool PresentBone::is_as_in(const BoneImage& image) const noexcept {
+    return std::equal(pieces_.begin(), pieces_.end(), image.pieces.begin(), image.pieces.end(),
+                      [](const auto& piece, const auto& was) { return piece->image == was; });
+}
+
+void PresentBone::restore(const BoneImage& image) {
+    crumbs_ = image.crumbs;
+    refused_ = image.refused;
+    crumb_volume_ = image.crumb_volume;
+    pieces_.resize(std::min(pieces_.size(), image.pieces.size()));
+    for (std::size_t body = 0; body < image.pieces.size(); ++body) {
+        const PieceImage& was = *image.pieces[body];
+        const bool is_new = body == pieces_.size();
+        if (is_new) pieces_.push_back(std::make_unique<PresentPiece>(*was.bone, was.cut));
+        PresentPiece& piece = *pieces_[body];
+        if (piece.image == image.pieces[body]) continue;
+        for (const std::size_t b : is_new ? CutField(*was.bone, 0).differing_bricks(was.cut) : piece.cut.differing_bricks(was.cut)) piece.changed.add(b);
+        piece.cut = was.cut;
+        piece.removed = was.removed;
+        (void)piece.uncounted.take();
+        if (looks_for_pieces_) piece.finder.emplace(*piece.bone, piece.cut);
+        piece.still_in = was.still_in;
+        piece.came_off = was.came_off;
+        piece.image = image.pieces[body];
+    }
 }
 
 std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRecord& record, const ToolSolid& solid) {
     PresentPiece& piece = *pieces_[body];
     piece.cut.stamp(record, solid);
     const std::vector<std::size_t> changed = piece.cut.take_changed();
+    if (!changed.empty()) piece.image.reset();
     for (const std::size_t b : changed) {
         piece.uncounted.add(b);
         piece.changed.add(b);
@@ -97,6 +140,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
         piece->removed.go_on_with(piece->cut);
         piece->finder.emplace(*piece->bone, piece->cut);
         piece->still_in = parent.still_in.value_or(body);
+        piece->came_off = body;
         pieces_.push_back(std::move(piece));
     }
     parent.cut = CutField(whole, *separation.parts.front().mask, 0);

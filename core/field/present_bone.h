@@ -43,6 +43,22 @@ private:
     std::vector<std::size_t> bricks_;
 };
 
+/// A piece as it was at one time.
+struct PieceImage {
+    const Body* bone;
+    CutField cut;
+    RemovedVolume removed;
+    std::optional<std::uint16_t> still_in;
+    std::uint16_t came_off;
+};
+
+/// All bone as it was at one time. Images share the pieces that did not change between them.
+struct BoneImage {
+    std::vector<std::shared_ptr<const PieceImage>> pieces;
+    std::size_t crumbs = 0, refused = 0;
+    double crumb_volume = 0.0;
+};
+
 /// One body of several that share their bone's fields.
 struct PresentPiece {
     PresentPiece(const Body& whole, CutField field);
@@ -54,6 +70,8 @@ struct PresentPiece {
     std::optional<PieceFinder> finder; ///< if pieces are looked for
     BrickList changed;                 ///< since `take_changed`
     std::optional<std::uint16_t> still_in;  ///< until it is adopted, records that cut it name this body
+    std::uint16_t came_off = 0;             ///< the body that it was part of before
+    std::shared_ptr<const PieceImage> image; ///< as it is, once somebody asked
 };
 
 class PresentBone {
@@ -69,6 +87,13 @@ public:
     std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
     /// From now on records name the parts of a separation themselves.   [worker]
     void adopted(const Separation& separation);
+
+    /// As it is now, to be brought back.   [worker]
+    [[nodiscard]] BoneImage image();
+    /// Whether nothing has changed since.   [worker]
+    [[nodiscard]] bool is_as_in(const BoneImage& image) const noexcept;
+    /// Brings back all of what was, to the bit; bodies that there were not then are gone.   [worker]
+    void restore(const BoneImage& image);
 
     [[nodiscard]] std::size_t count() const noexcept { return pieces_.size(); }
     [[nodiscard]] const PresentPiece& piece(std::size_t body) const noexcept { return *pieces_[body]; }

@@ -12,13 +12,13 @@ BodiesView::BodiesView(const Body& first) {
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
 }
 
-void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool) noexcept {
+void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, int held) noexcept {
     near_count_ = 0;
     for (const auto& body : bodies) {
         const Pose body_from_tool = body->body_from(world_from_tool);
         body->view.place(body_from_tool);
-        body->is_near = body->is_present;
-        if (bodies.size() > 1 && body->is_present) {
+        body->is_near = body->is_present && held != body->id;
+        if (bodies.size() > 1 && body->is_near) {
             const double reach = body->bone->grid().clamp();
             const auto box = tool.box(body_from_tool);
             const auto meets = [&](double l, double h, double bone_l, double bone_h) { return l - reach <= bone_h && h + reach >= bone_l; };

@@ -16,8 +16,9 @@ public:
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
-    /// Points are asked about at this pose until the next call, of the bodies that come near the tool.   [haptic, nonblocking]
-    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool) noexcept;
+    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for the one it holds
+    /// (−1: none).   [haptic, nonblocking]
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, int held) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
     [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "core/field/reach.h"
 #include "core/haptics/free_pose.h"
@@ -90,33 +92,47 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
 
 Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains,
                        const Pose& start, double period)
+    : Simulation(body, std::vector<Tool>{{std::move(setup), std::move(outline)}}, gains, start, period) {}
+
+Simulation::Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start, double period)
     : period_(period),
       spacing_(body.grid().spacing),
-      setup_(std::move(setup)),
-      outline_(std::move(outline)),
+      tools_(std::move(tools)),
       present_(body, first_reserve),
       view_(body),
       world_from_tool_(start),
       hand_(start),
-      coupling_(gains, {0, 0, outline_.grip_z}),
+      coupling_(gains, {0, 0, outline().grip_z}),
       guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
-    const kerf_force& force = *setup_.force->force;
-    state_storage_ = std::make_unique<std::byte[]>(force.state_size + force.state_align);
+    bodies_.reserve(most_bodies);
+    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, first_reserve), outline().cutting));
+    closed_.reserve(closed_room);
+    to_stamp_.reserve(stamp_room);
+    std::size_t size = 0;
+    for (const Tool& tool : tools_) size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
+    state_storage_ = std::make_unique<std::byte[]>(size);
+    begin_with_tool();
+}
+
+void Simulation::begin_with_tool() {
+    const kerf_force& force = *setup().force->force;
     void* aligned = state_storage_.get();
     std::size_t space = force.state_size + force.state_align;
     state_ = static_cast<std::byte*>(std::align(force.state_align, force.state_size, aligned, space));
     force.reset(state_);
-    if (const double back = way_out_of_bone(body, outline_.whole, start).value_or(0.0); back > 0.0) {
-        world_from_tool_ = start * Pose{{0, 0, -back}, {1, 0, 0, 0}};
-        coupling_.let_go(start, world_from_tool_);
+    std::fill(std::begin(signals_), std::end(signals_), 0.0);
+    drives_.fill(0.0);
+    std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
+    double back = 0.0;
+    for (const auto& body : bodies_)
+        if (body->is_present) back = std::max(back, way_out_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_)).value_or(0.0));
+    if (back > 0.0) {
+        world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
+        coupling_.let_go(hand_.pose(), world_from_tool_);
         is_drawn_back_ = true;
     }
-    bodies_.reserve(most_bodies);
-    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, first_reserve), outline_.cutting));
-    bodies_.front()->tracker.restart(world_from_tool_);
+    for (const auto& body : bodies_) body->tracker.restart(body->body_from(world_from_tool_));
     look_around();
-    closed_.reserve(closed_room);
-    to_stamp_.reserve(stamp_room);
 }
 
 Simulation::~Simulation() = default;
@@ -124,15 +140,16 @@ Simulation::~Simulation() = default;
 // ---- asking and solving -------------------------------------------------------------------------------------------
 
 kerf_tick_in Simulation::tick_in(double step) const noexcept {
-    kerf_tick_in in = tick_in_of(setup_, view_.query(), step);
+    kerf_tick_in in = tick_in_of(setup(), view_.query(), step);
     in.tick = tick_;
+    in.drive = drives_.data();
     return in;
 }
 
 bool Simulation::ask(double step) noexcept {
     kerf_law law{sizeof(kerf_law), 0, channels_, {}, {}};
     const kerf_tick_in in = tick_in(step);
-    const kerf_status status = setup_.force->force->resist(&in, state_, &law);
+    const kerf_status status = setup().force->force->resist(&in, state_, &law);
     channel_count_ = law_channel_count_ = 0;
     if (status != KERF_OK || law.count > KERF_MAX_CHANNELS) return false;
     for (std::uint32_t c = 0; c < law.count; ++c)
@@ -146,11 +163,14 @@ bool Simulation::ask(double step) noexcept {
         notes_[i] = law.note[i];
     }
     channel_count_ = law_channel_count_ = law.count;
+    is_at_region_wall_ = false;
     for (const LiveBody* body : view_.near())
-        if (region_wall(*body->bone, body->view, outline_.cutting, body->body_from(world_from_tool_), channels_[channel_count_])) {
+        if (region_wall(*body->bone, body->view, outline().cutting, body->body_from(world_from_tool_), channels_[channel_count_])) {
             ++channel_count_;
+            is_at_region_wall_ = true;
             break;
         }
+    if (held_.is_any()) channel_count_ += static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
     return true;
 }
 
@@ -169,7 +189,7 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
 TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     TickResult result;
     closed_.clear();
-    if (tick_ == 0 && is_drawn_back_) result.add_event("haptics.started_in_bone");
+    if (std::exchange(is_drawn_back_, false)) result.add_event("haptics.started_in_bone");
     const Pose last_handle = hand_.pose();
     const bool is_steady = hand_.take(sample, period_);
     if (is_steady) {
@@ -203,7 +223,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     }
     if (was_barred || result.is_barred) coupling_.let_go(hand_.pose(), world_from_tool_);
 
-    if (channel_count_ > law_channel_count_ && !has_left_region_) {
+    if (is_at_region_wall_ && !has_left_region_) {
         has_left_region_ = true;
         result.add_event("haptics.left_region");
     }
@@ -220,7 +240,9 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
 
     const double half_voxel = 0.5 * spacing_;
     const auto motion_in = [&](double step) {
-        return largest_motion(outline_.whole, world_from_tool_, advanced(world_from_tool_, motion.rate, step));
+        const Pose next = advanced(world_from_tool_, motion.rate, step);
+        const double of_tool = largest_motion(outline().whole, world_from_tool_, next);
+        return held_.is_any() ? std::max(of_tool, held_.largest_motion(world_from_tool_, next)) : of_tool;
     };
     const auto handle_in = [&](int part) {
         return part == result.parts ? hand_.pose()
@@ -348,9 +370,9 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
 }
 
 void Simulation::command_drive(std::size_t drive, double value) noexcept {
-    if (drive >= setup_.drives.size() || !(value == value)) return;
-    const kerf_drive& range = setup_.tool->tool->drives[drive];
-    setup_.drives[drive] = std::clamp(value, range.min, range.max);
+    if (drive >= setup().drives.size() || !(value == value)) return;
+    const kerf_drive& range = setup().tool->tool->drives[drive];
+    drives_[drive] = std::clamp(value, range.min, range.max);
 }
 
 // ---- what it leads to ---------------------------------------------------------------------------------------------
@@ -369,7 +391,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     out.action = actions;
     out.signal = signals_;
     const kerf_tick_in in = tick_in(step);
-    setup_.force->force->commit(&in, &advance, state_, &out);
+    setup().force->force->commit(&in, &advance, state_, &out);
 
     // At the front: some edge met uncut bone in this step.
     bool is_at_front = false;
@@ -383,13 +405,14 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     bool is_cutting = false;
     for (std::uint32_t a = 0; a < std::min(out.action_count, KERF_MAX_ACTIONS); ++a) {
         if (actions[a].kind == KERF_ACTION_CUT) is_cutting = true;
-        if (actions[a].kind == KERF_ACTION_EVENT) result.add_event(actions[a].event);
+        do_as_told(actions[a], result);
     }
     if (is_cutting) result.is_cutting = true;
+    if (held_.is_any()) bodies_[held_.body()]->world_from_body = held_.world_from_body(world_from_tool_);
     for (const auto& body : bodies_) {
         const Pose body_from_tool = body->body_from(world_from_tool_);
         if (is_cutting && body->is_near) {
-            take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_), &result);
+            take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_));
             body->tracker.commit_passed(body_from_tool, is_at_front);
         } else {
             body->tracker.restart(body_from_tool);
@@ -398,14 +421,18 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     look_around();
 }
 
-void Simulation::take_closed(CutTracker& tracker, int count, TickResult* result) noexcept {
+void Simulation::do_as_told(const kerf_action& action, TickResult& result) noexcept {
+    if (action.kind == KERF_ACTION_EVENT) result.add_event(action.event);
+    if (action.kind == KERF_ACTION_RELEASE) held_.let_go();
+    if (action.kind != KERF_ACTION_HOLD || action.value >= bodies_.size() || !bodies_[action.value]->is_present) return;
+    held_.take(*bodies_[action.value], world_from_tool_);
+}
+
+void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
     for (int i = 0; i < count; ++i) {
         const CutRecord& record = tracker.closed(i);
-        if (result != nullptr) {
-            KERF_ASSERT(closed_.size() < closed_.capacity(), "there is room for the records of all parts and bodies");
-            closed_.push_back(record);
-            ++result->closed_records;
-        }
+        KERF_ASSERT(closed_.size() < closed_.capacity(), "there is room for the records of all parts and bodies");
+        closed_.push_back(record);
         if (!record.removes) continue;
         KERF_ASSERT(to_stamp_.size() < to_stamp_.capacity(), "call after_tick() after every tick");
         to_stamp_.push_back(record);
@@ -413,14 +440,14 @@ void Simulation::take_closed(CutTracker& tracker, int count, TickResult* result)
 }
 
 bool Simulation::is_bone_in_reach(double margin) const noexcept {
+    if (held_.is_any() && held_.is_near_another(bodies_, world_from_tool_, margin)) return true;
     return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
-        return body->is_present && is_in_reach_of_bone(*body->bone, outline_.whole, body->body_from(world_from_tool_), margin);
+        return body->is_present && !held_.is(body->id) && is_in_reach_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_), margin);
     });
 }
 
 void Simulation::after_tick() {
-    for (const auto& record : to_stamp_)
-        for (Separation& separation : present_.apply(record, outline_.cutting)) waiting_.push_back(std::move(separation));
+    stamp_closed();
     present_.reserve(free_margin);
     make_room();
     adopt_what_is_due(false);
@@ -429,13 +456,100 @@ void Simulation::after_tick() {
 void Simulation::make_room() {
     to_stamp_.clear();
     for (const auto& body : bodies_) body->committed.reserve(free_margin);
+    if (held_.lacks_points()) held_.find_points(*bodies_[held_.body()], bodies_[held_.body()]->committed);
+}
+
+void Simulation::close_all() noexcept {
+    closed_.clear();
+    for (const auto& body : bodies_) take_closed(body->tracker, body->tracker.close(tick_));
+}
+
+void Simulation::take_tool(std::size_t tool) {
+    if (tool == tool_) return;
+    close_all();
+    after_tick();
+    tool_ = tool;
+    for (const auto& body : bodies_) {
+        body->tracker.flush();
+        body->tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool));
+    }
+    held_.let_go();
+    channel_count_ = law_channel_count_ = 0;
+    last_rate_ = law_wrench_ = Vec6{};
+    std::fill(std::begin(notes_), std::end(notes_), 0.0);
+    following_.forget();
+    coupling_ = Coupling(coupling_.gains(), {0, 0, outline().grip_z});
+    coupling_.let_go(hand_.pose(), world_from_tool_);
+    guard_.restart();
+    begin_with_tool();
 }
 
 void Simulation::finish() {
-    for (const auto& body : bodies_) take_closed(body->tracker, body->tracker.close(tick_), nullptr);
+    close_all();
     after_tick();
     for (const auto& body : bodies_) body->tracker.flush();
     adopt_what_is_due(true);  // nobody cuts any more
+}
+
+// ---- undo ---------------------------------------------------------------------------------------------------------
+
+void Simulation::stamp_closed() {
+    if (to_stamp_.empty()) {
+        is_clear_ = is_clear_ || !is_bone_in_reach(0.0);
+        return;
+    }
+    std::optional<Moment> before;
+    if (is_clear_) before = moment();
+    for (const auto& record : to_stamp_)
+        for (Separation& separation : present_.apply(record, tools_[record.solid].outline.cutting)) waiting_.push_back(std::move(separation));
+    if (!before || present_.is_as_in(before->bone)) return;
+    is_clear_ = false;
+    if (undo_.size() == most_undo) undo_.erase(undo_.begin());
+    undo_.push_back(std::move(*before));
+    redo_.clear();
+}
+
+Simulation::Moment Simulation::moment() {
+    Moment now{present_.image(), {}, waiting_};
+    for (const auto& body : bodies_) now.places.emplace_back(body->world_from_body, body->is_present);
+    return now;
+}
+
+std::string Simulation::undo() { return exchange(undo_, redo_, "take back"); }
+std::string Simulation::redo() { return exchange(redo_, undo_, "do again"); }
+
+std::string Simulation::exchange(std::vector<Moment>& from, std::vector<Moment>& to, const char* what) {
+    if (from.empty()) return std::string("there is no cut to ") + what;
+    if (is_bone_in_reach(0.0)) return "the tool is not clear of the bone";
+    close_all();
+    after_tick();
+    if (from.empty()) return std::string("there is no cut to ") + what;
+    to.push_back(moment());
+    go_back_to(from.back());
+    from.pop_back();
+    return {};
+}
+
+void Simulation::go_back_to(const Moment& moment) {
+    present_.restore(moment.bone);
+    waiting_ = moment.waiting;
+    held_.let_go();
+    // Records are numbered on: what was taken back stays in the log.
+    std::uint64_t next = 0;
+    for (const auto& body : bodies_) next = std::max(next, body->tracker.next_sequence());
+    bodies_.clear();
+    for (std::size_t id = 0; id < moment.places.size(); ++id) {
+        const PresentPiece& piece = present_.piece(id);
+        CutField field = piece.cut;
+        field.reserve(first_reserve);
+        bodies_.push_back(std::make_unique<LiveBody>(static_cast<std::uint16_t>(id), *piece.bone, std::move(field), outline().cutting));
+        LiveBody& body = *bodies_.back();
+        std::tie(body.world_from_body, body.is_present) = moment.places[id];
+        body.tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool_));
+        body.tracker.number_from(next);
+        body.tracker.restart(body.body_from(world_from_tool_));
+    }
+    look_around();
 }
 
 // ---- bodies -------------------------------------------------------------------------------------------------------
@@ -450,7 +564,7 @@ void Simulation::adopt_what_is_due(bool all) {
         Separation separation = std::move(waiting_.front());
         waiting_.erase(waiting_.begin());
         const std::uint64_t through = bodies_[separation.parent]->tracker.next_sequence();
-        Adoption adoption = adoption_of(separation, present_, outline_.cutting, through);
+        Adoption adoption = adoption_of(separation, present_, outline().cutting, through);
         const bool is_adopted = adopt(adoption);
         KERF_ASSERT(is_adopted, "in lock-step the present bone holds every record");
         static_cast<void>(is_adopted);
@@ -469,7 +583,7 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
     const auto live_on = [&](LiveBody& body, std::uint64_t next_record) {
         for (std::size_t i = 0; i < parent.tracker.recent_count(); ++i)
             if (const CutRecord& record = parent.tracker.recent(i); record.sequence >= adoption.through && record.removes)
-                body.committed.stamp(record, outline_.cutting);
+                body.committed.stamp(record, tools_[record.solid].outline.cutting);
         body.world_from_body = parent.world_from_body;
         body.is_present = parent.is_present;
         body.tracker.go_on_from(parent.tracker, next_record);
@@ -480,19 +594,26 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
         bodies_.push_back(std::move(part));
     }
     std::swap(bodies_[adoption.parent], adoption.renewed);
+    if (held_.is(adoption.parent)) held_.forget_points();
     look_around();
     return true;
+}
+
+void Simulation::look_around() noexcept {
+    view_.place(bodies_, outline().whole, world_from_tool_, held());
 }
 
 void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexcept {
     LiveBody& moved = *bodies_[body];
     moved.world_from_body = world_from_body;
+    if (held_.is(body)) held_.take(moved, world_from_tool_);
     moved.tracker.restart(moved.body_from(world_from_tool_));
     look_around();
 }
 
 void Simulation::show_body(std::size_t body, bool is_present) noexcept {
     bodies_[body]->is_present = is_present;
+    if (held_.is(body) && !is_present) held_.let_go();
     look_around();
 }
 

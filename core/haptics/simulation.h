@@ -14,6 +14,7 @@
 #include "core/haptics/following.h"
 #include "core/haptics/force_gate.h"
 #include "core/haptics/hand_motion.h"
+#include "core/haptics/held_body.h"
 #include "core/haptics/passivity.h"
 
 /// One tool among bodies: the haptic loop's tick, from pose read to force out.
@@ -36,7 +37,6 @@ struct TickResult {
     double power_hand = 0.0;      ///< [W] from the hand into the tool
     int parts = 1;                ///< 1 … 16: how often the law was asked
     int iterations = 0;           ///< of the hardest of their solves
-    int closed_records = 0;       ///< read with Simulation::closed_record
     bool is_cutting = false;      ///< the plugin removed bone in this tick
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
     bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
@@ -67,6 +67,12 @@ struct ToolOutline {
 /// Asks the plugin; on failure `error` says why.   [main]
 [[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);
 
+/// One of the tools at hand.
+struct Tool {
+    ToolSetup setup;
+    ToolOutline outline;
+};
+
 class Simulation {
 public:
     static constexpr double dt = 1e-3;  ///< [s] of a tick, unless another period is asked for
@@ -76,6 +82,8 @@ public:
     /// [main]
     Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start,
                double period = dt);
+    /// The same with several tools, the first of them in hand. Pre: at least one.   [main]
+    Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start, double period = dt);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
@@ -95,6 +103,11 @@ public:
     /// Sets a drive channel from the next tick on: a pedal, a trigger, a step of the procedure. Beyond its range it is
     /// held at the end of it.   [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept;
+
+    /// Takes up another of the tools, where the hand is, with its law as at the beginning; drawn back along its axis if it lies in
+    /// bone there. What was held is let go. What the last tool cut is closed and committed before.   [main] between ticks
+    void take_tool(std::size_t tool);
+    [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
 
     /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and, if pieces
     /// are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks after the record that
@@ -118,14 +131,24 @@ public:
     /// What came apart since the last call and is adopted.   [main]
     [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
 
+    /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is all that is
+    /// removed from leaving the air to being clear of the bone again. `redo` does it again, until something else is cut. Not empty:
+    /// why it cannot be, and nothing has changed.   [main] between ticks
+    std::string undo();
+    std::string redo();
+    /// Cuts that can be taken back, at most; before that the oldest is forgotten.
+    static constexpr std::size_t most_undo = 16;
+
     [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_; }
     /// Moves a body, between ticks; nothing is cut on the way.   [haptic, nonblocking]
     void place_body(std::size_t body, const Pose& world_from_body) noexcept;
     /// Takes a body out of the scene, or puts it back.   [haptic, nonblocking] between ticks
     void show_body(std::size_t body, bool is_present) noexcept;
+    /// The body that the tool holds; −1 for none.
+    [[nodiscard]] int held() const noexcept { return held_.is_any() ? static_cast<int>(held_.body()) : -1; }
 
-    /// 0 … TickResult::closed_records − 1, of the last tick.
-    [[nodiscard]] const CutRecord& closed_record(int i) const noexcept { return closed_[static_cast<std::size_t>(i)]; }
+    /// What was closed by the last `tick`, `take_tool` or `finish`.
+    [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return closed_; }
     /// Without lag, in lock-step.
     [[nodiscard]] const PresentBone& present() const noexcept { return present_; }
     [[nodiscard]] PresentBone& present() noexcept { return present_; }
@@ -133,14 +156,15 @@ public:
     [[nodiscard]] const CutField& committed(std::size_t body = 0) const noexcept { return bodies_[body]->committed; }
     [[nodiscard]] const BodiesView& bone() const noexcept { return view_; }
     [[nodiscard]] const Pose& world_from_tool() const noexcept { return world_from_tool_; }
-    [[nodiscard]] const ToolOutline& outline() const noexcept { return outline_; }
+    [[nodiscard]] const ToolOutline& outline() const noexcept { return tools_[tool_].outline; }
+    [[nodiscard]] const ToolSetup& setup() const noexcept { return tools_[tool_].setup; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
     [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body]->tracker; }
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
     /// The plugin's state, as bytes.
     [[nodiscard]] const std::byte* state() const noexcept { return state_; }
-    [[nodiscard]] std::size_t state_size() const noexcept { return setup_.force->force->state_size; }
+    [[nodiscard]] std::size_t state_size() const noexcept { return setup().force->force->state_size; }
 
 private:
     static constexpr int most_parts = 16;
@@ -158,28 +182,43 @@ private:
 
     /// Whether any bone that can be felt comes within `margin` [m] of the tool.
     [[nodiscard]] bool is_bone_in_reach(double margin) const noexcept;
-    void take_closed(CutTracker& tracker, int count, TickResult* result) noexcept;
+    void take_closed(CutTracker& tracker, int count) noexcept;
+    void close_all() noexcept;  ///< open stretches
+    void begin_with_tool();     ///< its law as at the beginning, out of bone
+    void do_as_told(const kerf_action& action, TickResult& result) noexcept;
     void adopt_what_is_due(bool all);
-    void look_around() noexcept { view_.place(bodies_, outline_.whole, world_from_tool_); }
+    /// Everything that a cut changes.
+    struct Moment {
+        BoneImage bone;
+        std::vector<std::pair<Pose, bool>> places;  ///< of each body, and whether it is present
+        std::vector<Separation> waiting;
+    };
+    [[nodiscard]] Moment moment();
+    void go_back_to(const Moment& moment);
+    std::string exchange(std::vector<Moment>& from, std::vector<Moment>& to, const char* what);
+    void stamp_closed();  ///< into the present bone; if that begins a cut, what was before is kept
+    void look_around() noexcept;
 
     double period_;  ///< [s] of a tick
     double spacing_;
-    ToolSetup setup_;
-    ToolOutline outline_;
+    std::vector<Tool> tools_;  ///< records call them by their place here
+    std::size_t tool_ = 0;
+    std::array<double, KERF_MAX_DRIVES> drives_{};  ///< as commanded
     PresentBone present_;
     std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the place of their id; room for all there may be
     BodiesView view_;
+    HeldBody held_;
 
     std::unique_ptr<std::byte[]> state_storage_;
     std::byte* state_ = nullptr;
     double signals_[KERF_MAX_SIGNALS]{};
     kerf_channel channels_[most_channels]{};
-    std::uint32_t channel_count_ = 0;      ///< of the plugin's law, and the wall behind it
+    std::uint32_t channel_count_ = 0;      ///< of the plugin's law, the wall, and what a held body touches
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
     Vec6 last_rate_{};  ///< where the next solve starts: the answer is the same from anywhere, and here it is near
     Vec6 law_wrench_{};
     double notes_[KERF_MAX_NOTES]{};
-    bool has_left_region_ = false;
+    bool is_at_region_wall_ = false, has_left_region_ = false;
     Following following_;
 
     Pose world_from_tool_;
@@ -195,6 +234,8 @@ private:
     std::vector<CutRecord> closed_;    ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
     std::vector<Separation> waiting_, separations_;
+    std::vector<Moment> undo_, redo_;
+    bool is_clear_ = true;  ///< of the bone since the last cut
     std::vector<std::uint64_t> adoption_ticks_;  ///< of those still to come; empty: as soon as may be
 };
 

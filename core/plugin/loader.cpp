@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/plugin/core_instruments.h"
 #include "core/plugin/loading_note.h"
 
 namespace kerf {
@@ -147,6 +148,13 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     return info;
 }
 
+PluginRegistry::PluginRegistry() { list(core_instruments()); }
+
+void PluginRegistry::list(const kerf_entry& entry) {
+    for (std::uint32_t i = 0; i < entry.component_count; ++i) catalog_.push_back(describe(entry.plugin_id, entry.components[i]));
+    entries_.push_back(&entry);
+}
+
 void PluginRegistry::scan(const std::vector<std::string>& folders) {
     for (const auto& folder : folders) {
         std::vector<std::string> files;
@@ -161,6 +169,10 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
                 continue;
             }
             const std::string id = load.plugin->entry().plugin_id;
+            if (id == core_instruments().plugin_id) {
+                refusals_.push_back("plugin " + file + ": calls itself " + id + ", which is Kerf's own. Give it another id.");
+                continue;
+            }
             const auto twin = std::find_if(plugins_.begin(), plugins_.end(),
                                            [&](const auto& p) { return id == p->entry().plugin_id; });
             if (twin != plugins_.end()) {
@@ -168,18 +180,17 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
                                     ". Remove one.");
                 continue;
             }
-            for (std::uint32_t i = 0; i < load.plugin->entry().component_count; ++i)
-                catalog_.push_back(describe(id, load.plugin->entry().components[i]));
+            list(load.plugin->entry());
             plugins_.push_back(std::move(load.plugin));
         }
     }
 }
 
 const kerf_component* PluginRegistry::find(const std::string& plugin, std::uint32_t kind, const std::string& id) const noexcept {
-    for (const auto& p : plugins_) {
-        if (plugin != p->entry().plugin_id) continue;
-        for (std::uint32_t i = 0; i < p->entry().component_count; ++i) {
-            const kerf_component& c = p->entry().components[i];
+    for (const kerf_entry* entry : entries_) {
+        if (plugin != entry->plugin_id) continue;
+        for (std::uint32_t i = 0; i < entry->component_count; ++i) {
+            const kerf_component& c = entry->components[i];
             if (c.kind == kind && id == c.id) return &c;
         }
     }

@@ -44,19 +44,25 @@ struct PluginLoad {
 /// Why an entry cannot be used by this host; empty when it can.   [any]
 [[nodiscard]] std::string refusal_of(const kerf_entry& entry, const std::string& path);
 
-/// All plugins of some folders, by id.   [main]
+/// All plugins of some folders, by id, and what needs none.   [main]
 class PluginRegistry {
 public:
+    PluginRegistry();
     /// Loads every `*.so` in the folders, in name order. Refusals and duplicate ids are reported, not fatal.
     void scan(const std::vector<std::string>& folders);
 
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
+    /// Core's own first.
+    [[nodiscard]] const std::vector<const kerf_entry*>& entries() const noexcept { return entries_; }
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind, const std::string& id) const noexcept;
 
 private:
+    void list(const kerf_entry& entry);
+
     std::vector<std::shared_ptr<Plugin>> plugins_;
+    std::vector<const kerf_entry*> entries_;
     ComponentCatalog catalog_;
     std::vector<std::string> refusals_;
 };

@@ -164,7 +164,7 @@ constexpr CodeEntry entries[] = {
 
     // ---- what it asks of a run
     {701, "unknown device", "There is no record of a device of this name.", "The greatest force, mass and friction of the device decide the scale of what is felt.", "Write one that the message lists."},
-    {702, "another tool", "A step changes the instrument.", "A run keeps to one tool, for now.", "Write what the first step has."},
+    {702, "too many tools", "More instruments are in use than a run lays out.", "Each is kept ready from the start; a run has room for eight.", "Use one for several steps, or make two procedures of it."},
     {703, "impossible tool", "The plugin refuses a tool with these parameters.", "Each value is within its range, but together they make no tool.", "Follow the plugin's own words in the message; `kerf describe` tells what the parameters mean."},
     {704, "rehearsal without a way", "A rehearsal has fewer than two waypoints.", "It needs to start somewhere and to go somewhere.", "Add a waypoint."},
     {705, "rehearsal starts in bone", "The first waypoint of a rehearsal is inside the bone.", "The tool cannot appear in the middle of bone: it must come there.", "Let it start outside, as in `- {depth: -5 mm}`."},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/plugin/component_info.h"
+#include "core/procedure/hand_input.h"
 #include "core/procedure/source.h"
 #include "kerf/math.hpp"
 
@@ -34,11 +35,14 @@ struct Bound {
 };
 
 struct Goal {
-    /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]) or "separated" (the bone has
-    /// come apart, in this step or before).
+    /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]), "separated" (the bone has
+    /// come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to) or "moved" (how far
+    /// that body's bone has been moved, at the entry [m]).
     std::string quantity;
-    Bound bound;           ///< of "depth"
+    Bound bound;           ///< of "depth" and "moved"
     SourcePlace place;
+
+    [[nodiscard]] bool is_of_cut() const noexcept { return quantity != "held" && quantity != "moved"; }
 };
 
 struct Limit {
@@ -72,6 +76,7 @@ struct Waypoint {
     double aside = 0.0;   ///< [m] sideways in the step's plane, along the tool's x
     double tilt = 0.0;    ///< [rad] about the axis, out of the step's plane
     std::size_t step = 0; ///< whose frame
+    std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
 };
 
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.

@@ -79,7 +79,7 @@ enum class Code {
 
     // What it asks of a run
     unknown_device = 701,
-    one_tool_only = 702,     ///< a step with another instrument than the first
+    too_many_tools = 702,    ///< more instruments than a run can lay out
     impossible_tool = 703,   ///< the plugin refuses these parameters
     no_way = 704,            ///< a rehearsal with fewer than two waypoints
     starts_in_bone = 705,

@@ -106,6 +106,21 @@ public:
         return instrument;
     }
 
+    /// What a waypoint sets: drives of an instrument that has been read.
+    std::vector<HandInput> read_inputs(const Node& node, const Instrument& instrument) {
+        const auto tool = std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) {
+            return c.plugin == instrument.plugin && c.kind == KERF_KIND_TOOL && c.id == instrument.tool;
+        });
+        std::vector<HandInput> inputs;
+        if (tool == catalog_.end()) return inputs;
+        Instrument set = instrument;
+        for (double& value : set.drives) value = std::nan("");
+        read_drives(node, *tool, set);
+        for (std::size_t i = 0; i < set.drives.size(); ++i)
+            if (std::isfinite(set.drives[i])) inputs.push_back({HandInput::Kind::drive, tool->drives[i].id, set.drives[i]});
+        return inputs;
+    }
+
 private:
     static std::vector<double> defaults(const std::vector<ParameterInfo>& parameters) {
         std::vector<double> values;
@@ -211,15 +226,11 @@ private:
 
 // ---- steps -------------------------------------------------------------------------------------------------------
 
-/// `{at_least: …, at_most: …}`, one or both.
+/// `{at_least: …, at_most: …}`, whichever the shape has; of both, one or both.
 void read_bound_values(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
-    if (shape.find("at_least") == nullptr) {
-        if (const Node* node = map.find("at_most")) bound.at_most = read_quantity(*node, map.name_of("at_most"), map.need_of("at_most"), report);
-        return;
-    }
-    bool is_bounded = false;
+    bool is_bounded = shape.find("at_least") == nullptr || shape.find("at_most") == nullptr;
     const auto read_end = [&](const char* key, std::optional<double>& value) {
-        const Node* node = map.find(key);
+        const Node* node = shape.find(key) != nullptr ? map.find(key) : nullptr;
         if (node) value = read_quantity(*node, map.name_of(key), map.need_of(key), report);
         is_bounded |= node != nullptr;
     };
@@ -364,7 +375,8 @@ void refuse_step(const Node& name, const std::vector<Step>& steps, Report& repor
 }
 
 /// `step` is that of the waypoint before.
-Waypoint read_waypoint(const Node& point, std::size_t step, const std::vector<Step>& steps, Report& report) {
+Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, InstrumentReader& instruments, Report& report) {
+    const std::vector<Step>& steps = procedure.steps;
     MapReader waypoint(point, shapes::waypoint, "waypoint", report);
     Waypoint at;
     at.step = step;
@@ -378,11 +390,17 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const std::vector<St
     waypoint.quantity("medial", at.medial);
     waypoint.quantity("aside", at.aside);
     waypoint.quantity("tilt", at.tilt);
+    if (const Node* drives = waypoint.find("drives"); drives && at.step < steps.size()) {
+        const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                             [&](const Instrument& i) { return i.id == steps[at.step].instrument; });
+        if (instrument != procedure.instruments.end()) at.inputs = instruments.read_inputs(*drives, *instrument);
+    }
+    if (const auto input = hand_input(waypoint.word("do"))) at.inputs.push_back(*input);
     waypoint.finish();
     return at;
 }
 
-Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const std::vector<Step>& steps, Report& report) {
+Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const Procedure& procedure, InstrumentReader& instruments, Report& report) {
     MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
@@ -398,7 +416,7 @@ Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limit
     }
     if (const Node* path = map.find("path"))
         for (const Node& point : read_list(*path, "path", report))
-            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step, steps, report));
+            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step, procedure, instruments, report));
     map.finish();
     return rehearsal;
 }
@@ -495,8 +513,8 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
 
     std::vector<std::string> instrument_ids;
     const Node* instruments = map.find("instruments");
+    InstrumentReader reader(catalog, report);
     if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
-        InstrumentReader reader(catalog, report);
         if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
         for (const Node& child : instruments->children) {
             procedure.instruments.push_back(reader.read(child));
@@ -512,7 +530,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     if (const Node* node = map.find("rehearsals")) {
         const std::vector<std::string> limits = limit_names(procedure.steps);
         for (const Node& item : read_list(*node, "rehearsals", report))
-            add_unique(read_rehearsal(item, limits, procedure.steps, report), item, rehearsal_ids, procedure.rehearsals, report);
+            add_unique(read_rehearsal(item, limits, procedure, reader, report), item, rehearsal_ids, procedure.rehearsals, report);
     }
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();

@@ -100,6 +100,12 @@ const Shape clearance_bound{"clearance_bound", "Distance of what cuts to a zone,
 
 const Shape separated_goal{"separated_goal", "The bone has come apart, in this step or before.", {}};
 
+const Shape held_goal{"held_goal", "The tool holds the piece that the step's axis leads into.", {}};
+
+const Shape moved_bound{"moved_bound", "How far that piece is from where it was, where the axis meets it.", {
+    {required, "at_least", length(0.1_mm, 500.0_mm), "As far as this.", "60 mm"},
+}};
+
 const Shape thrust_bound{"thrust_bound", "Of the bone on the tool, against its feed.", {
     {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
 }};
@@ -120,6 +126,8 @@ const Shape goal{"goal", "What must be reached; goals are met in their order.", 
     {one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
     {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
     {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
+    {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
+    {one_of, "moved", map(moved_bound), "The piece is away from where it was.", "{at_least: 60 mm}"},
 }};
 
 const Shape limit{"limit", "What must not happen meanwhile.", {
@@ -159,6 +167,8 @@ const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.
     {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
     {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
     {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
+    {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.", "{jaws: 1}"},
+    {optional, "do", word({"undo", "redo", "remove"}), "On arrival: takes back the last cut, or does it again; or takes what is held out of the scene.", "undo"},
 }};
 
 const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {

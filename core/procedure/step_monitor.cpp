@@ -100,6 +100,8 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     const Pose tool = seen_from(owners_.step[current_], now);
     if (!state.start) state.start = time;
 
+    if (const std::size_t owner = owners_.step[current_]; owner < now.world_from_body.size())
+        state.moved = std::max(state.moved, length(now.world_from_body[owner] * frame.entry - frame.entry));
     const double depth = frame.depth_of(tool.position);
     const double offset = length(tool.position - frame.entry - depth * frame.along);
     const bool is_first_bone = is_in_bone && state.deepest < 0.0;
@@ -134,22 +136,26 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
         if (state.goal_done[g]) continue;
         const Goal& goal = state.step->goals[g];
-        const bool is_reached = goal.quantity == "entry"       ? state.deepest >= 0.0
-                                : goal.quantity == "separated" ? now.world_from_body.size() > 1
-                                                               : state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
-                                                                     state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
-        if (!is_reached) break;  // goals are reached in order
+        if (!is_reached(goal, state, now)) break;  // goals are reached in order
         state.goal_done[g] = true;
         news_.emplace_back("goal_reached", state.step->id + ": " + goal.quantity);
     }
 
-    // The step ends when its goals are reached and the tool is back outside.
+    // The step ends when its goals are reached and the tool is back outside, with nothing in it.
     const bool has_all = std::all_of(state.goal_done.begin(), state.goal_done.end(), [](bool done) { return done; });
-    if (has_all && depth < 0.0) {
+    if (has_all && depth < 0.0 && now.held < 0) {
         state.end = time;
         news_.emplace_back("step_done", state.step->id);
         ++current_;
     }
+}
+
+bool StepMonitor::is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept {
+    if (goal.quantity == "entry") return state.deepest >= 0.0;
+    if (goal.quantity == "separated") return now.world_from_body.size() > 1;
+    if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
+    if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
+    return state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest && state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
 }
 
 void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {

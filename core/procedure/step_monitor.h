@@ -42,6 +42,7 @@ struct Observation {
     bool is_resisted = false;                 ///< bone resists it
     double thrust = 0.0;                      ///< [N] of the bone on the tool, against its feed
     std::span<const Pose> world_from_body{};  ///< of each body; empty: there is one, and it has not moved
+    int held = -1;                            ///< the body that the tool holds; −1: none
 };
 
 /// Which body each thing of the anatomy belongs to, and moves with.
@@ -69,6 +70,8 @@ struct StepState {
     std::optional<CutWall> wall;       ///< that its cut left, measured when it had ended
     double removed = 0.0;              ///< [m³] in this step
 
+    double moved = 0.0;                ///< [m] the farthest that the bone at the entry was from where it had been
+
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
 };
 
@@ -93,6 +96,7 @@ public:
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& news() const noexcept { return news_; }
 
 private:
+    [[nodiscard]] bool is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept;
     /// Holds a measured value against its limit.
     void hold(LimitState& limit, double value, double time);
 

@@ -54,7 +54,9 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
     }
     SessionQuery adoptions(file.handle(), std::string("SELECT tick FROM events WHERE id IN ('") + came_apart_event + "', '" + crumbled_event + "') ORDER BY rowid");
     while (adoptions.next()) inputs.adoptions.push_back(static_cast<std::uint64_t>(adoptions.integer(0)) + 1);
-    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || inputs.device_from_handle.empty()) {
+    SessionQuery asked(file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + hand_input_event + "' ORDER BY rowid");
+    while (asked.next()) inputs.hand_inputs.emplace_back(static_cast<std::uint64_t>(asked.integer(0)), asked.text(1));
+    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || asked.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }

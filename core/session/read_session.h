@@ -16,6 +16,7 @@ struct RecordedInputs {
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
     std::vector<std::uint64_t> adoptions;  ///< ticks after which the loop took over what had come apart, in order
+    std::vector<std::pair<std::uint64_t, std::string>> hand_inputs;  ///< what else the hand asked for, and before which tick
     std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short
 };
 

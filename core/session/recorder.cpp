@@ -127,7 +127,7 @@ void Recorder::Impl::set(const char* table, std::string_view key, std::string_vi
 }
 
 void Recorder::Impl::create(const SessionHeader& header) {
-    signal_count = std::min<std::size_t>(header.signals.size(), KERF_MAX_SIGNALS);
+    signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
     tables = session_tables(header.signals);
 
     database.run("PRAGMA application_id=" + std::to_string(session_application_id));

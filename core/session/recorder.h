@@ -18,6 +18,8 @@ inline constexpr std::int32_t session_schema_version = 2;
 /// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back. `came_apart`: there are
 /// further bodies; `crumbled`: crumbs alone.
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
+/// What a hand asked for besides moving the handle, before this tick.
+inline constexpr const char* hand_input_event = "hand.input";
 /// Stands in every file a run writes.
 inline constexpr const char* notice_line = "For training and research; not for diagnosis, planning or deciding treatment";
 
@@ -49,7 +51,7 @@ struct SessionHeader {
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;
-    std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most KERF_MAX_SIGNALS
+    std::vector<SignalColumn> signals;  ///< in the order of TickRow::signals; at most most_signal_columns
     std::vector<std::string> tissues;
 };
 

@@ -14,6 +14,9 @@
 /// What a run leaves behind, as plain values. The recorder writes them, the report draws them.
 namespace kerf {
 
+/// Signals that are recorded, of all tools of a run together; further ones are left out.
+inline constexpr std::size_t most_signal_columns = 2 * KERF_MAX_SIGNALS;
+
 /// One tick. Everything SI; forces act on the hand, world frame (LPS), in bone newtons unless said otherwise.
 struct TickRow {
     std::uint64_t tick = 0;
@@ -34,7 +37,7 @@ struct TickRow {
     double power_hand = 0.0;          ///< [W] from the hand into the tool (bone side)
     double power_drive = 0.0;         ///< [W] from the motor
     double removed = 0.0;             ///< [m³] so far
-    double signals[KERF_MAX_SIGNALS]{};
+    double signals[most_signal_columns]{};
 };
 
 struct EventRow {

@@ -153,7 +153,7 @@ std::string plots_html(const RunSummary& summary, const std::vector<TickRow>& ro
 
     if (!summary.signals.empty()) {
         html += "<h3><label>Signal of the force model <select id=\"signal\">";
-        for (std::size_t i = 0; i < std::min<std::size_t>(summary.signals.size(), KERF_MAX_SIGNALS); ++i)
+        for (std::size_t i = 0; i < std::min<std::size_t>(summary.signals.size(), most_signal_columns); ++i)
             html += "<option value=\"" + std::to_string(i) + "\" title=\"" + html_escaped(summary.signals[i].help) + "\">" +
                     html_escaped(summary.signals[i].id) + "</option>";
         html += "</select></label></h3><canvas class=\"plot\" id=\"plot-5\" role=\"img\" aria-label=\"Signal over time\"></canvas>";

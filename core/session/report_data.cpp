@@ -54,7 +54,7 @@ Json rows_json(const std::vector<TickRow>& rows, const std::vector<std::size_t>&
 Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& rows,
                   const std::vector<std::size_t>& drawn) {
     Json list = Json::array();
-    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), KERF_MAX_SIGNALS); ++s) {
+    for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), most_signal_columns); ++s) {
         const double per_unit = signals[s].per_unit;
         list.push_back({{"name", signals[s].id},
                         {"unit", unit_for_people(signals[s].unit)},

@@ -16,6 +16,18 @@ constexpr double patience = 3e-3;     // [m] of lag the plan lets build up befor
 constexpr double surprise = 0.5e-3;   // [m] ahead of the plan that makes it let go [assumed]
 constexpr double arrived = 0.2e-3;    // [m] short of a leg's end that counts as there [assumed]
 
+constexpr double turning = 1.0;       // [rad/s] of the wrist [assumed]
+
+/// From one rotation towards another, by an angle at most [rad].
+Quat turned_towards(Quat from, Quat to, double most) {
+    if (from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z < 0.0) to = {-to.w, -to.x, -to.y, -to.z};
+    const double w = to.w - from.w, x = to.x - from.x, y = to.y - from.y, z = to.z - from.z;
+    const double angle = 2.0 * std::sqrt(w * w + x * x + y * y + z * z);  // of a small one
+    if (angle <= most) return to;
+    const double share = most / angle;
+    return normalized(Quat{from.w + share * w, from.x + share * x, from.y + share * y, from.z + share * z});
+}
+
 double quantised(double x, double step) { return step > 0.0 ? std::floor(x / step + 0.5) * step : x; }
 
 }  // namespace
@@ -44,7 +56,7 @@ void SimulatedHand::think() {
     if (is_done()) return;
 
     const Leg& leg = intent_.legs[leg_];
-    rotation_ = leg.target.rotation;
+    rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
     const Vec3 way = leg.target.position - leg_start_;
     const double total = length(way);
     const Vec3 along = normalized(way);
@@ -59,7 +71,9 @@ void SimulatedHand::think() {
         lean_ = std::clamp(lean_ + leaning_rate * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
 
-    if (dot(reported().position - leg_start_, along) >= total - arrived) {
+    const Quat still = conjugate(rotation_) * leg.target.rotation;
+    const bool is_turned = still.x == 0.0 && still.y == 0.0 && still.z == 0.0;
+    if (is_turned && dot(reported().position - leg_start_, along) >= total - arrived) {
         ++leg_;
         leg_start_ = reported().position;
         plan_ = lean_ = 0.0;

@@ -130,9 +130,9 @@ TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
     int records[2] = {0, 0};
     // When the mill comes back between them
     for (double x = milled.x; x > -3.0_mm; x -= 2.0_um) {
-        const TickResult r = milled.simulation.tick({test::mill_at(x, 1.5_mm)});
-        for (int i = 0; i < r.closed_records; ++i)
-            if (milled.simulation.closed_record(i).removes) ++records[milled.simulation.closed_record(i).body];
+        milled.simulation.tick({test::mill_at(x, 1.5_mm)});
+        for (const CutRecord& record : milled.simulation.closed())
+            if (record.removes) ++records[record.body];
         milled.simulation.after_tick();
     }
     milled.simulation.finish();
@@ -160,8 +160,8 @@ Ended live(int late) {
     Ended ended;
     while (milled.x < 4.0_mm) {
         const TickResult r = milled.go();
-        for (int i = 0; i < r.closed_records; ++i)
-            EXPECT_TRUE(!milled.simulation.closed_record(i).removes || worker.push(milled.simulation.closed_record(i)));
+        for (const CutRecord& record : milled.simulation.closed())
+            EXPECT_TRUE(!record.removes || worker.push(record));
         ended.way.push_back(r.world_from_tool);
         milled.simulation.make_room();
         // However slow this machine is, the worker is never behind for long.
@@ -212,9 +212,9 @@ TEST(SurfaceWorker, PublishesTheSurfaceOfEachBody) {
     ASSERT_EQ(at_first->patches.size(), 1u);
     milled.simulation.look_for_pieces(1e-9);
     while (milled.x < 4.0_mm) {
-        const TickResult r = milled.go();
-        for (int i = 0; i < r.closed_records; ++i)
-            EXPECT_TRUE(!milled.simulation.closed_record(i).removes || worker.push(milled.simulation.closed_record(i)));
+        milled.go();
+        for (const CutRecord& record : milled.simulation.closed())
+            EXPECT_TRUE(!record.removes || worker.push(record));
         milled.simulation.make_room();
         if (milled.simulation.ticks() % 10 == 0) worker.wait_for_all();
         if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= milled.simulation.ticks())
@@ -244,9 +244,9 @@ TEST(SurfaceWorker, AdoptingWhatItMadeNeitherAllocatesNorWaits) {
     bool has_adopted = false;
     while (milled.x < 4.0_mm) {
         const test::Forbidden before = test::forbidden_here();
-        const TickResult r = milled.go();
-        for (int i = 0; i < r.closed_records; ++i)
-            if (milled.simulation.closed_record(i).removes) (void)worker.push(milled.simulation.closed_record(i));
+        milled.go();
+        for (const CutRecord& record : milled.simulation.closed())
+            if (record.removes) (void)worker.push(record);
         if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= milled.simulation.ticks()) {
             const bool is_adopted = milled.simulation.adopt(*offer);
             worker.answer(is_adopted);

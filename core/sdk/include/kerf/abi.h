@@ -202,7 +202,11 @@ typedef struct kerf_advance {
     const double *note;          /* that law's notes; null when no law was asked */
 } kerf_advance;
 
-enum { KERF_ACTION_CUT = 1, KERF_ACTION_PLACE = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
+/*   cut      what the tool sweeps in this tick is gone
+ *   hold     body `value` is rigid to the tool from now on: it moves with it, and other bodies stop it
+ *   release  nothing is held any more
+ *   event    something worth telling */
+enum { KERF_ACTION_CUT = 1, KERF_ACTION_HOLD = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
 
 typedef struct kerf_action {
     uint32_t kind;

@@ -119,12 +119,15 @@ class Actions {
 public:
     explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = 0; }
     void cut() noexcept { add(KERF_ACTION_CUT, nullptr); }
+    /// @param body  as the bone's answers name it
+    void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, nullptr, static_cast<std::uint32_t>(body)); }
+    void release() noexcept { add(KERF_ACTION_RELEASE, nullptr); }
     /// @param id  static text, "<plugin>.<name>"
     void event(const char* id) noexcept { add(KERF_ACTION_EVENT, id); }
 
 private:
-    void add(std::uint32_t kind, const char* event) noexcept {
-        if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, 0, event};
+    void add(std::uint32_t kind, const char* event, std::uint32_t value = 0) noexcept {
+        if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, value, event};
     }
     kerf_commit_out* out_;
 };

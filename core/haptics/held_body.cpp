@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/held_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/field/bone_surface.h"
+#include "kerf/force.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double stiffness = 2e5;         // [N/m] of bone on bone, for each octant [assumed]
+constexpr double near_contact = 0.3e-3;   // [m] farther away there is no channel
+constexpr double nearly = 20e-6;          // [m] behind the deepest, or half as deep: shares its channel
+constexpr std::uint32_t first_id = 0xfffffe00u;
+
+std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+        corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
+    return corners;
+}
+
+bool comes_near(const LiveBody& other, Vec3 low, Vec3 high, double margin) noexcept {
+    const auto meets = [&](double l, double h, double other_l, double other_h) { return l - margin <= other_h && h + margin >= other_l; };
+    return meets(low.x, high.x, other.low.x, other.high.x) && meets(low.y, high.y, other.low.y, other.high.y) &&
+           meets(low.z, high.z, other.low.z, other.high.z);
+}
+
+/// Whether a box comes within `margin` of a body's; errs towards yes.
+bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners, double margin) noexcept {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
+    for (const Vec3 corner : corners) {
+        const Vec3 p = other_from_corners * corner;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    return comes_near(other, low, high, margin);
+}
+
+/// The first vertex in each cube of a lattice, as many cubes as there is room for.
+std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, double apart) {
+    for (;; apart *= 1.25) {
+        std::map<std::tuple<int, int, int>, Vec3> cubes;
+        const auto cube = [&](double x) { return static_cast<int>(std::floor(x / apart)); };
+        for (const Vec3& p : vertices) cubes.try_emplace({cube(p.x), cube(p.y), cube(p.z)}, p);
+        if (cubes.size() > most) continue;
+        std::vector<Vec3> points;
+        for (const auto& [at, p] : cubes) points.push_back(p);
+        return points;
+    }
+}
+
+}  // namespace
+
+HeldBody::HeldBody() : in_body_(most_points), octant_(most_points), asked_(most_points), octant_of_asked_(most_points), answers_(most_points) {}
+
+void HeldBody::take(const LiveBody& body, const Pose& world_from_tool) noexcept {
+    body_ = body.id;
+    tool_from_body_ = inverse(world_from_tool) * body.world_from_body;
+    count_ = 0;
+}
+
+void HeldBody::find_points(const LiveBody& body, const CutField& cut) {
+    const double apart = std::max(1.5e-3, cut.grid().spacing);
+    const std::vector<Vec3> points = thinned(bone_surface(*body.bone, cut).vertices, most_points, apart);
+    count_ = points.size();
+    if (count_ == 0) return;
+    low_ = high_ = points.front();
+    for (const Vec3 p : points) {
+        low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+        high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+    }
+    const Vec3 middle = 0.5 * (low_ + high_);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Vec3 p = points[i];
+        in_body_[i] = p;
+        octant_[i] = static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
+    }
+}
+
+double HeldBody::largest_motion(const Pose& from, const Pose& to) const noexcept {
+    double most = 0.0;
+    for (const Vec3 corner : corners_of(low_, high_)) {
+        const Vec3 in_tool = tool_from_body_ * corner;
+        most = std::max(most, length(to * in_tool - from * in_tool));
+    }
+    return most;
+}
+
+bool HeldBody::is_near_another(std::span<const std::unique_ptr<LiveBody>> bodies, const Pose& world_from_tool, double margin) const noexcept {
+    const Pose world_from_held = world_from_body(world_from_tool);
+    return count_ > 0 && std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) {
+        return !is(other->id) && other->is_present && box_comes_near(*other, corners_of(low_, high_), inverse(other->world_from_body) * world_from_held, margin);
+    });
+}
+
+std::size_t HeldBody::add_contact(std::span<const std::unique_ptr<LiveBody>> bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept {
+    struct Touch {
+        double deepest = -near_contact, weight = 0.0, depth = 0.0;
+        Vec6 d{};
+    };
+    if (count_ == 0) return 0;
+    std::array<Touch, most_held_channels> touch{};
+    const Pose world_from_held = world_from_body(world_from_tool);
+    for (const auto& other : bodies) {
+        if (is(other->id) || !other->is_present) continue;
+        const Pose other_from_held = inverse(other->world_from_body) * world_from_held;
+        if (!box_comes_near(*other, corners_of(low_, high_), other_from_held, near_contact)) continue;
+        std::size_t asked = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec3 p = other_from_held * in_body_[i];
+            if (!comes_near(*other, p, p, near_contact)) continue;
+            asked_[asked] = tool_from_body_ * in_body_[i];
+            octant_of_asked_[asked++] = octant_[i];
+        }
+        if (asked == 0) continue;
+        other->view.place(other->body_from(world_from_tool));
+        other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
+        for (std::size_t i = 0; i < asked; ++i) {
+            Touch& t = touch[octant_of_asked_[i]];
+            if (answers_[i].body >= 0 && answers_[i].normal != Vec3{}) t.deepest = std::max(t.deepest, -answers_[i].distance);
+        }
+        // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
+        for (std::size_t i = 0; i < asked; ++i) {
+            const kerf_surface_point& answer = answers_[i];
+            Touch& t = touch[octant_of_asked_[i]];
+            const double depth = -answer.distance, ahead = depth - t.deepest + std::max(nearly, 0.5 * t.deepest);
+            if (answer.body < 0 || answer.normal == Vec3{} || ahead <= 0.0 || depth <= -near_contact) continue;
+            const double weight = ahead * ahead;
+            const Vec6 d = rate_at(asked_[i], -answer.normal);
+            t.weight += weight;
+            t.depth += weight * depth;
+            for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t octant = 0; octant < touch.size(); ++octant) {
+        const Touch& t = touch[octant];
+        if (t.weight <= 0.0) continue;
+        kerf_channel& c = channels[count++] = kerf_channel{};
+        c.kind = KERF_CONTACT;
+        c.id = first_id + static_cast<std::uint32_t>(octant);
+        for (std::size_t k = 0; k < 6; ++k) c.d[k] = t.d[k] / t.weight;
+        c.w = 1e-6;
+        c.k = stiffness;
+        c.delta = t.depth / t.weight;
+    }
+    return count;
+}
+
+}  // namespace kerf

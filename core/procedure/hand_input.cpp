@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/procedure/hand_input.h"
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace kerf {
+
+namespace {
+constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
+    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}};
+}  // namespace
+
+std::string text_of(const HandInput& input) {
+    for (const auto& [kind, word] : words)
+        if (kind == input.kind) return std::string(word);
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), input.value).ptr;
+    return input.drive + " " + std::string(digits, end);
+}
+
+std::optional<HandInput> hand_input(std::string_view text) {
+    for (const auto& [kind, word] : words)
+        if (text == word) return HandInput{kind};
+    const std::size_t space = text.find(' ');
+    if (space == 0 || space == std::string_view::npos) return std::nullopt;
+    HandInput input{HandInput::Kind::drive, std::string(text.substr(0, space)), 0.0};
+    const auto [end, error] = std::from_chars(text.data() + space + 1, text.data() + text.size(), input.value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(input.value)) return std::nullopt;
+    return input;
+}
+
+}  // namespace kerf

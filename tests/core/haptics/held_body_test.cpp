@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forceps hold a piece of bone: it goes with them, and other bone stops it. And what was cut can be taken back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/plugin/core_instruments.h"
+#include "tests/support/loop_guard.h"
+#include "tests/support/mill.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+ToolOutline outline_made(const ToolSetup& setup) {
+    ToolOutline outline;
+    std::string error;
+    EXPECT_TRUE(outline_of(setup, outline, error)) << error;
+    return outline;
+}
+
+ToolSetup forceps() {
+    const kerf_entry& core = core_instruments();
+    ToolSetup setup;
+    for (std::uint32_t i = 0; i < core.component_count; ++i) {
+        const kerf_component& c = core.components[i];
+        (c.kind == KERF_KIND_TOOL ? setup.tool : setup.force) = &c;
+        for (std::uint32_t p = 0; p < c.param_count; ++p) setup.force_parameters.push_back(c.params[p].def);
+    }
+    setup.drives = {0.0};
+    return setup;
+}
+
+/// The bar of the mill, and forceps beside the mill.
+struct Bench {
+    static constexpr double in_bone = 5.0_um, in_air = 100.0_um;  // a tick
+    Body body = test::bar(0.2_mm);
+    std::vector<Tool> tools{{test::mill(), outline_made(test::mill())}, {forceps(), outline_made(forceps())}};
+    Simulation simulation{body, tools, gains_for(*find_device("premium-1.5-6dof"), 0.1), test::mill_at(-4.0_mm)};
+    Pose hand = test::mill_at(-4.0_mm);
+    TickResult last;
+
+    Bench() { simulation.look_for_pieces(1e-9 /* 1 mm³ */); }
+
+    /// In a straight line.
+    void go_to(Vec3 to, double step = in_bone) {
+        const Vec3 from = hand.position;
+        const int ticks = std::max(1, static_cast<int>(length(to - from) / step));
+        for (int i = 1; i <= ticks; ++i) {
+            hand.position = from + (static_cast<double>(i) / ticks) * (to - from);
+            last = simulation.tick({hand});
+            simulation.after_tick();
+        }
+    }
+    void wait(int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            last = simulation.tick({hand});
+            simulation.after_tick();
+        }
+    }
+    /// Through the bar at `y` and back into the air behind it.
+    void sever(double y) {
+        go_to({-4.0_mm, y, 6.0_mm}, in_air);
+        go_to({4.0_mm, y, 6.0_mm});
+        wait(30);
+    }
+    /// Forceps on the end that came off, from below.
+    void grasp_the_end() {
+        go_to({20.0_mm, 5.0_mm, 6.0_mm}, in_air);
+        simulation.take_tool(1);
+        go_to({20.0_mm, 5.0_mm, -6.0_mm}, in_air);
+        go_to({0.0_mm, 5.0_mm, -6.0_mm}, in_air);
+        go_to({0.0_mm, 5.0_mm, -1.6_mm});
+        simulation.command_drive(0, 1.0);
+        wait(2);
+    }
+    [[nodiscard]] Vec3 place_of(std::size_t b) const { return simulation.bodies()[b]->world_from_body.position; }
+};
+
+TEST(HeldBody, GoesWithTheForcepsUntilTheyOpen) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    ASSERT_EQ(bench.simulation.bodies().size(), 2u);
+    bench.grasp_the_end();
+    ASSERT_EQ(bench.simulation.held(), 1);
+
+    bench.go_to({3.0_mm, 9.0_mm, -11.6_mm});
+    const Vec3 moved = bench.place_of(1);
+    EXPECT_NEAR(moved.x, 3.0_mm, 0.1_mm);
+    EXPECT_NEAR(moved.y, 4.0_mm, 0.1_mm);
+    EXPECT_NEAR(moved.z, -10.0_mm, 0.1_mm);
+    EXPECT_EQ(length(bench.place_of(0)), 0.0);
+
+    bench.simulation.command_drive(0, 0.0);
+    bench.wait(2);
+    EXPECT_EQ(bench.simulation.held(), -1);
+    const Vec3 left = bench.place_of(1);
+    bench.go_to({3.0_mm, 9.0_mm, -16.0_mm});
+    EXPECT_EQ(length(bench.place_of(1) - left), 0.0);
+}
+
+TEST(HeldBody, IsStoppedByTheStump) {
+    // Given the end in the forceps, 1.2 mm from the stump: the mill's width
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    ASSERT_EQ(bench.simulation.held(), 1);
+    EXPECT_LT(length(linear(bench.last.coupled_on_hand)), 0.5);
+    // When the hand pushes it 3 mm towards it
+    bench.go_to({0.0_mm, 2.0_mm, -1.6_mm});
+    bench.wait(50);
+    // Then face meets face, and the hand feels the stretch of its coupling
+    EXPECT_NEAR(bench.place_of(1).y, -1.2_mm, 0.1_mm);
+    EXPECT_GT(linear(bench.last.coupled_on_hand).y, 1.0);
+    // and drawn back the force is gone
+    bench.go_to({0.0_mm, 5.0_mm, -1.6_mm});
+    bench.wait(50);
+    EXPECT_LT(length(linear(bench.last.coupled_on_hand)), 0.1);
+}
+
+TEST(HeldBody, IsStoppedByItsCornersWhenTurned) {
+    // Given the end turned by 45 degrees about its length, so that its corners stand beside the stump's face
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    const Quat turned = quat_from_rotation_vector({0, 0.25 * pi, 0});
+    for (int i = 1; i <= 2000; ++i) {
+        bench.hand.rotation = quat_from_rotation_vector({0, 0.25 * pi * i / 2000.0, 0});
+        bench.wait(1);
+    }
+    EXPECT_NEAR(bench.simulation.world_from_tool().rotation.y, turned.y, 0.01);
+    bench.go_to({0.0_mm, 2.0_mm, -1.6_mm});
+    bench.wait(50);
+    EXPECT_NEAR(bench.place_of(1).y + 1.2_mm, 0.0, 0.15_mm);
+    EXPECT_GT(linear(bench.last.coupled_on_hand).y, 1.0);
+}
+
+TEST(HeldBody, NothingIsHeldWhereThereIsNoBone) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.go_to({20.0_mm, 5.0_mm, 6.0_mm}, Bench::in_air);
+    bench.simulation.take_tool(1);
+    bench.simulation.command_drive(0, 1.0);
+    bench.wait(1);
+    EXPECT_EQ(bench.simulation.held(), -1);
+    ASSERT_EQ(bench.last.event_count, 1u);
+    EXPECT_STREQ(bench.last.events[0], "kerf.core.closed_on_nothing");
+}
+
+TEST(HeldBody, HoldingNeitherAllocatesNorLocks) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    ASSERT_EQ(bench.simulation.held(), 1);
+    bench.go_to({0.0_mm, 4.0_mm, -1.6_mm});
+    for (int i = 0; i < 300; ++i) {
+        bench.hand.position.y -= 5.0_um;
+        const test::Forbidden before = test::forbidden_here();
+        bench.last = bench.simulation.tick({bench.hand});
+        EXPECT_EQ(test::forbidden_here(), before);
+        bench.simulation.after_tick();
+    }
+    EXPECT_GT(linear(bench.last.coupled_on_hand).y, 0.1);
+}
+
+TEST(Undo, BringsTheBoneBackBitForBitAndRedoDoesItAgain) {
+    Bench bench;
+    const CutField uncut = bench.simulation.exact();
+    bench.sever(2.0_mm);
+    bench.go_to({12.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    const std::uint64_t once = bench.simulation.present().hash();
+    bench.go_to({12.0_mm, -20.0_mm, 6.0_mm}, Bench::in_air);
+    bench.go_to({-12.0_mm, -20.0_mm, 6.0_mm}, Bench::in_air);
+    bench.sever(-3.0_mm);
+    bench.go_to({12.0_mm, -3.0_mm, 6.0_mm}, Bench::in_air);
+    const std::uint64_t twice = bench.simulation.present().hash();
+    const double removed = bench.simulation.present().removed();
+    ASSERT_EQ(bench.simulation.bodies().size(), 3u);
+
+    EXPECT_EQ(bench.simulation.undo(), "");
+    EXPECT_EQ(bench.simulation.bodies().size(), 2u);
+    EXPECT_EQ(bench.simulation.present().hash(), once);
+    EXPECT_EQ(bench.simulation.undo(), "");
+    EXPECT_EQ(bench.simulation.bodies().size(), 1u);
+    EXPECT_TRUE(bench.simulation.exact().same_bits(uncut));
+    EXPECT_TRUE(bench.simulation.committed().same_bits(uncut));
+    EXPECT_EQ(bench.simulation.present().removed(), 0.0);
+    EXPECT_NE(bench.simulation.undo(), "");
+
+    EXPECT_EQ(bench.simulation.redo(), "");
+    EXPECT_EQ(bench.simulation.present().hash(), once);
+    EXPECT_EQ(bench.simulation.redo(), "");
+    EXPECT_EQ(bench.simulation.present().hash(), twice);
+    EXPECT_EQ(bench.simulation.present().removed(), removed);
+    EXPECT_NE(bench.simulation.redo(), "");
+    for (std::size_t b = 0; b < 3; ++b) EXPECT_TRUE(bench.simulation.committed(b).same_bits(bench.simulation.exact(b))) << b;
+}
+
+TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
+    Bench undone, plain;
+    undone.sever(2.0_mm);
+    undone.go_to({12.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    ASSERT_EQ(undone.simulation.undo(), "");
+    // Back in the air, then the same way in both
+    for (Bench* bench : {&undone, &plain}) {
+        for (const Vec3 to : {Vec3{bench->hand.position.x, -20.0_mm, 6.0_mm}, Vec3{-12.0_mm, -20.0_mm, 6.0_mm}}) bench->go_to(to, Bench::in_air);
+        bench->sever(-3.0_mm);
+        bench->simulation.finish();
+    }
+    ASSERT_EQ(undone.simulation.bodies().size(), 2u);
+    EXPECT_NEAR(undone.simulation.present().removed(), plain.simulation.present().removed(), 1e-3 * plain.simulation.present().removed());
+    EXPECT_NE(undone.simulation.redo(), "");
+}
+
+TEST(Undo, WaitsUntilTheToolIsClearOfTheBone) {
+    Bench bench;
+    bench.go_to({-4.0_mm, 2.0_mm, 6.0_mm});
+    bench.go_to({0.0_mm, 2.0_mm, 6.0_mm});
+    const std::uint64_t half_way = bench.simulation.present().hash();
+    EXPECT_EQ(bench.simulation.undo(), "the tool is not clear of the bone");
+    EXPECT_EQ(bench.simulation.present().hash(), half_way);
+}
+
+}  // namespace
+}  // namespace kerf
