@@ -67,8 +67,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         const Step& step = procedure.steps[s];
         const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
                                              [&](const Instrument& i) { return i.id == step.instrument; });
-        const bool cuts = std::any_of(step.goals.begin(), step.goals.end(), [](const Goal& goal) { return goal.is_of_cut(); });
-        if (!cuts) continue;  // nothing there depends on how finely bone is resolved
+        if (!step.cuts()) continue;  // nothing there depends on how finely bone is resolved
         const double depth = depth_of(step, procedure);
         if (depth <= 0.0) {
             outcome.error = procedure.file + ": step `" + step.id +

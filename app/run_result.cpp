@@ -37,6 +37,8 @@ std::string what_was_missed(const Goal& goal, const StepState& state) {
     if (goal.quantity == "entry")
         return state.has_met_bone_still ? "the tool stood on the bone, but it was not running" : "the tool never met bone";
     if (goal.quantity == "separated") return "the bone did not come apart";
+    if (goal.quantity == "held") return "the piece was never held";
+    if (goal.quantity == "moved") return "the piece was moved " + millimetres(state.moved) + ", must be at least " + millimetres(*goal.bound.at_least);
     std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
     if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
     if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);
@@ -64,6 +66,10 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             row.help = std::move(help);
             rows.push_back(std::move(row));
         };
+        if (!state.step->cuts()) {
+            length_row("moved", state.moved, half_voxel, "info", "How far the piece was from where it had been, at the step's entry.");
+            continue;
+        }
         length_row("depth", std::max(0.0, state.deepest), half_voxel, "info", "Deepest tip position in bone, along the planned axis from its entry.");
         length_row("entry-offset", state.entry_offset, half_voxel, "info", "Distance of the tip from the planned axis when it first cut bone.");
         length_row("offset", state.farthest_offset, half_voxel, "info", "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +42,6 @@ struct Goal {
     std::string quantity;
     Bound bound;           ///< of "depth" and "moved"
     SourcePlace place;
-
-    [[nodiscard]] bool is_of_cut() const noexcept { return quantity != "held" && quantity != "moved"; }
 };
 
 struct Limit {
@@ -67,6 +66,11 @@ struct Step {
     std::vector<Goal> goals;
     std::vector<Limit> limits;
     std::string plane{};     ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
+
+    /// Whether anything is to be reached in bone, and not only with a piece of it.
+    [[nodiscard]] bool cuts() const noexcept {
+        return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return goal.quantity != "held" && goal.quantity != "moved"; });
+    }
 };
 
 /// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt.

@@ -143,9 +143,8 @@ private:
         if (contains(known, id)) return true;
         const std::string meant = closest(id, known, report_);
         report_.error(Code::unknown_plugin, node.span,
-                      known.empty() ? "No plugin was found at all. Name the folder that holds it in KERF_PLUGIN_PATH."
-                                    : "No such plugin was found; there is " + listed(known) + "." +
-                                          or_choose(meant, "Write one of these, or name the folder that holds it in KERF_PLUGIN_PATH."),
+                      "No such plugin was found; there is " + listed(known) + "." +
+                          or_choose(meant, "Write one of these, or name the folder that holds it in KERF_PLUGIN_PATH."),
                       meant);
         return false;
     }

@@ -123,8 +123,8 @@ private:
                 return {{"type", "object"}, {"propertyNames", {{"pattern", id_pattern}}}, {"additionalProperties", of_value(value.item.front())}};
             case Kind::renamed:
                 return {{"type", "object"}, {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
+            case Kind::drives: return any_drives();
             case Kind::parameters:
-            case Kind::drives:
             case Kind::patch: break;
         }
         return {{"type", "object"}};
@@ -132,8 +132,8 @@ private:
 
     // ---- what plugins offer
 
-    static void add_once(Json& list, const std::string& word) {
-        if (std::find(list.begin(), list.end(), Json(word)) == list.end()) list.push_back(word);
+    static void add_once(Json& list, const Json& word) {
+        if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
     }
 
     static Json component_values(const std::vector<const std::vector<ParameterInfo>*>& tables) {
@@ -147,6 +147,20 @@ private:
                 schema["default"] = need.unit.empty() ? Json(p.def) : Json(quantity_text(p.def, need.unit));
                 properties[p.id] = std::move(schema);
             }
+        return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+    }
+
+    /// Drives of whatever tool; where two tools have one of the same name, either's values.
+    [[nodiscard]] Json any_drives() const {
+        Json properties = Json::object();
+        for (const ComponentInfo& tool : catalog_) {
+            const Json values = component_values({&tool.drives});
+            for (const auto& [id, schema] : values["properties"].items()) {
+                if (!properties.contains(id)) properties[id] = {{"anyOf", Json::array()}};
+                add_once(properties[id]["anyOf"], schema);
+            }
+        }
+        if (properties.empty()) return {{"type", "object"}};
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     }
 

@@ -98,12 +98,14 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     auto inputs = read_session(request.out + "/session.db", error);
     ASSERT_TRUE(inputs) << error;
     ASSERT_EQ(inputs->adoptions.size(), 1u);
+    ASSERT_EQ(inputs->hand_inputs.size(), 2u);
 
     // When it is replayed
     RunRequest again;
     again.rehearsal = "expert";
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
+    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
     const RunOutcome same = run_procedure(knee(), test::plugins(), again);
     again.adoptions = {inputs->adoptions[0] + 300};
     const RunOutcome later = run_procedure(knee(), test::plugins(), again);

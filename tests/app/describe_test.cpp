@@ -45,10 +45,13 @@ TEST(Describe, AWrongNameIsAnsweredWithTheOneThatWasMeant) {
     EXPECT_EQ(error, "there is no plugin or component `kerf.driling`. Write `kerf.drilling`.");
 }
 
-TEST(Describe, WithoutPluginsSaysWhereTheyAreLookedFor) {
+TEST(Describe, WithoutPluginsThereIsCoreAlone) {
     std::string error;
-    EXPECT_FALSE(description_of(PluginRegistry(), "", error));
-    EXPECT_NE(error.find("KERF_PLUGIN_PATH"), std::string::npos);
+    const auto text = description_of(PluginRegistry(), "", error);
+    ASSERT_TRUE(text) << error;
+    EXPECT_NE(text->find("forceps"), std::string::npos);
+    EXPECT_FALSE(description_of(PluginRegistry(), "kerf.drilling", error));
+    EXPECT_NE(error.find("KERF_PLUGIN_PATH"), std::string::npos) << error;
 }
 
 }  // namespace

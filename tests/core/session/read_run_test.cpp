@@ -140,7 +140,7 @@ TEST(ReadRun, WhatNoRunWritesIsRefused) {
              {"UPDATE surface SET step=NULL", "triangles without vertices"},
              {"UPDATE surface SET half_x=9e999", "triangles without vertices"},
              {"INSERT INTO surface SELECT * FROM surface", "two surfaces"},
-             {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 30) INSERT INTO signals SELECT i, 'x', 'x', '', 1.0, '' FROM n",
+             {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 40) INSERT INTO signals SELECT i, 'x', 'x', '', 1.0, '' FROM n",
               "more than"},
              {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
              {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
