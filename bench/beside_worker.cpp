@@ -146,8 +146,8 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
         felt_with.add(with);
         felt_without.add(without);
     }
-    std::printf("%s: %d rounds of %d ticks each; the worker is busy for %.0f %% of the time; the tools end %s\n", is_on_the_clock ? "on the clock" : "in a row",
-                rounds, ticks, 100.0 * worked / passed, is_same ? "at the same place" : "APART");
+    std::printf("%s: %d rounds of %d ticks each; the worker is busy for %.0f %% of the time; the tools end %s\n",
+                is_on_the_clock ? "on the clock" : "in a row", rounds, ticks, 100.0 * worked / passed, is_same ? "at the same place" : "APART");
     print("processor, all", felt_with.processor.all(), felt_without.processor.all());
     print("processor, alike", felt_with.processor.alike(), felt_without.processor.alike());
     print("wall, all", felt_with.wall.all(), felt_without.wall.all());

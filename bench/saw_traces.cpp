@@ -65,7 +65,10 @@ struct Feeding {
     Simulation simulation;
 
     Feeding(const Body& bone, ToolSetup saw, Vec3 where = {})
-        : body(bone), setup(std::move(saw)), entry(where), simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(depth, 0.0, entry)) {}
+        : body(bone),
+          setup(std::move(saw)),
+          entry(where),
+          simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(depth, 0.0, entry)) {}
 
     Felt go(double feed) {
         depth += feed * Simulation::dt;
@@ -93,9 +96,18 @@ double mean_tooth(const Feeding& saw, double feed) {
     return sum;
 }
 
+/// One of the three forces of a tooth as printed [N].
+double printed_tooth(const Feeding& saw, Hsieh2006::Parameter which, double feed) {
+    const auto& force = saw.setup.force_parameters;
+    const double pitch = saw.setup.tool_parameters[as_printed::saw_pitch];
+    return force[which] * as_printed::chip_as_printed(force[Hsieh2006::tooth_width], pitch, feed, saw.setup.drives[0]);
+}
+
 // ---- the panels -------------------------------------------------------------------------------------------------------------
 
-Curve line(const std::string& name, int colour, bool is_dashed = false) { return {.name = name, .colour = colour, .is_dashed = is_dashed, .has_dots = false}; }
+Curve line(const std::string& name, int colour, bool is_dashed = false) {
+    return {.name = name, .colour = colour, .is_dashed = is_dashed, .has_dots = false};
+}
 Curve dots(const std::string& name, int colour) { return {.name = name, .colour = colour, .has_line = false}; }
 void add(Curve& curve, double x, double y) { curve.markers.push_back({.x = x, .y = y}); }
 
@@ -137,8 +149,12 @@ Panel tube_cut() {
         if (until == 29.0_mm) break;
         for (const double from = saw.depth; saw.depth > from - 1.5_mm;) go(-20.0_mm_per_s);
     }
-    std::printf("03-09  load is that of the teeth in bone: off by %.2f teeth at most (bar 1, and the front's slant of 4 %%); drawn back %.3f N\n", worst, still_felt);
-    return {"03-09  A tube sawn through, drawn back three times", {"time [s]", false, 0.0, 4.5}, {"thrust / that of one tooth", false, 0.0, 20.0}, {exact, ours}};
+    std::printf("03-09  load is that of the teeth in bone: off by %.2f teeth at most (bar 1, and the front's slant of 4 %%); drawn back %.3f N\n",
+                worst, still_felt);
+    return {.title = "03-09  A tube sawn through, drawn back three times",
+            .x = {"time [s]", false, 0.0, 4.5},
+            .y = {"thrust / that of one tooth", false, 0.0, 20.0},
+            .curves = {exact, ours}};
 }
 
 /// 03-08. Feed 6 mm/s, all teeth in bone.
@@ -157,13 +173,13 @@ Panel sideways(const Body& body) {
         Feeding paper(body, printed_saw({{"tooth_count", n}}));
         paper.to(5.0_mm);
         for (int i = 0; i < 20; ++i) (void)paper.go(1.0_mm_per_s);
-        const auto& p = paper.setup;
-        const double one = p.force_parameters[Hsieh2006::k_radial] *
-                           as_printed::chip_as_printed(p.force_parameters[Hsieh2006::tooth_width], p.tool_parameters[as_printed::saw_pitch], 1.0_mm_per_s, p.drives[0]);
-        add(printed, n, std::abs(paper.signal(Hsieh2006::f_y)) / one);
+        add(printed, n, std::abs(paper.signal(Hsieh2006::f_y)) / printed_tooth(paper, Hsieh2006::k_radial, 1.0_mm_per_s));
     }
     std::printf("03-08  across the blade what the unpaired tooth leaves: off by %.3f of a tooth at most\n", worst);
-    return {"03-08  Across the blade: the unpaired tooth", {"teeth in bone", false, 0.0, 13.0}, {"force across / that of one tooth", false, 0.0, 12.5}, {printed, ours}};
+    return {.title = "03-08  Across the blade: the unpaired tooth",
+            .x = {"teeth in bone", false, 0.0, 13.0},
+            .y = {"force across / that of one tooth", false, 0.0, 12.5},
+            .curves = {printed, ours}};
 }
 
 /// 03-07. In the middle of the swing, 20 oscillations a second, 2 mm/s; wider fronts have teeth at larger angles.
@@ -172,14 +188,16 @@ Panel angles(const Body& body) {
           printed = line("as printed, stroke", printed_colour);
     constexpr double feed = 2.0_mm_per_s, rate = 20.0;
     for (const double n : {2.0, 6.0, 10.0, 16.0, 24.0, 32.0, 44.0, 60.0}) {
-        const std::map<std::string, double> set{{"tooth_count", n}, {"tooth_pitch", 0.7_mm}, {"stroke_rate", rate}, {"oscillation", rate}, {"motor_torque", 5000.0_Nmm}};
+        const std::map<std::string, double> set{
+            {"tooth_count", n}, {"tooth_pitch", 0.7_mm}, {"stroke_rate", rate}, {"oscillation", rate}, {"motor_torque", 5000.0_Nmm}};
         Feeding saw(body, test::saw(set));
         saw.to(8.0_mm);
         Felt middle = saw.go(feed);  // of the swing, where the teeth are fastest and chips thinnest
         for (int i = 0; i < 100; ++i)
             if (const Felt felt = saw.go(feed); felt.against < middle.against) middle = felt;
         const sawing::Coefficients k = sawing::coefficients(saw.setup.force_parameters);
-        const double chip = sawing::chip_per_feed({saw.blade().stroke(), saw.blade().pitch, rate}, 1.0) * feed, degrees = saw.blade().half_front() / 1.0_deg;
+        const double chip = sawing::chip_per_feed({saw.blade().stroke(), saw.blade().pitch, rate}, 1.0) * feed;
+        const double degrees = saw.blade().half_front() / 1.0_deg;
         add(normal, degrees, middle.against / (n * saw.blade().kerf() * force_per_width(chip, k.thrust)));
         add(lateral, degrees, std::abs(middle.along) / (n * saw.blade().kerf() * force_per_width(chip, k.cutting)));
 
@@ -190,14 +208,14 @@ Panel angles(const Body& body) {
             (void)paper.go(feed);
             sum += paper.signal(Hsieh2006::f_x) / 100.0;
         }
-        const auto& p = paper.setup;
-        const double one = p.force_parameters[Hsieh2006::k_lateral] * as_printed::chip_as_printed(p.force_parameters[Hsieh2006::tooth_width], 0.7_mm, feed, rate);
-        add(printed, degrees, std::abs(sum) / (n * one));
+        add(printed, degrees, std::abs(sum) / (n * printed_tooth(paper, Hsieh2006::k_lateral, feed)));
     }
-    std::printf("03-07  front of %.1f deg to either side: feed/normal %.3f, stroke/lateral %.3f (1 at small angles); as printed %.2f\n", normal.markers[0].x,
-                normal.markers[0].y, lateral.markers[0].y, printed.markers[0].y);
-    return {"03-07  Small angles: feed meets normal, stroke lateral forces", {"last tooth's angle [deg]", false, 0.0, 22.0}, {"feed / sum of normal, stroke / sum of lateral forces", false, 0.0, 2.0},
-            {printed, normal, lateral}};
+    std::printf("03-07  front of %.1f deg to either side: feed/normal %.3f, stroke/lateral %.3f (1 at small angles); as printed %.2f\n",
+                normal.markers[0].x, normal.markers[0].y, lateral.markers[0].y, printed.markers[0].y);
+    return {.title = "03-07  Small angles: feed meets normal, stroke lateral forces",
+            .x = {"last tooth's angle [deg]", false, 0.0, 22.0},
+            .y = {"feed / sum of normal, stroke / sum of lateral forces", false, 0.0, 2.0},
+            .curves = {printed, normal, lateral}};
 }
 
 struct Recorded {
@@ -223,12 +241,15 @@ std::vector<double> spectrum_of(const std::vector<double>& force) {
     std::vector<double> amplitude;
     for (int hertz = 0; hertz < 500; ++hertz) {
         std::complex<double> sum{};
-        for (std::size_t i = 0; i < force.size(); ++i) sum += (force[i] - mean) * std::polar(1.0, -2.0 * pi * hertz * static_cast<double>(i) * Simulation::dt);
+        for (std::size_t i = 0; i < force.size(); ++i)
+            sum += (force[i] - mean) * std::polar(1.0, -2.0 * pi * hertz * static_cast<double>(i) * Simulation::dt);
         amplitude.push_back(2.0 * std::abs(sum) / static_cast<double>(force.size()));
     }
     return amplitude;
 }
-int peak_of(const std::vector<double>& amplitude) { return static_cast<int>(std::max_element(amplitude.begin(), amplitude.end()) - amplitude.begin()); }
+int peak_of(const std::vector<double>& amplitude) {
+    return static_cast<int>(std::max_element(amplitude.begin(), amplitude.end()) - amplitude.begin());
+}
 
 /// 03-06, as time goes.
 Panel strokes(const Recorded& slow) {
@@ -237,7 +258,10 @@ Panel strokes(const Recorded& slow) {
         add(along, i, slow.along[static_cast<std::size_t>(i)]);
         add(against, i, slow.against[static_cast<std::size_t>(i)]);
     }
-    return {"03-06  Twenty oscillations a second: forces as they swing", {"time [ms]", false, 0.0, 150.0}, {"force [N]", false, -150.0, 350.0}, {along, against}};
+    return {.title = "03-06  Twenty oscillations a second: forces as they swing",
+            .x = {"time [ms]", false, 0.0, 150.0},
+            .y = {"force [N]", false, -150.0, 350.0},
+            .curves = {along, against}};
 }
 
 /// 03-06, by frequency; at 200 oscillations a second the force does not swing, and `vibration` says by how much it would.
@@ -251,19 +275,22 @@ Panel spectra(const Body& body, const Recorded& slow) {
     for (const double rate : {20.0, 80.0}) {
         const Recorded record = rate == 20.0 ? slow : recorded(body, rate);
         const std::vector<double> along = spectrum_of(record.along);
-        std::printf("03-06  %.0f oscillations a second: along the teeth the peak is at %d Hz (bar ±1), against the feed at %d Hz: both strokes push alike\n", rate,
-                    peak_of(along), peak_of(spectrum_of(record.against)));
+        std::printf("03-06  %.0f oscillations a second: peak along the teeth at %d Hz (bar ±1), against the feed at %d Hz: both strokes push alike\n",
+                    rate, peak_of(along), peak_of(spectrum_of(record.against)));
         draw(figure(rate) + " /s", rate == 20.0 ? other_colour : 5, along);
     }
     const Recorded fast = recorded(body, 200.0);
     const std::vector<double> along = spectrum_of(fast.along);
-    std::printf("03-06  200 oscillations a second: %.4f N at most in the force; `vibration` is %.1f N at the rate of `stroke_rate`\n", along[static_cast<std::size_t>(peak_of(along))],
-                fast.vibration);
+    std::printf("03-06  200 oscillations a second: %.4f N at most in the force; `vibration` is %.1f N at the rate of `stroke_rate`\n",
+                *std::max_element(along.begin(), along.end()), fast.vibration);
     draw("200 /s", ours_colour, along);
     Curve vibration = dots("vibration, 200 /s", ours_colour);
     vibration.markers.push_back({.x = 200.0, .y = fast.vibration, .is_filled = false});
     curves.push_back(vibration);
-    return {"03-06  By frequency: the rate it oscillates with", {"frequency [Hz]", true, 1.0, 500.0}, {"force along the teeth [N]", true, 1e-3, 1e3}, curves};
+    return {.title = "03-06  By frequency: the rate it oscillates with",
+            .x = {"frequency [Hz]", true, 1.0, 500.0},
+            .y = {"force along the teeth [N]", true, 1e-3, 1e3},
+            .curves = curves};
 }
 
 /// 03-05. At 200 oscillations a second, in the mean over the oscillation; both 1 at a chip of 1 µm.
@@ -289,9 +316,14 @@ Panel proportions(const Body& body) {
         add(ours, chip / 1.0_um, of_ours / ours_once);
     }
     const auto growth = [](const Curve& curve) { return curve.markers[3].y / curve.markers[1].y; };
-    const double once = thrust(printed_saw({{"swing", 0.0}}), 1.0_mm_per_s), twice = thrust(printed_saw({{"swing", 0.0}, {"oscillation", 400.0}}), 1.0_mm_per_s);
-    std::printf("03-05  from 2 to 10 um of chip: as printed x %.2f, Kerf x %.2f (bone: x 1.3); at twice the rate as printed x %.2f\n", growth(printed), growth(ours), twice / once);
-    return {"03-05  Force in proportion to the feed: as printed only", {"chip [um], in the mean", true, 1.0, 10.0}, {"thrust / that at 1 um", true, 0.8, 12.0}, {printed, ours}};
+    const double once = thrust(printed_saw({{"swing", 0.0}}), 1.0_mm_per_s);
+    const double twice = thrust(printed_saw({{"swing", 0.0}, {"oscillation", 400.0}}), 1.0_mm_per_s);
+    std::printf("03-05  from 2 to 10 um of chip: as printed x %.2f, Kerf x %.2f (bone: x 1.3); at twice the rate as printed x %.2f\n",
+                growth(printed), growth(ours), twice / once);
+    return {.title = "03-05  Force in proportion to the feed: as printed only",
+            .x = {"chip [um], in the mean", true, 1.0, 10.0},
+            .y = {"thrust / that at 1 um", true, 0.8, 12.0},
+            .curves = {printed, ours}};
 }
 
 std::string table_of(const std::vector<Panel>& panels) {
@@ -316,8 +348,8 @@ int main(int argc, char** argv) {
     for (std::size_t n = 0; n < panels.size(); ++n)
         content += panel_svg(panels[n], 10.0 + width * static_cast<double>(n % 2), 10.0 + height * static_cast<double>(n / 2), width, height);
     std::filesystem::create_directories(folder);
-    for (const std::string& error : {write_file(folder / "saw-traces.svg", drawing::picture(2.0 * width + 20.0, 3.0 * height + 20.0, "Forces of an oscillating saw", content)),
-                                     write_file(folder / "saw-traces.csv", table_of(panels))})
+    const std::string picture = drawing::picture(2.0 * width + 20.0, 3.0 * height + 20.0, "Forces of an oscillating saw", content);
+    for (const std::string& error : {write_file(folder / "saw-traces.svg", picture), write_file(folder / "saw-traces.csv", table_of(panels))})
         if (!error.empty()) {
             std::fprintf(stderr, "%s\n", error.c_str());
             return 1;
