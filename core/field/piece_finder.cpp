@@ -36,7 +36,6 @@ void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<
                 join(parent, low_node + static_cast<std::uint32_t>(a), high_node + static_cast<std::uint32_t>(b));
 }
 
-constexpr std::size_t brick_samples = brick_edge * brick_edge * brick_edge;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
 }  // namespace
