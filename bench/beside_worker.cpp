@@ -2,7 +2,8 @@
 // What the worker's thread costs the loop: the same sawing twice in turns, once with a worker that gets all records, looks for pieces
 // and makes the surface, once with none.
 //
-//     in a row       ticks follow each other at once, and the worker gets the records of four more saws beside: it is always busy
+//     in a row       ticks follow each other at once, and the worker gets the records of four more saws beside: it is busy as long as it
+//                    has a processor to itself; what share of the time it was is printed
 //     on the clock   a thousand a second, and the worker gets what this saw cuts
 //     processor      time on the processor, of the loop's thread; wall: by the clock, with all that the machine does besides
 //     all            over the ticks of all rounds; alike: over the ticks of one, each taken as the median of its like in all rounds, so
