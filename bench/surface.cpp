@@ -4,7 +4,8 @@
 //     whole    a thick tube with a head and ripples in 256³ samples: one welded mesh with normals, beside VTK's
 //              FlyingEdges3D (float, with normals) and OpenVDB's volumeToMesh (quads, no normals) of the same samples,
 //              by turns, in one run
-//     frames   what a tool changes in a thirtieth of a second at 0.2 mm: the bricks it touched, meshed anew and published
+//     frames   what a tool changes in a thirtieth of a second at 0.2 mm: the bricks it touched, meshed anew, and the table of all bricks
+//              that readers are handed, made anew. table, list: of that the table, and what one pointer for every brick would take
 //     ratio    median of the others / median of ours
 //
 // Times on the processor, so that what else the machine does is not counted.
@@ -24,7 +25,7 @@
 
 #include "conformance/times.h"
 #include "core/field/bone_surface.h"
-#include "core/field/surface_patches.h"
+#include "core/field/patch_table.h"
 #include "tests/support/block.h"
 #include "tests/support/with_kernel.h"
 
@@ -150,10 +151,15 @@ void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from
     CutRecord record;
     record.from = record.to = from;
     cut.stamp(record, tool);
-    surface.update_all(cut);
+    PatchTable table = PatchTable(body.grid().brick_count()).with(surface.update_all(cut));
     cut.take_changed();
     double way = 0.0;
-    std::vector<double> times, dirty, published, triangles;
+    std::vector<double> times, dirty, published, triangles, tables, lists;
+    const std::vector<std::shared_ptr<const BrickPatch>> list = [&] {
+        std::vector<std::shared_ptr<const BrickPatch>> all;
+        for (std::size_t b = 0; b < body.grid().brick_count(); ++b) all.push_back(surface.patch(b));
+        return all;
+    }();
     for (int frame = 1; frame <= count; ++frame) {
         while (way + 0.05 * spacing <= frame * speed / 30.0) {
             record.from = at(way);
@@ -166,7 +172,9 @@ void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from
             const std::vector<std::size_t> changed = cut.take_changed();
             bricks_changed = changed.size();
             news = surface.update(cut, changed);
+            tables.push_back(processor_time_of([&] { table = table.with(news); }));
         }));
+        lists.push_back(processor_time_of([&] { auto copy = list; }));
         dirty.push_back(static_cast<double>(bricks_changed));
         published.push_back(static_cast<double>(news.size()));
         double made = 0.0;
@@ -174,8 +182,9 @@ void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from
         triangles.push_back(made);
     }
     const Times t = times_of(times), d = times_of(dirty), p = times_of(published), n = times_of(triangles);
-    std::printf("  %-22s %3.0f %9.3f %8.3f %8.3f   %5.0f %5.0f   %5.0f %5.0f   %7.0f\n", what, 1e3 * speed, 1e-3 * t.median, 1e-3 * t.p999,
-                1e-3 * t.longest, d.median, d.longest, p.median, p.longest, n.median);
+    std::printf("  %-22s %3.0f %9.3f %8.3f %8.3f   %5.0f %5.0f   %5.0f %5.0f   %7.0f   %6.3f %6.3f\n", what, 1e3 * speed, 1e-3 * t.median,
+                1e-3 * t.p999, 1e-3 * t.longest, d.median, d.longest, p.median, p.longest, n.median, 1e-3 * times_of(tables).median,
+                1e-3 * times_of(lists).median);
 }
 
 }  // namespace
@@ -191,16 +200,21 @@ int main(int argc, char** argv) {
     whole(rounds);
 
     std::printf("frames: a thirtieth of a second at %.1f mm\n", spacing / 1.0_mm);
-    std::printf("                       mm/s  median    p99.9      max   bricks dirty   published   triangles\n                          "
-                "   [ms]                         median   max  median   max    median\n");
+    std::printf("                       mm/s  median    p99.9      max   bricks dirty   published   triangles   table   list\n                          "
+                "   [ms]                         median   max  median   max    median     [ms]   [ms]\n");
     const Body body = bone_of(true);
     const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
     const ToolSolid disc({{0.3_mm, 10.0_mm}, {-0.3_mm, 10.0_mm}});
+    // The oscillating saw's default: 18 teeth 1.4 mm apart on an arc of 60 mm, swinging by 5°.
+    const double half_sweep = 0.5 * 18.0 * 1.4 / 60.0 + 2.5_deg;
+    const ToolSolid blade = test::blade_outline(60.0_mm, 60.0_mm * std::sin(half_sweep), 1.0_mm, 1.0_mm);
+    const Vec3 across = normalized(Vec3{0.02, -1, 0.03});
     for (const double speed : {1.0e-3, 3.0e-3}) {
         const int count = static_cast<int>(5.0_mm / speed * 30.0);
         frames("drill, 3.2 mm", body, drill, test::pointing({20.0_mm, 0.3_mm, -9.0_mm}, {-1, 0.05, 0.1}),
                normalized(Vec3{-1, 0.05, 0.1}), speed, count);
         frames("disc, 20 x 0.6 mm", body, disc, test::pointing({28.0_mm, 0.3_mm, -9.0_mm}, {0.1, 0.05, -1}), normalized(Vec3{-1, 0, -0.1}), speed, count);
+        frames("saw blade, 30 x 1 mm", body, blade, test::pointing({0.3_mm, 19.0_mm, -9.0_mm}, across), across, speed, count);
     }
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace kerf {
 
@@ -35,19 +36,23 @@ void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<
                 join(parent, low_node + static_cast<std::uint32_t>(a), high_node + static_cast<std::uint32_t>(b));
 }
 
-constexpr std::size_t brick_samples = brick_edge * brick_edge * brick_edge;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
 }  // namespace
 
 PieceFinder::PieceFinder(const Body& body, const CutField& cut)
     : grid_(body.grid()),
+      step_{1, static_cast<std::size_t>(grid_.bricks[0]), static_cast<std::size_t>(grid_.bricks[0]) * static_cast<std::size_t>(grid_.bricks[1])},
       bits_(grid_.brick_count()),
       count_(grid_.brick_count(), 0),
+      samples_(grid_.brick_count(), 0),
+      sides_(grid_.brick_count()),
       is_full_(grid_.brick_count(), 0),
       slot_(grid_.brick_count(), -1),
       first_node_(grid_.brick_count()) {
     for (std::size_t b = 0; b < grid_.brick_count(); ++b) label(b, solid_bits(body, cut, b));
+    for (std::size_t b = 0; b < grid_.brick_count(); ++b)
+        if (count_[b] != 0) look_at_sides(b);
     look_at_everything();  // so that there is room for it
     size_.resize(parent_.size());
     whole_searches_ = 0;
@@ -55,6 +60,7 @@ PieceFinder::PieceFinder(const Body& body, const CutField& cut)
 
 void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     bits_[brick] = bits;
+    samples_[brick] = static_cast<std::uint16_t>(bits.count());
     is_full_[brick] = bits.is_full();
     if (bits.is_empty() && slot_[brick] < 0) {
         count_[brick] = 0;
@@ -86,6 +92,34 @@ void PieceFinder::label(std::size_t brick, const BrickBits& bits) {
     many_[static_cast<std::size_t>(slot_[brick])] = std::move(components);
 }
 
+void PieceFinder::look_at_sides(std::size_t brick) noexcept {
+    const auto at = grid_.brick_place(brick);
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (at[a] > 0) look_at_side(a, brick - step_[a], brick);
+        if (at[a] + 1 < grid_.bricks[a]) look_at_side(a, brick, brick + step_[a]);
+    }
+}
+
+/// Between a brick and the next one along an axis.
+void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t high) noexcept {
+    const bool has_both = count_[low] != 0 && count_[high] != 0, is_asked = has_both && (count_[low] > 1 || count_[high] > 1);
+    const bool touches = has_both && !is_asked && ((is_full_[low] & is_full_[high]) != 0 || touch_along(axis, bits_[low], bits_[high]));
+    const auto put = [](std::uint8_t& bits, std::size_t side, bool is_set) {
+        bits = static_cast<std::uint8_t>((bits & ~(1u << side)) | (is_set ? 1u << side : 0u));
+    };
+    put(sides_[low].touches, 2 * axis + 1, touches);
+    put(sides_[high].touches, 2 * axis, touches);
+    put(sides_[low].is_asked, 2 * axis + 1, is_asked);
+    put(sides_[high].is_asked, 2 * axis, is_asked);
+}
+
+/// Where a brick is in one piece as it was, and touches all that it touched, nothing can have come apart: a dirty brick like that
+/// is as good as unchanged. Only told where those around are in one piece, too.
+bool PieceFinder::holds(const Dirty& dirty) const noexcept {
+    const Sides &was = dirty.sides, &is = sides_[dirty.brick];
+    return dirty.components.empty() && count_[dirty.brick] == 1 && (was.is_asked | is.is_asked) == 0 && (was.touches & ~is.touches) == 0;
+}
+
 std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const std::size_t> changed) {
     std::vector<Dirty> dirty;
     for (const std::size_t b : changed) {
@@ -99,10 +133,12 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
         Dirty& d = dirty.emplace_back();
         d.brick = b;
         d.before = bits_[b];
+        d.sides = sides_[b];
         if (count_[b] > 1) d.components = many_[static_cast<std::size_t>(slot_[b])];
         label(b, now);
     }
-    leave_out_what_holds(dirty);
+    for (const Dirty& d : dirty) look_at_sides(d.brick);
+    std::erase_if(dirty, [&](const Dirty& d) { return holds(d); });
     fallen_apart_.clear();
     while (!dirty.empty()) look_at_the_box(take_neighbours(dirty));
     if (fallen_apart_.empty()) return {};
@@ -145,10 +181,11 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
     // How large each part is,
     size_.assign(parent_.size(), {0, 0, 0, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
-        if (is_full_[b] != 0) {
+        if (count_[b] == 0) continue;
+        if (count_[b] == 1) {
             Size& size = size_[parent_[first_node_[b]]];
-            size.samples += brick_samples;
-            ++size.full_bricks;
+            size.samples += samples_[b];
+            ++(is_full_[b] != 0 ? size.full_bricks : size.others);
             continue;
         }
         const auto all = components(b);
@@ -174,6 +211,7 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         }
     }
     for (std::size_t b = 0; b < bits_.size(); ++b) {
+        if (count_[b] == 0) continue;
         const auto part_of = [&](std::size_t c) { return size_[parent_[node(b, c)]].part; };
         if (is_full_[b] != 0) {
             if (const std::uint32_t part = part_of(0); part != none) loose[part].bone.add_full(b);
@@ -195,41 +233,6 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
         }
     }
     return loose;
-}
-
-/// Where each component of a brick has become one, and touches all that it touched, nothing can have come apart: a dirty brick
-/// like that is as good as unchanged.
-void PieceFinder::leave_out_what_holds(std::vector<Dirty>& dirty) {
-    dirty_at_.clear();
-    for (std::size_t d = 0; d < dirty.size(); ++d) dirty_at_.emplace_back(dirty[d].brick, d);  // ascending, as they came
-    const auto before = [&](std::size_t brick) -> std::span<const BrickBits> {
-        const auto at = std::lower_bound(dirty_at_.begin(), dirty_at_.end(), brick, [](const auto& a, std::size_t b) { return a.first < b; });
-        return at != dirty_at_.end() && at->first == brick ? dirty[at->second].before_components() : components(brick);
-    };
-    const auto nx = static_cast<std::size_t>(grid_.bricks[0]), ny = static_cast<std::size_t>(grid_.bricks[1]);
-    const std::size_t step[3] = {1, nx, nx * ny};
-    const auto holds = [&](const Dirty& d) {
-        // One before and one after, and so in the bricks around: the case that a proof is cheap for.
-        if (count_[d.brick] != 1 || d.before_components().size() != 1) return false;
-        const auto at = grid_.brick_place(d.brick);
-        for (std::size_t a = 0; a < 3; ++a) {
-            for (const bool is_next : {false, true}) {
-                if (is_next ? at[a] + 1 >= grid_.bricks[a] : at[a] == 0) continue;
-                const std::size_t other = is_next ? d.brick + step[a] : d.brick - step[a];
-                const auto other_before = before(other), other_after = components(other);
-                if (other_before.empty()) continue;
-                if (other_before.size() != 1 || other_after.size() != 1) return false;
-                const bool touched = is_next ? touch_along(a, d.before, other_before[0]) : touch_along(a, other_before[0], d.before);
-                if (!touched) continue;
-                if (!(is_next ? touch_along(a, bits_[d.brick], other_after[0]) : touch_along(a, other_after[0], bits_[d.brick]))) return false;
-            }
-        }
-        return true;
-    };
-    std::vector<Dirty> left;
-    for (Dirty& d : dirty)
-        if (!holds(d)) left.push_back(d);
-    dirty = std::move(left);
 }
 
 /// Takes out of `left` a brick, and others while the boxes around them meet: cuts far apart are looked at apart.
@@ -344,34 +347,53 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
 
 void PieceFinder::look_at_everything() {
     ++whole_searches_;
+    constexpr unsigned last_along_x = 1u << 0;
     std::uint32_t nodes = 0;
     for (std::size_t b = 0; b < bits_.size(); ++b) {
+        if ((sides_[b].touches & last_along_x) != 0) {
+            first_node_[b] = first_node_[b - 1];
+            continue;
+        }
         first_node_[b] = nodes;
         nodes += count_[b];
     }
     begin_apart(parent_, nodes);
-    const auto nx = static_cast<std::size_t>(grid_.bricks[0]), ny = static_cast<std::size_t>(grid_.bricks[1]);
-    const std::size_t step[3] = {1, nx, nx * ny};
-    std::size_t b = 0;
-    for (int k = 0; k < grid_.bricks[2]; ++k)
-        for (int j = 0; j < grid_.bricks[1]; ++j)
-            for (int i = 0; i < grid_.bricks[0]; ++i, ++b) {
-                if (count_[b] == 0) continue;
-                const int at[3] = {i, j, k};
-                for (std::size_t a = 0; a < 3; ++a) {
-                    if (at[a] + 1 >= grid_.bricks[a] || count_[b + step[a]] == 0) continue;
-                    if ((is_full_[b] & is_full_[b + step[a]]) != 0)
-                        join(parent_, first_node_[b], first_node_[b + step[a]]);
-                    else
-                        join_along(parent_, a, components(b), first_node_[b], components(b + step[a]), first_node_[b + step[a]]);
-                }
-            }
+    join_everything();
     // A node's parent is never after it: one pass makes every parent a root.
     for (std::uint32_t& parent : parent_) parent = parent_[parent];
 }
 
+void PieceFinder::join_everything() {
+    constexpr unsigned next_along[3] = {1u << 1, 1u << 3, 1u << 5}, next = next_along[0] | next_along[1] | next_along[2];
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 3> joined;  // the last two along each axis: rows meet in many bricks
+    joined.fill({none, none});
+    for (std::size_t b = 0; b < bits_.size(); ++b) {
+        const unsigned touches = sides_[b].touches, is_asked = sides_[b].is_asked;
+        if (((touches | is_asked) & next) == 0) continue;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t other = b + step_[a];
+            if ((is_asked & next_along[a]) != 0) {
+                join_along(parent_, a, components(b), first_node_[b], components(other), first_node_[other]);
+            } else if ((touches & next_along[a]) != 0 && a > 0) {
+                const std::pair both{first_node_[b], first_node_[other]};
+                if (std::exchange(joined[a], both) != both) join(parent_, both.first, both.second);
+            }
+        }
+    }
+}
+
 void PieceFinder::take_away(const SampleSet& bone) {
-    bone.for_each([&](std::size_t brick, const BrickBits& bits) { label(brick, bits_[brick].without(bits)); });
+    bone.for_each([&](std::size_t brick, const BrickBits& bits) {
+        if (count_[brick] > 1) {
+            label(brick, bits_[brick].without(bits));
+            look_at_sides(brick);
+            return;
+        }
+        // All of it, and all that it touched.
+        count_[brick] = samples_[brick] = 0;
+        is_full_[brick] = 0;
+        sides_[brick] = {};
+    });
 }
 
 SampleSet PieceFinder::bone() const {
@@ -383,8 +405,7 @@ SampleSet PieceFinder::bone() const {
 
 std::size_t PieceFinder::samples() const noexcept {
     std::size_t sum = 0;
-    for (std::size_t b = 0; b < bits_.size(); ++b)
-        if (count_[b] != 0) sum += static_cast<std::size_t>(bits_[b].count());
+    for (const std::uint16_t of_brick : samples_) sum += of_brick;
     return sum;
 }
 

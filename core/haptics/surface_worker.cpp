@@ -9,16 +9,13 @@ namespace {
 constexpr std::size_t queue_records = 4096;  // 4 s at 1 kHz
 constexpr std::size_t reserve_bricks = 512;
 constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobody: that would be a system call
+constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const Body& body, const ToolSolid& cutting, Options options)
     : cutting_(&cutting), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
     if (options_.looks_for_pieces) bone_.look_for_pieces(options_.crumb);
-    if (options_.makes_surface) {
-        patches_.reserve(most_bodies);
-        patches_.emplace_back(body);
-        (void)patches_.back().update_all(bone_.cut());
-    }
+    if (options_.makes_surface) patches_.reserve(most_bodies);
     make_surface();
     thread_ = std::thread([this] { work(); });
 }
@@ -59,11 +56,13 @@ void SurfaceWorker::answer(bool is_adopted) noexcept {
 
 void SurfaceWorker::wait_for_all() {
     std::unique_lock lock(mutex_);
+    ++waiting_for_all_;
     wake_.notify_all();
     idle_.wait(lock, [&] {
-        return done_.load(std::memory_order_acquire) == pushed_.load(std::memory_order_acquire) &&
+        return done_.load(std::memory_order_acquire) == pushed_.load(std::memory_order_acquire) && !is_surface_old_ &&
                offer_state_.load(std::memory_order_acquire) != OfferState::refused;
     });
+    --waiting_for_all_;
 }
 
 std::shared_ptr<const SurfaceWorker::Surface> SurfaceWorker::surface() const {
@@ -74,22 +73,38 @@ std::shared_ptr<const SurfaceWorker::Surface> SurfaceWorker::surface() const {
 // ---- the worker's side --------------------------------------------------------------------------------------------
 
 void SurfaceWorker::work() {
+    using Clock = std::chrono::steady_clock;
+    auto surface_made = Clock::now();
+    bool is_waited_for = false;
     for (;;) {
-        std::uint64_t taken = 0;
-        while (const Message* message = queue_.front()) {
-            take(*message);
-            queue_.pop();
-            ++taken;
-        }
+        const std::uint64_t taken = take_all();
         if (offer_state_.load(std::memory_order_acquire) == OfferState::refused) make_offer();
-        if (taken > 0) make_surface();
+        const bool is_old = is_surface_old_ || taken > 0;
+        const bool is_due = is_old && (is_waited_for || Clock::now() - surface_made >= surface_time);
+        if (is_due) {
+            make_surface();
+            surface_made = Clock::now();
+        }
 
         std::unique_lock lock(mutex_);
         done_.fetch_add(taken, std::memory_order_release);
+        is_surface_old_ = is_old && !is_due;
         idle_.notify_all();
         if (is_stopping_) return;
-        if (taken == 0) wake_.wait_for(lock, poll_time);
+        const bool has_more_to_do = taken > 0 || (is_surface_old_ && waiting_for_all_ > 0);
+        if (!has_more_to_do) wake_.wait_for(lock, poll_time);
+        is_waited_for = waiting_for_all_ > 0;
     }
+}
+
+/// How many messages there were.
+std::uint64_t SurfaceWorker::take_all() {
+    std::uint64_t taken = 0;
+    for (; const Message* message = queue_.front(); ++taken) {
+        take(*message);
+        queue_.pop();
+    }
+    return taken;
 }
 
 void SurfaceWorker::take(const Message& message) {
@@ -130,14 +145,14 @@ void SurfaceWorker::make_surface() {
     ++surface->version;
     bool has_changed = last == nullptr;
     for (std::size_t body = 0; body < bone_.count(); ++body) {
-        const bool is_new = body >= surface->patches.size();
-        if (body >= patches_.size()) patches_.emplace_back(*bone_.piece(body).bone);
-        if (is_new) surface->patches.emplace_back(bone_.piece(body).bone->grid().brick_count());
         const std::vector<std::size_t> changed = bone_.take_changed(body);
+        const bool is_new = body >= patches_.size();
+        if (is_new) {
+            patches_.emplace_back(*bone_.piece(body).bone);
+            surface->patches.emplace_back(bone_.piece(body).bone->grid().brick_count());
+        }
         const auto published = is_new ? patches_[body].update_all(bone_.cut(body)) : patches_[body].update(bone_.cut(body), changed);
-        if (is_new)  // also those made before there was a surface
-            for (std::size_t b = 0; b < surface->patches[body].size(); ++b) surface->patches[body][b] = patches_[body].patch(b);
-        for (const auto& [brick, patch] : published) surface->patches[body][brick] = patch;
+        if (!published.empty()) surface->patches[body] = surface->patches[body].with(published);
         has_changed = has_changed || is_new || !published.empty();
     }
     if (!has_changed) return;

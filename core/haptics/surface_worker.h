@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/field/patch_table.h"
 #include "core/field/spsc_ring.h"
-#include "core/field/surface_patches.h"
 #include "core/haptics/live_body.h"
 
 /// The thread beside the loop.
@@ -25,8 +25,7 @@ public:
     /// What a viewer draws: who holds it may read it on any thread for as long as he likes.
     struct Surface {
         std::uint64_t version = 0;
-        /// Of each body, of each of its bricks; null where there is no surface.
-        std::vector<std::vector<std::shared_ptr<const BrickPatch>>> patches;
+        std::vector<PatchTable> patches;  ///< of each body
     };
     struct Options {
         double crumb = 0.0;        ///< [m³] smaller pieces are no bodies
@@ -50,9 +49,11 @@ public:
     /// name bodies as they were, those pushed from now on as they are.   [haptic, nonblocking]
     void answer(bool is_adopted) noexcept;
 
-    /// Until everything pushed is done, and an offer that is due has been made.   [not the loop's thread on the clock; may block]
+    /// Until everything pushed is done and in the surface, and an offer that is due has been made.   [not the loop's thread on the
+    /// clock; may block]
     void wait_for_all();
-    /// The newest surface.   [any, but not the loop: it may wait for the worker to hand it out]
+    /// The newest surface; while bone is cut there is a new one sixty times a second.   [any, but not the loop: it may wait for the
+    /// worker to hand it out]
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
     /// The bone as the worker has it. Only after `wait_for_all`, and before anything else is pushed.   [main]
     [[nodiscard]] PresentBone& bone() noexcept { return bone_; }
@@ -66,6 +67,7 @@ private:
     enum class OfferState : int { none, offered, taken, refused };
 
     void work();
+    [[nodiscard]] std::uint64_t take_all();
     void take(const Message& message);
     void make_offer();
     void make_surface();
@@ -84,6 +86,8 @@ private:
     mutable std::mutex mutex_;  ///< of what follows; the loop never takes it
     std::condition_variable wake_, idle_;
     std::shared_ptr<const Surface> surface_;
+    bool is_surface_old_ = false;  ///< something was done since it was made; only the worker sets it
+    int waiting_for_all_ = 0;      ///< threads that do
     bool is_stopping_ = false;
     std::thread thread_;
 };

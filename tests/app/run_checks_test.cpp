@@ -78,6 +78,19 @@ TEST(RunChecks, PointsAtRehearsalsThatCannotBeCarriedOut) {
     EXPECT_EQ(found[1].place.line, 9);
 }
 
+TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
+    const auto told = [](double kerf, double thickness_of_region) {
+        Diagnostics found;
+        const ToolSolid blade = ToolSolid::prism({{0.0, 5e-3}, {-1e-3, 5e-3}}, kerf);
+        check_blade_fits(procedure(), blade, {{0, 0, 0}, {30e-3, thickness_of_region, 54e-3}}, found);
+        return found.empty() ? "" : found[0].code + " " + found[0].message;
+    };
+    EXPECT_EQ(told(3e-3, 3.5e-3), "");
+    EXPECT_EQ(told(4e-3, 3.5e-3),
+              "E0707 The blade sweeps 4 mm across; bone can be cut in a region of 30 mm × 3.5 mm × 54 mm. Take a blade that fits in, or plan the axis so "
+              "that the region is larger.");
+}
+
 TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {
     Diagnostics found;
     refuse_tool(procedure(), "pilot", "it cannot be made.", found);

@@ -2,7 +2,7 @@
 // Every code has a golden file: a document with this mistake, and word for word what a person is told about it.
 //
 // E0412.yaml is the document, E0412.txt the text. An anatomy is checked with the procedure hole.yaml; a first line
-// `# with: --variant V` is taken as from the command line. After a change that is meant, KERF_UPDATE_GOLDEN=1 writes the texts
+// `# with: --variant V` is taken as from the command line. Mistakes that share a code with another have names in place of it. After a change that is meant, KERF_UPDATE_GOLDEN=1 writes the texts
 // anew: read them before they are committed.
 #include <gtest/gtest.h>
 
@@ -92,6 +92,24 @@ TEST_P(Golden, SaysWhatToDo) {
         EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << to_text({d});
     }
 }
+
+class GoldenSaw : public testing::TestWithParam<const char*> {};
+
+TEST_P(GoldenSaw, TextIsWhatAPersonIsTold) {
+    const std::string name = std::string("saw-") + GetParam();
+    const GoldenFolder folder;
+    const std::string text = to_text(check(name + ".yaml"));
+    const fs::path file = golden / (name + ".txt");
+    if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) std::ofstream(file, std::ios::binary) << text;
+    EXPECT_EQ(text, test::contents_of(file.string()));
+    EXPECT_NE(text, "");
+}
+INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenSaw,
+                         testing::Values("no-teeth", "half-a-tooth"), [](const auto& of) {
+                             std::string name = of.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
 
 std::vector<int> all_numbers() {
     std::vector<int> numbers;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/field/piece_mask.h"
@@ -28,6 +29,8 @@ TEST(BrickBits, ComponentsOfABrickAreThoseOfAFlood) {
                 volume.solid[static_cast<std::size_t>(s)] = 1;
             }
 
+        ASSERT_EQ(bits.count(), static_cast<int>(std::count(volume.solid.begin(), volume.solid.end(), 1)));
+
         // When its components are taken out one by one
         std::size_t found = 0;
         std::vector<std::uint32_t> label(512, 0);
@@ -41,6 +44,8 @@ TEST(BrickBits, ComponentsOfABrickAreThoseOfAFlood) {
         ASSERT_EQ(label, test::flooded(volume)) << "round " << round;
     }
 }
+
+TEST(BrickBits, AFullOneHasAllItsSamples) { EXPECT_EQ(BrickBits::full().count(), 512); }
 
 TEST(BrickBits, NeighboursTouchOverTheFaceTheyShare) {
     BrickBits last, first;

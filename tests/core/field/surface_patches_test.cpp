@@ -11,6 +11,7 @@
 
 #include "core/field/bone_surface.h"
 #include "core/field/isosurface.h"
+#include "core/field/patch_table.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/with_kernel.h"
@@ -363,6 +364,34 @@ TEST(SurfacePatches, AHeldPatchStaysAsItWas) {
     std::size_t triangles = 0;
     for (const auto& p : held) triangles += p.patch->triangles().size();
     EXPECT_EQ(triangles, before.triangles.size());
+}
+
+TEST(PatchTable, AHeldOneStaysAsItWasAndTheNextIsTheSurfaceOfNow) {
+    // Given a reader who holds the table of a surface
+    const Body body = block_with_room();
+    const std::size_t bricks = body.grid().brick_count();
+    CutField cut(body, 64);
+    SurfacePatches patches(body);
+    const PatchTable held = PatchTable(bricks).with(patches.update_all(cut));
+    std::vector<std::shared_ptr<const BrickPatch>> before;
+    for (std::size_t b = 0; b < bricks; ++b) before.push_back(patches.patch(b));
+    cut.take_changed();
+
+    // When a hole is drilled through, which makes patches where there were none, changes some and takes others away
+    PatchTable table = held;
+    for (double depth = 0.0; depth < 12.0_mm; depth += 1.0_mm) {
+        cut.stamp(stroke({0, 0, -depth}, {0, 0, -depth - 1.0_mm}, {0, 0, -1}), drill());
+        table = table.with(patches.update(cut, cut.take_changed()));
+        for (std::size_t b = 0; b < bricks; ++b) ASSERT_EQ(table[b], patches.patch(b)) << "brick " << b << " at " << depth;
+    }
+
+    // Then what the reader holds has not changed
+    std::size_t different = 0;
+    for (std::size_t b = 0; b < bricks; ++b) {
+        ASSERT_EQ(held[b], before[b]);
+        different += table[b] != before[b];
+    }
+    EXPECT_GT(different, 20u);
 }
 
 TEST(SurfacePatches, NothingChangedPublishesNothing) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -236,6 +237,46 @@ TEST(SurfaceWorker, PublishesTheSurfaceOfEachBody) {
             }
         }
     }
+}
+
+std::size_t triangles_of(const SurfaceWorker::Surface& surface, std::size_t bricks) {
+    std::size_t sum = 0;
+    for (const PatchTable& patches : surface.patches)
+        for (std::size_t b = 0; b < bricks; ++b)
+            if (patches[b] != nullptr) sum += patches[b]->triangles().size();
+    return sum;
+}
+
+TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
+    // Given a reader who takes one surface after the other, and keeps the first
+    Milled milled;
+    SurfaceWorker worker(milled.body, milled.outline.cutting, {.crumb = 1e-9});
+    const std::size_t bricks = milled.body.grid().brick_count();
+    const auto first = worker.surface();
+    const std::size_t at_first = triangles_of(*first, bricks);
+    std::atomic<bool> has_seen_it_change{false};
+    std::thread reader([&] {
+        std::uint64_t last = first->version;
+        while (!has_seen_it_change) {
+            const auto now = worker.surface();
+            EXPECT_GE(now->version, last);
+            last = now->version;
+            has_seen_it_change = triangles_of(*now, bricks) != at_first;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    });
+
+    // When bone is milled, and nobody waits for the worker
+    while (milled.x < 0.0_mm) {
+        const TickResult r = milled.go();
+        for (int i = 0; i < r.closed_records; ++i)
+            if (milled.simulation.closed_record(i).removes) (void)worker.push(milled.simulation.closed_record(i));
+        milled.simulation.make_room();
+    }
+
+    // Then the reader comes to see it, and what it kept has not changed
+    reader.join();
+    EXPECT_EQ(triangles_of(*first, bricks), at_first);
 }
 
 TEST(SurfaceWorker, AdoptingWhatItMadeNeitherAllocatesNorWaits) {
