@@ -47,7 +47,6 @@ struct Sawing {
     std::unique_ptr<SurfaceWorker> worker{};
     bool has_neighbours = false;  ///< of whose cuts only the worker knows
     double hand = -1.0_mm;
-    int closed = 0;  ///< records of the last tick
     std::vector<double> processor{}, wall{};
 
     [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
@@ -64,16 +63,16 @@ struct Sawing {
     }
     /// What a loop does in a tick.
     void loop() {
-        closed = simulation.tick({test::at_depth(hand)}).closed_records;
+        simulation.tick({test::at_depth(hand)});
         if (worker == nullptr) return;
-        for (int i = 0; i < closed; ++i)
-            if (simulation.closed_record(i).removes) (void)worker->push(simulation.closed_record(i));
+        for (const CutRecord& record : simulation.closed())
+            if (record.removes) (void)worker->push(record);
         if (Adoption* offer = worker->offered()) worker->answer(simulation.adopt(*offer));
     }
     void push_neighbours() {
-        for (int i = 0; i < closed; ++i)
+        for (const CutRecord& own : simulation.closed())
             for (const double aside : {-3.0_mm, -1.5_mm, 1.5_mm, 3.0_mm}) {
-                CutRecord record = simulation.closed_record(i);
+                CutRecord record = own;
                 record.from.position.y += aside;
                 record.to.position.y += aside;
                 if (record.removes) (void)worker->push(record);

@@ -712,8 +712,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
     if (!any(may_rise)) return false;
     if (outline.is_convex && cell.has_edges && any(may_rise_outside))
         for (int n = 0; n < steps; ++n) {
-            // Of a prism's many faces only where it matters: what does not rise by the planes does not rise.
-            if (outline.half_thickness > 0.0f && !any(_mm256_and_ps(rises(n), less(depth[n], zero)))) continue;
+            // What does not rise by the planes does not rise, and inside there is nothing to put right.
+            if (!any(_mm256_and_ps(rises(n), less(depth[n], zero)))) continue;
             depth[n] = depth_from(outline, radius[n], across[n], height[n], depth[n]);
             value[n] = quantised(depth[n], scale);
         }

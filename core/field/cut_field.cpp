@@ -229,9 +229,11 @@ std::size_t CutField::stamp_pose(const Pose &body_from_tool, const ToolSolid &so
     std::array<std::size_t, block_capacity> numbers;
     const double half = 0.5 * brick_edge * g.spacing;
     const std::size_t end = box.count();
+    std::array<int, 3> place = next < end ? box[next] : box.first;
     for (std::size_t n = next; n < end || centres.count > 0; ++n) {
         if (n < end) {
-            const auto [i, j, k] = box[n];
+            const auto [i, j, k] = place;
+            box.go_on(place);
             if (body_->surface.is_all_air(g.brick_index(i, j, k))) continue;
             const Vec3 low = g.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
             places[centres.count] = {i, j, k};
@@ -267,12 +269,15 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, c
         box.last[axis] = std::max(a.last[axis], b.last[axis]);
     }
     int quarters = 0;
-    for (std::size_t n = next, end = box.count(); n < end; ++n) {
+    const std::size_t end = box.count();
+    std::array<int, 3> place = next < end ? box[next] : box.first;
+    for (std::size_t n = next; n < end; ++n) {
         if (touched >= most) {
             clear_block();
             return n;
         }
-        const auto [i, j, k] = box[n];
+        const auto [i, j, k] = place;
+        box.go_on(place);
         const std::size_t index = g.brick_index(i, j, k);
         if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;

@@ -18,7 +18,7 @@ public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    static constexpr int bricks_per_tick = 32;  ///< stamped at most, for each record that waits; the rest stays pending
+    static constexpr int bricks_per_tick = 16;  ///< stamped at most, for each record that waits; the rest stays pending
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}

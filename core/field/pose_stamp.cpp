@@ -71,7 +71,9 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
     const SingleOutline whole = solid_->single();
     const float first[2] = {cell.first[1], cell.first[2]};
     bool is_changed = false;
-    const double spread_of_cell = 4.0 * std::abs(along_[0].x) + std::abs(along_[1].x) + std::abs(along_[2].x);
+    const auto spread = [&](double x, double y, double z) { return 4.0 * std::abs(x) + std::abs(y) + std::abs(z); };
+    const auto [x, y, z] = along_;
+    const Vec3 half{spread(x.x, y.x, z.x), spread(x.y, y.y, z.y), spread(x.z, y.z, z.z)};
     for (std::size_t n = 0; n < CellRanges::count; ++n) {
         if (ranges.lowest[n] == 32767) continue;
         double deepest = depth[n] + radius;
@@ -84,8 +86,8 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
         const CellPlace at = CellPlace::of(n);
         cell.first[1] = first[0] + static_cast<float>(at.first_y);
         cell.first[2] = first[1] + static_cast<float>(at.first_z);
-        const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, spread_of_cell, grid_->clamp() + band_) : whole;
-        cell.has_edges = solid_->has_edge_within(middles[n], 2.0 * band_ + radius + 0.1 * grid_->spacing);
+        const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
+        cell.has_edges = solid_->has_edge_within(middles[n], half, 2.0 * band_ + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
                                  samples + at.first_sample(), ranges.lowest[n], ranges.highest[n]))
             is_changed = true;

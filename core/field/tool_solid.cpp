@@ -98,14 +98,17 @@ double ToolSolid::distance(double r, double z) const noexcept {
     return is_beside ? -depth : std::sqrt(squared_distance(r, z));
 }
 
-bool ToolSolid::has_edge_within(Vec3 p, double distance) const noexcept {
+bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const noexcept {
     if (!is_blunt_) return true;
-    const double r = radius_of(p);
-    const bool is_near_one = std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
-        return squared(r - edge.radius) + squared(p.z - edge.z) < distance * distance;
+    const double x = std::abs(middle.x), y = std::abs(middle.y), least_x = std::max(0.0, x - half.x), least_y = std::max(0.0, y - half.y);
+    if (is_prism() && std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline stands for an edge
+        return std::abs(this->distance(x, middle.z)) < distance + std::sqrt(squared(half.x) + squared(half.z));
+    const double nearest = is_prism() ? least_x : std::sqrt(squared(least_x) + squared(least_y));
+    const double farthest = is_prism() ? x + half.x : std::sqrt(squared(x + half.x) + squared(y + half.y));
+    return std::any_of(outline_.begin(), outline_.end(), [&](const kerf_profile_point& edge) {
+        const double aside = std::max({0.0, nearest - edge.radius, edge.radius - farthest});
+        return squared(aside) + squared(std::max(0.0, std::abs(middle.z - edge.z) - half.z)) < squared(distance);
     });
-    if (is_near_one || !is_prism()) return is_near_one;
-    return std::abs(std::abs(p.y) - half_thickness_) < distance && std::abs(this->distance(r, p.z)) < distance;
 }
 
 double ToolSolid::squared_distance(double r, double z) const noexcept {

@@ -57,9 +57,9 @@ public:
     /// No point of the box is deeper [m]. Pre: is_convex().   [any] pure.
     [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
 
-    /// Whether an edge of the outline, or of the solid's ends, may be so near to a point. If none is, then what lies outside a
-    /// convex solid about there, by half of `distance` at most less its way from the point, lies beside a face.   [any] pure.
-    [[nodiscard]] bool has_edge_within(Vec3 point_in_tool, double distance) const noexcept;
+    /// Whether an edge of the outline, or of the solid's ends, may be so near to a point of a box. If none is, then what of the box
+    /// lies outside a convex solid, by half of `distance` at most, lies beside a face.   [any] pure.
+    [[nodiscard]] bool has_edge_within(Vec3 middle_in_tool, Vec3 half_extent, double distance) const noexcept;
 
     /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
     /// outside; on the surface inwards.   [any] pure.

@@ -82,7 +82,7 @@ TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
     const auto told = [](double kerf, double thickness_of_region) {
         Diagnostics found;
         const ToolSolid blade = ToolSolid::prism({{0.0, 5e-3}, {-1e-3, 5e-3}}, kerf);
-        check_blade_fits(procedure(), blade, {{0, 0, 0}, {30e-3, thickness_of_region, 54e-3}}, found);
+        check_blade_fits(procedure(), "pilot", blade, {{0, 0, 0}, {30e-3, thickness_of_region, 54e-3}}, found);
         return found.empty() ? "" : found[0].code + " " + found[0].message;
     };
     EXPECT_EQ(told(3e-3, 3.5e-3), "");

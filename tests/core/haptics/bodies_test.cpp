@@ -268,9 +268,9 @@ TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
 
     // When bone is milled, and nobody waits for the worker
     while (milled.x < 0.0_mm) {
-        const TickResult r = milled.go();
-        for (int i = 0; i < r.closed_records; ++i)
-            if (milled.simulation.closed_record(i).removes) (void)worker.push(milled.simulation.closed_record(i));
+        milled.go();
+        for (const CutRecord& record : milled.simulation.closed())
+            if (record.removes) (void)worker.push(record);
         milled.simulation.make_room();
     }
 

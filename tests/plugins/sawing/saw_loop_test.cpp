@@ -71,8 +71,8 @@ struct Rig {
         const TickResult result = simulation.tick({hand.pose});
         happened.was_fast = result.parts > 1;
         happened.was_barred = result.is_barred;
-        for (int i = 0; i < result.closed_records; ++i)
-            if (simulation.closed_record(i).removes) (void)worker.push(simulation.closed_record(i));
+        for (const CutRecord& record : simulation.closed())
+            if (record.removes) (void)worker.push(record);
         if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= simulation.ticks()) {
             happened.has_adopted = simulation.adopt(*offer);
             worker.answer(happened.has_adopted);
