@@ -9,10 +9,10 @@
 
 namespace kerf {
 
-void pass_on(Owners& owners, const Separation& separation, const Scene& scene, const PresentBone& bone) {
-    if (separation.parts.size() < 2) return;
+void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene, const PresentBone& bone) {
+    if (bodies.size() < 2) return;
     std::vector<Mesh> parts;
-    for (const auto& part : separation.parts) parts.push_back(bone_surface(*bone.piece(part.body).bone, bone.cut(part.body), 2));
+    for (const std::size_t body : bodies) parts.push_back(bone_surface(*bone.piece(body).bone, bone.cut(body), 2));
     const auto nearest_to = [&](const auto& distance) {
         std::size_t nearest = 0;
         double least = HUGE_VAL;
@@ -22,13 +22,13 @@ void pass_on(Owners& owners, const Separation& separation, const Scene& scene, c
                     least = d;
                     nearest = n;
                 }
-        return std::size_t{separation.parts[nearest].body};
+        return bodies[nearest];
     };
     for (std::size_t z = 0; z < owners.zone.size(); ++z)
-        if (owners.zone[z] == separation.parent)
+        if (owners.zone[z] == from)
             owners.zone[z] = nearest_to([&](Vec3 p) { return distance_to_any(scene.anatomy.zones[z].solids, p); });
     for (std::size_t s = 0; s < owners.step.size(); ++s)
-        if (owners.step[s] == separation.parent)
+        if (owners.step[s] == from)
             owners.step[s] = nearest_to([&](Vec3 p) { return length(p - scene.frames[s].entry); });
 }
 

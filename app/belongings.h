@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "app/scene.h"
 #include "core/field/present_bone.h"
 
 namespace kerf {
 
-/// Zones and axes that belonged to a body which has come apart belong to the part nearest to them from now on, and move with it; of
-/// equally near ones to the first. A zone's distance is that of its solids to the part's surface, an axis's that of where it
+/// Zones and axes that belonged to the body `from`, of which several `bodies` have become, belong to the nearest of these from now on,
+/// and move with it; of equally near ones to the first. A zone's distance is that of its solids to the part's surface, an axis's that of where it
 /// meets bone, both to what every second sample shows of it. Nothing has moved yet.   [main]
-void pass_on(Owners& owners, const Separation& separation, const Scene& scene, const PresentBone& bone);
+void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene, const PresentBone& bone);
 
 }  // namespace kerf

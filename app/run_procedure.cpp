@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "app/belongings.h"
 #include "core/field/bone_surface.h"
@@ -76,6 +77,17 @@ private:
     const HandPlan* plan_;
     std::size_t next_ = 0;
 };
+
+std::vector<std::size_t> bodies_of(const Separation& separation) {
+    std::vector<std::size_t> bodies;
+    for (const auto& part : separation.parts) bodies.push_back(part.body);
+    return bodies;
+}
+std::vector<std::size_t> bodies_of(const PresentBone& bone) {
+    std::vector<std::size_t> bodies(bone.count());
+    std::iota(bodies.begin(), bodies.end(), std::size_t{0});
+    return bodies;
+}
 
 /// Carries out what a hand asks for. Not empty: why not.
 std::string carry_out(const HandInput& input, Simulation& simulation) {
@@ -161,9 +173,10 @@ public:
             came_from_.push_back(body);
         }
     }
-    /// Bodies that came apart since then were part of others.
-    void note(const Separation& separation) {
-        for (std::size_t n = 1; n < separation.parts.size(); ++n) came_from_.push_back(came_from_[separation.parent]);
+    /// There are other bodies now: those that came apart since then were part of others.
+    void follow(const PresentBone& bone) {
+        came_from_.resize(std::min({came_from_.size(), cut_.size(), bone.count()}));
+        for (std::size_t body = came_from_.size(); body < bone.count(); ++body) came_from_.push_back(came_from_[bone.piece(body).came_off]);
     }
     /// Whether a point of a body may lie on an earlier cut: within half a voxel of it.
     [[nodiscard]] bool reaches(const Body& bone, std::size_t body, Vec3 p) const {
@@ -308,13 +321,23 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     };
     const auto add_event = [&](const std::string& id, const std::string& detail) { add_event_at(simulation.ticks() - 1, id, detail); };
 
+    // Undo and redo leave other bodies than there were.
+    const auto find_owners = [&] {
+        before.follow(simulation.present());
+        Owners owners = monitor.owners();
+        std::fill(owners.zone.begin(), owners.zone.end(), std::size_t{0});
+        std::fill(owners.step.begin(), owners.step.end(), std::size_t{0});
+        pass_on(owners, 0, bodies_of(simulation.present()), scene, simulation.present());
+        monitor.belong(std::move(owners));
+    };
+
     // The tick is that after which the loop took the parts over.
     const auto take_separations = [&](std::uint64_t tick) {
         for (const Separation& separation : simulation.take_separations()) {
             add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
-            before.note(separation);
+            before.follow(simulation.present());
             Owners owners = monitor.owners();
-            pass_on(owners, separation, scene, simulation.present());
+            pass_on(owners, separation.parent, bodies_of(separation), scene, simulation.present());
             monitor.belong(std::move(owners));
         }
     };
@@ -340,7 +363,13 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         }
         for (const HandInput& input : hand_inputs.take(simulation.ticks(), hand.leg())) {
             add_event_at(simulation.ticks(), hand_input_event, text_of(input));
-            if (const std::string why_not = carry_out(input, simulation); !why_not.empty()) add_event_at(simulation.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+            const std::string why_not = carry_out(input, simulation);
+            if (!why_not.empty()) {
+                add_event_at(simulation.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+            } else if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) {
+                record_cuts();
+                find_owners();
+            }
         }
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
         const TickResult result = scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});

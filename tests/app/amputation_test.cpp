@@ -86,6 +86,44 @@ TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
     EXPECT_EQ(run.ticks[event->tick].step, 3);
 }
 
+TEST(Amputation, ACutTakenBackAndDoneAgainEndsAsIfNothingHadBeen) {
+    // Given the expert's way, with the last cut taken back once it is out of the bone, and done again
+    Scene scene = knee();
+    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    ASSERT_NE(away, path.end());
+    for (const auto kind : {HandInput::Kind::undo, HandInput::Kind::redo}) away->inputs.push_back({kind});
+    RunRequest request;
+    request.rehearsal = "expert";
+    const RunOutcome run = run_procedure(scene, test::plugins(), request);
+    ASSERT_EQ(run.error, "");
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    // Then it ends with the same pieces
+    const RunSummary& plain = outcome_of("expert").summary;
+    ASSERT_EQ(run.summary.pieces.size(), plain.pieces.size());
+    for (std::size_t n = 0; n < plain.pieces.size(); ++n) EXPECT_EQ(run.summary.pieces[n].volume, plain.pieces[n].volume);
+    EXPECT_EQ(run.summary.removed, plain.removed);
+}
+
+TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
+    Scene scene = knee();
+    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    ASSERT_NE(away, path.end());
+    away->inputs.push_back({HandInput::Kind::undo});
+    RunRequest request;
+    request.rehearsal = "expert";
+    const RunOutcome run = run_procedure(scene, test::plugins(), request);
+    ASSERT_EQ(run.error, "");
+    EXPECT_EQ(run.summary.pieces.size(), 1u);
+    const auto undone = std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == hand_input_event && e.detail == "undo"; });
+    ASSERT_NE(undone, run.events.end());
+    // What is left is what three cuts leave: the bone that was there before the fourth
+    double three = 0.0;
+    for (const char* cut : {"cut-1", "cut-2", "cut-3"}) three += metric(outcome_of("expert").summary, std::string(cut) + ".removed");
+    EXPECT_NEAR(run.summary.removed, three, 1e-6 * three);
+}
+
 TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     // Given a recorded run, and another that would take its pieces over later than lock-step does
     const test::TemporaryFolder folder;
