@@ -105,6 +105,7 @@ std::string carry_out(const HandInput& input, Simulation& simulation) {
             if (simulation.held() < 0) return "nothing is held";
             simulation.show_body(static_cast<std::size_t>(simulation.held()), false);
             return {};
+        case HandInput::Kind::fuse: return simulation.fuse();
         case HandInput::Kind::undo: return simulation.undo();
         case HandInput::Kind::redo: return simulation.redo();
     }
@@ -175,8 +176,12 @@ public:
     }
     /// There are other bodies now: those that came apart since then were part of others.
     void follow(const PresentBone& bone) {
-        came_from_.resize(std::min({came_from_.size(), cut_.size(), bone.count()}));
-        for (std::size_t body = came_from_.size(); body < bone.count(); ++body) came_from_.push_back(came_from_[bone.piece(body).came_off]);
+        came_from_.resize(std::min(came_from_.size(), bone.count()));
+        for (std::size_t body = came_from_.size(); body < bone.count(); ++body) {
+            const std::size_t before = bone.piece(body).came_off;
+            if (before == body) cut_.push_back(CutField(*bone.piece(body).bone, 0));  // there was no such bone
+            came_from_.push_back(before == body ? cut_.size() - 1 : came_from_[before]);
+        }
     }
     /// Whether a point of a body may lie on an earlier cut: within half a voxel of it.
     [[nodiscard]] bool reaches(const Body& bone, std::size_t body, Vec3 p) const {
@@ -369,6 +374,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             } else if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) {
                 record_cuts();
                 find_owners();
+            } else if (input.kind == HandInput::Kind::fuse) {
+                before.follow(simulation.present());
             }
         }
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
@@ -442,7 +449,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const PresentBone& bone = simulation.present();
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)), surface_file(body)});
-    for (MetricRow& row : piece_metrics(summary, bone_volume(scene.body, CutField(scene.body, 0)), bone.crumbs(), bone.crumb_volume()))
+    for (MetricRow& row : piece_metrics(summary, bone_volume(scene.body, CutField(scene.body, 0)) + bone.added(), bone.crumbs(), bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
     outcome.is_as_expected = ended_as_expected(*rehearsal, monitor, summary.verdict);
 

@@ -46,9 +46,20 @@ void PresentBone::adopted(const Separation& separation) {
     }
 }
 
+std::uint16_t PresentBone::add(const Body& body) {
+    const auto id = static_cast<std::uint16_t>(pieces_.size());
+    pieces_.push_back(std::make_unique<PresentPiece>(body, CutField(body, 0)));
+    PresentPiece& piece = *pieces_.back();
+    if (looks_for_pieces_) piece.finder.emplace(body, piece.cut);
+    piece.came_off = id;
+    added_ += bone_volume(body, piece.cut);
+    for (std::size_t b = 0; b < body.grid().brick_count(); ++b) piece.changed.add(b);
+    return id;
+}
+
 BoneImage PresentBone::image() {
     count_removed();
-    BoneImage all{{}, crumbs_, refused_, crumb_volume_};
+    BoneImage all{{}, crumbs_, refused_, crumb_volume_, added_};
     for (auto& piece : pieces_) {
         if (piece->image == nullptr)
             piece->image = std::make_shared<const PieceImage>(PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off});
@@ -66,6 +77,7 @@ void PresentBone::restore(const BoneImage& image) {
     crumbs_ = image.crumbs;
     refused_ = image.refused;
     crumb_volume_ = image.crumb_volume;
+    added_ = image.added;
     pieces_.resize(std::min(pieces_.size(), image.pieces.size()));
     for (std::size_t body = 0; body < image.pieces.size(); ++body) {
         const PieceImage& was = *image.pieces[body];

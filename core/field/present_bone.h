@@ -56,7 +56,7 @@ struct PieceImage {
 struct BoneImage {
     std::vector<std::shared_ptr<const PieceImage>> pieces;
     std::size_t crumbs = 0, refused = 0;
-    double crumb_volume = 0.0;
+    double crumb_volume = 0.0, added = 0.0;
 };
 
 /// One body of several that share their bone's fields.
@@ -88,6 +88,9 @@ public:
     /// From now on records name the parts of a separation themselves.   [worker]
     void adopted(const Separation& separation);
 
+    /// Another body beside those that there are, which must outlive this; its id.   [worker] Pre: fewer than `most_bodies`.
+    std::uint16_t add(const Body& body);
+
     /// As it is now, to be brought back.   [worker]
     [[nodiscard]] BoneImage image();
     /// Whether nothing has changed since.   [worker]
@@ -110,6 +113,7 @@ public:
     [[nodiscard]] double removed_of_material(std::size_t m);
     [[nodiscard]] double crumb_volume() const noexcept { return crumb_volume_; }
     [[nodiscard]] std::size_t crumbs() const noexcept { return crumbs_; }
+    [[nodiscard]] double added() const noexcept { return added_; }  ///< [m³] of bodies that came later
     /// Pieces that were left with their parent because there are sixteen bodies.
     [[nodiscard]] std::size_t refused() const noexcept { return refused_; }
     /// Over all bodies, in the order of their ids.
@@ -122,7 +126,7 @@ private:
 
     std::vector<std::unique_ptr<PresentPiece>> pieces_;
     bool looks_for_pieces_ = false;
-    double crumb_ = 0.0, crumb_volume_ = 0.0;
+    double crumb_ = 0.0, crumb_volume_ = 0.0, added_ = 0.0;
     std::size_t crumbs_ = 0, refused_ = 0;
 };
 

@@ -12,12 +12,12 @@ BodiesView::BodiesView(const Body& first) {
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
 }
 
-void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, int held) noexcept {
+void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, const HeldBody& held) noexcept {
     near_count_ = 0;
     for (const auto& body : bodies) {
         const Pose body_from_tool = body->body_from(world_from_tool);
         body->view.place(body_from_tool);
-        body->is_near = body->is_present && held != body->id;
+        body->is_near = body->is_present && !held.holds(body->id);
         if (bodies.size() > 1 && body->is_near) {
             const double reach = body->bone->grid().clamp();
             const auto box = tool.box(body_from_tool);
@@ -25,12 +25,15 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
             body->is_near = meets(box.low.x, box.high.x, body->low.x, body->high.x) && meets(box.low.y, box.high.y, body->low.y, body->high.y) &&
                             meets(box.low.z, box.high.z, body->low.z, body->high.z);
         }
-        if (body->is_near) near_[near_count_++] = body.get();
+        if (body->is_near && body->is_cuttable) near_[near_count_++] = body.get();
     }
+    cuttable_count_ = near_count_;
+    for (const auto& body : bodies)
+        if (body->is_near && !body->is_cuttable) near_[near_count_++] = body.get();
 }
 
 void BodiesView::sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
-    if (near_count_ == 0) {
+    if (cuttable_count_ == 0) {
         for (std::uint32_t i = 0; i < count; ++i) {
             out[i] = kerf_bone_sample{};
             out[i].body = -1;
@@ -39,7 +42,7 @@ void BodiesView::sample(const Vec3* points, std::uint32_t count, Vec3 direction,
     }
     near_[0]->view.sample(points, count, direction, out);
     std::array<kerf_bone_sample, block_capacity> other;
-    for (std::size_t n = 1; n < near_count_; ++n)
+    for (std::size_t n = 1; n < cuttable_count_; ++n)
         for (std::uint32_t first = 0; first < count; first += block_capacity) {
             const auto some = std::min(static_cast<std::uint32_t>(block_capacity), count - first);
             near_[n]->view.sample(points + first, some, direction, other.data());

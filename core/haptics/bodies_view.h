@@ -3,12 +3,12 @@
 
 #include <array>
 
-#include "core/haptics/live_body.h"
+#include "core/haptics/held_body.h"
 
 /// All bodies near a tool as one bone, which is how a plugin asks.
 namespace kerf {
 
-/// An edge is answered by the body it is engaged in most, a contact point by the body it is deepest in; the answer names it.
+/// An edge is answered by the body it is engaged in most of those that can be cut, a contact point by the body it is deepest in; the answer names it.
 /// With one body near, its own answer is handed through.
 class BodiesView {
 public:
@@ -16,9 +16,9 @@ public:
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
-    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for the one it holds
-    /// (−1: none).   [haptic, nonblocking]
-    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, int held) noexcept;
+    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for what it holds.
+    /// [haptic, nonblocking]
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, const HeldBody& held) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
     [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
 
@@ -34,7 +34,7 @@ private:
     }
 
     std::array<LiveBody*, most_bodies> near_{};
-    std::size_t near_count_ = 0;
+    std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< those that can be cut come first
     kerf_bone_query query_{};
 };
 

@@ -57,17 +57,28 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, d
 
 }  // namespace
 
-HeldBody::HeldBody() : in_body_(most_points), octant_(most_points), asked_(most_points), octant_of_asked_(most_points), answers_(most_points) {}
+HeldBody::HeldBody() : points_(most_points), octant_(most_points), asked_(most_points), octant_of_asked_(most_points), answers_(most_points) {}
 
-void HeldBody::take(const LiveBody& body, const Pose& world_from_tool) noexcept {
-    body_ = body.id;
-    tool_from_body_ = inverse(world_from_tool) * body.world_from_body;
+void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept {
+    body_ = body;
+    members_ = 0;
     count_ = 0;
+    for (const auto& other : bodies) {
+        if (other->group != bodies[body]->group) continue;
+        members_ |= 1u << other->id;
+        tool_from_[other->id] = inverse(world_from_tool) * other->world_from_body;
+    }
 }
 
-void HeldBody::find_points(const LiveBody& body, const CutField& cut) {
-    const double apart = std::max(1.5e-3, cut.grid().spacing);
-    const std::vector<Vec3> points = thinned(bone_surface(*body.bone, cut).vertices, most_points, apart);
+void HeldBody::find_points(Bodies bodies) {
+    std::vector<Vec3> surface;
+    double apart = 1.5e-3;
+    for (const auto& body : bodies) {
+        if (!holds(body->id) || !body->is_present) continue;
+        apart = std::max(apart, body->bone->grid().spacing);
+        for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices) surface.push_back(tool_from_[body->id] * p);
+    }
+    const std::vector<Vec3> points = thinned(surface, most_points, apart);
     count_ = points.size();
     if (count_ == 0) return;
     low_ = high_ = points.front();
@@ -77,49 +88,48 @@ void HeldBody::find_points(const LiveBody& body, const CutField& cut) {
     }
     const Vec3 middle = 0.5 * (low_ + high_);
     for (std::size_t i = 0; i < count_; ++i) {
-        const Vec3 p = points[i];
-        in_body_[i] = p;
+        const Vec3 p = points_[i] = points[i];
         octant_[i] = static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
     }
 }
 
+void HeldBody::move(Bodies bodies, const Pose& world_from_tool) const noexcept {
+    for (const auto& body : bodies)
+        if (holds(body->id)) body->world_from_body = world_from_tool * tool_from_[body->id];
+}
+
 double HeldBody::largest_motion(const Pose& from, const Pose& to) const noexcept {
     double most = 0.0;
-    for (const Vec3 corner : corners_of(low_, high_)) {
-        const Vec3 in_tool = tool_from_body_ * corner;
-        most = std::max(most, length(to * in_tool - from * in_tool));
-    }
+    for (const Vec3 corner : corners_of(low_, high_)) most = std::max(most, length(to * corner - from * corner));
     return most;
 }
 
-bool HeldBody::is_near_another(std::span<const std::unique_ptr<LiveBody>> bodies, const Pose& world_from_tool, double margin) const noexcept {
-    const Pose world_from_held = world_from_body(world_from_tool);
+bool HeldBody::is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept {
     return count_ > 0 && std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) {
-        return !is(other->id) && other->is_present && box_comes_near(*other, corners_of(low_, high_), inverse(other->world_from_body) * world_from_held, margin);
+        return !holds(other->id) && other->is_present && box_comes_near(*other, corners_of(low_, high_), other->body_from(world_from_tool), margin);
     });
 }
 
-std::size_t HeldBody::add_contact(std::span<const std::unique_ptr<LiveBody>> bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept {
+std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept {
     struct Touch {
         double deepest = -near_contact, weight = 0.0, depth = 0.0;
         Vec6 d{};
     };
     if (count_ == 0) return 0;
     std::array<Touch, most_held_channels> touch{};
-    const Pose world_from_held = world_from_body(world_from_tool);
     for (const auto& other : bodies) {
-        if (is(other->id) || !other->is_present) continue;
-        const Pose other_from_held = inverse(other->world_from_body) * world_from_held;
-        if (!box_comes_near(*other, corners_of(low_, high_), other_from_held, near_contact)) continue;
+        if (holds(other->id) || !other->is_present) continue;
+        const Pose other_from_tool = other->body_from(world_from_tool);
+        if (!box_comes_near(*other, corners_of(low_, high_), other_from_tool, near_contact)) continue;
         std::size_t asked = 0;
         for (std::size_t i = 0; i < count_; ++i) {
-            const Vec3 p = other_from_held * in_body_[i];
+            const Vec3 p = other_from_tool * points_[i];
             if (!comes_near(*other, p, p, near_contact)) continue;
-            asked_[asked] = tool_from_body_ * in_body_[i];
+            asked_[asked] = points_[i];
             octant_of_asked_[asked++] = octant_[i];
         }
         if (asked == 0) continue;
-        other->view.place(other->body_from(world_from_tool));
+        other->view.place(other_from_tool);
         other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
         for (std::size_t i = 0; i < asked; ++i) {
             Touch& t = touch[octant_of_asked_[i]];

@@ -7,7 +7,7 @@
 namespace kerf {
 
 LiveBody::LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const ToolSolid& solid)
-    : id(number), bone(&of_bone), committed(std::move(field)), tracker(of_bone, solid, committed), view(of_bone, committed, tracker) {
+    : id(number), bone(&of_bone), committed(std::move(field)), tracker(of_bone, solid, committed), view(of_bone, committed, tracker), group(number) {
     tracker.name(number);
     view.name(number);
     find_box();

@@ -28,6 +28,8 @@ struct LiveBody {
     BoneView view;
     Pose world_from_body = identity_pose();
     Vec3 low{}, high{};      ///< holds its bone, body frame [m]
+    std::uint16_t group;     ///< bodies of one group are rigid to each other; its first member's id
+    bool is_cuttable = true; ///< false: metal, which stops what would cut it
     bool is_present = true;  ///< false: taken out of the scene
     bool is_near = true;     ///< of the tool, in this tick
 };

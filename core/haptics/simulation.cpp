@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
+#include "core/field/bridge.h"
 #include "core/field/reach.h"
 #include "core/haptics/free_pose.h"
+#include "core/haptics/metal_wall.h"
 #include "core/haptics/region_wall.h"
 #include "kerf/assert.hpp"
 
@@ -168,6 +169,11 @@ bool Simulation::ask(double step) noexcept {
         if (region_wall(*body->bone, body->view, outline().cutting, body->body_from(world_from_tool_), channels_[channel_count_])) {
             ++channel_count_;
             is_at_region_wall_ = true;
+            break;
+        }
+    for (const LiveBody* body : view_.near())
+        if (!body->is_cuttable && metal_wall(*body, outline().cutting, channels_[channel_count_])) {
+            ++channel_count_;
             break;
         }
     if (held_.is_any()) channel_count_ += static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
@@ -408,10 +414,10 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
         do_as_told(actions[a], result);
     }
     if (is_cutting) result.is_cutting = true;
-    if (held_.is_any()) bodies_[held_.body()]->world_from_body = held_.world_from_body(world_from_tool_);
+    held_.move(bodies_, world_from_tool_);
     for (const auto& body : bodies_) {
         const Pose body_from_tool = body->body_from(world_from_tool_);
-        if (is_cutting && body->is_near) {
+        if (is_cutting && body->is_near && body->is_cuttable) {
             take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_));
             body->tracker.commit_passed(body_from_tool, is_at_front);
         } else {
@@ -425,7 +431,7 @@ void Simulation::do_as_told(const kerf_action& action, TickResult& result) noexc
     if (action.kind == KERF_ACTION_EVENT) result.add_event(action.event);
     if (action.kind == KERF_ACTION_RELEASE) held_.let_go();
     if (action.kind != KERF_ACTION_HOLD || action.value >= bodies_.size() || !bodies_[action.value]->is_present) return;
-    held_.take(*bodies_[action.value], world_from_tool_);
+    held_.take(bodies_, action.value, world_from_tool_);
 }
 
 void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
@@ -442,7 +448,7 @@ void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
 bool Simulation::is_bone_in_reach(double margin) const noexcept {
     if (held_.is_any() && held_.is_near_another(bodies_, world_from_tool_, margin)) return true;
     return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
-        return body->is_present && !held_.is(body->id) && is_in_reach_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_), margin);
+        return body->is_present && !held_.holds(body->id) && is_in_reach_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_), margin);
     });
 }
 
@@ -456,7 +462,7 @@ void Simulation::after_tick() {
 void Simulation::make_room() {
     to_stamp_.clear();
     for (const auto& body : bodies_) body->committed.reserve(free_margin);
-    if (held_.lacks_points()) held_.find_points(*bodies_[held_.body()], bodies_[held_.body()]->committed);
+    if (held_.lacks_points()) held_.find_points(bodies_);
 }
 
 void Simulation::close_all() noexcept {
@@ -504,14 +510,18 @@ void Simulation::stamp_closed() {
         for (Separation& separation : present_.apply(record, tools_[record.solid].outline.cutting)) waiting_.push_back(std::move(separation));
     if (!before || present_.is_as_in(before->bone)) return;
     is_clear_ = false;
+    keep_for_undo(std::move(*before));
+}
+
+void Simulation::keep_for_undo(Moment before) {
     if (undo_.size() == most_undo) undo_.erase(undo_.begin());
-    undo_.push_back(std::move(*before));
+    undo_.push_back(std::move(before));
     redo_.clear();
 }
 
 Simulation::Moment Simulation::moment() {
     Moment now{present_.image(), {}, waiting_};
-    for (const auto& body : bodies_) now.places.emplace_back(body->world_from_body, body->is_present);
+    for (const auto& body : bodies_) now.places.push_back({body->world_from_body, body->group, body->is_cuttable, body->is_present});
     return now;
 }
 
@@ -544,7 +554,10 @@ void Simulation::go_back_to(const Moment& moment) {
         field.reserve(first_reserve);
         bodies_.push_back(std::make_unique<LiveBody>(static_cast<std::uint16_t>(id), *piece.bone, std::move(field), outline().cutting));
         LiveBody& body = *bodies_.back();
-        std::tie(body.world_from_body, body.is_present) = moment.places[id];
+        body.world_from_body = moment.places[id].world_from_body;
+        body.group = moment.places[id].group;
+        body.is_cuttable = moment.places[id].is_cuttable;
+        body.is_present = moment.places[id].is_present;
         body.tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool_));
         body.tracker.number_from(next);
         body.tracker.restart(body.body_from(world_from_tool_));
@@ -589,31 +602,91 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
         body.tracker.go_on_from(parent.tracker, next_record);
     };
     live_on(*adoption.renewed, next);
+    adoption.renewed->group = parent.group;
     for (auto& part : adoption.parts) {
         live_on(*part, 0);
         bodies_.push_back(std::move(part));
     }
     std::swap(bodies_[adoption.parent], adoption.renewed);
-    if (held_.is(adoption.parent)) held_.forget_points();
+    if (held_.holds(adoption.parent)) held_.forget_points();
     look_around();
     return true;
 }
 
 void Simulation::look_around() noexcept {
-    view_.place(bodies_, outline().whole, world_from_tool_, held());
+    view_.place(bodies_, outline().whole, world_from_tool_, held_);
 }
 
 void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexcept {
     LiveBody& moved = *bodies_[body];
     moved.world_from_body = world_from_body;
-    if (held_.is(body)) held_.take(moved, world_from_tool_);
+    if (held_.holds(body)) held_.take(bodies_, held_.body(), world_from_tool_);
     moved.tracker.restart(moved.body_from(world_from_tool_));
     look_around();
 }
 
+std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable) {
+    if (present_.count() >= most_bodies) return "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
+    const auto& tissues = bodies_.front()->bone->materials;
+    if (is_cuttable && !std::equal(tissues.begin(), tissues.end(), body.materials.begin(), body.materials.end(),
+                                   [](const Material& a, const Material& b) { return a.id == b.id; }))
+        return "the tissues of `" + body.id + "` are not those of the bone";
+    keep_for_undo(moment());
+    const std::uint16_t id = present_.add(body);
+    bodies_.push_back(std::make_unique<LiveBody>(id, body, CutField(body, first_reserve), outline().cutting));
+    LiveBody& live = *bodies_.back();
+    live.world_from_body = world_from_body;
+    live.is_cuttable = is_cuttable;
+    live.tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool_));
+    live.tracker.restart(live.body_from(world_from_tool_));
+    look_around();
+    return {};
+}
+
+std::string Simulation::subtract(std::size_t tool, const Pose& world_from_tool) {
+    close_all();
+    after_tick();
+    keep_for_undo(moment());
+    for (const auto& body : bodies_) {
+        if (!body->is_present || !body->is_cuttable) continue;
+        CutRecord record;
+        record.sequence = body->tracker.next_sequence();
+        record.tick = tick_;
+        record.body = body->id;
+        record.solid = static_cast<std::uint16_t>(tool);
+        record.from = record.to = body->body_from(world_from_tool);
+        body->tracker.number_from(record.sequence + 1);
+        body->committed.stamp(record, tools_[tool].outline.cutting);
+        closed_.push_back(record);
+        for (Separation& separation : present_.apply(record, tools_[tool].outline.cutting)) waiting_.push_back(std::move(separation));
+    }
+    return {};
+}
+
+std::string Simulation::fuse() {
+    if (!held_.is_any()) return "nothing is held";
+    const LiveBody& held = *bodies_[held_.body()];
+    const CutBone own{held.bone, &present_.cut(held.id)};
+    for (const auto& other : bodies_) {
+        if (held_.holds(other->id) || !other->is_present || !other->is_cuttable) continue;
+        auto bridge = bridge_between(own, {other->bone, &present_.cut(other->id)}, inverse(other->world_from_body) * held.world_from_body);
+        if (!bridge) continue;
+        grown_.push_back(std::make_unique<Body>(std::move(*bridge)));
+        const std::uint16_t from = other->group, to = held.group;
+        if (std::string why_not = insert(*grown_.back(), held.world_from_body, true); !why_not.empty()) return why_not;
+        bodies_.back()->group = to;
+        for (const auto& body : bodies_)
+            if (body->group == from) body->group = to;
+        held_.take(bodies_, held_.body(), world_from_tool_);
+        look_around();
+        return {};
+    }
+    return "no other piece is near enough to what is held: within about " + std::to_string(static_cast<int>(2e3 * clamp_voxels * spacing_)) + " mm";
+}
+
 void Simulation::show_body(std::size_t body, bool is_present) noexcept {
     bodies_[body]->is_present = is_present;
-    if (held_.is(body) && !is_present) held_.let_go();
+    if (held_.holds(body) && !is_present) held_.let_go();
     look_around();
 }
 

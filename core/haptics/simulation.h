@@ -131,6 +131,15 @@ public:
     /// What came apart since the last call and is adopted.   [main]
     [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
 
+    /// Lock-step: another body in the scene, which must outlive it; if it is not `cuttable`, it stops what would cut it. Not empty: why
+    /// it cannot be: there are sixteen, or its tissues are others.   [main] between ticks
+    std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable);
+    /// Lock-step: all that the cutting solid of one of the tools holds at a pose is gone from every body there.   [main] between ticks
+    std::string subtract(std::size_t tool, const Pose& world_from_tool);
+    /// Lock-step: the body that is held grows together with a piece beside it, of several with the first: a bridge of bone fills what is
+    /// between them, and they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
+    std::string fuse();
+
     /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is all that is
     /// removed from leaving the air to being clear of the bone again. `redo` does it again, until something else is cut. Not empty:
     /// why it cannot be, and nothing has changed.   [main] between ticks
@@ -190,7 +199,12 @@ private:
     /// Everything that a cut changes.
     struct Moment {
         BoneImage bone;
-        std::vector<std::pair<Pose, bool>> places;  ///< of each body, and whether it is present
+        struct Place {
+            Pose world_from_body;
+            std::uint16_t group;
+            bool is_cuttable, is_present;
+        };
+        std::vector<Place> places;  ///< of each body
         std::vector<Separation> waiting;
     };
     [[nodiscard]] Moment moment();
@@ -234,7 +248,9 @@ private:
     std::vector<CutRecord> closed_;    ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
     std::vector<Separation> waiting_, separations_;
+    void keep_for_undo(Moment before);
     std::vector<Moment> undo_, redo_;
+    std::vector<std::unique_ptr<Body>> grown_;  ///< bridges
     bool is_clear_ = true;  ///< of the bone since the last cut
     std::vector<std::uint64_t> adoption_ticks_;  ///< of those still to come; empty: as soon as may be
 };

@@ -19,9 +19,9 @@ struct CouplingBlock {
     double limit = 0.0;  ///< device limit / force scale [N] or [N·m], > 0
 };
 
-/// What one balance can hold: a plugin's law, the wall of the region, and what a held body touches.
+/// What one balance can hold: a plugin's law, the wall of the region, a body that cannot be cut, and what a held body touches.
 inline constexpr std::size_t most_held_channels = 8;
-inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 1 + most_held_channels;
+inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 2 + most_held_channels;
 
 /// Everything one tick has to balance, tool frame, about the tip. Bone newtons.
 struct Balance {

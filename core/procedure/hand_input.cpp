@@ -9,7 +9,7 @@ namespace kerf {
 
 namespace {
 constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
-    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}};
+    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}, {HandInput::Kind::fuse, "fuse"}};
 }  // namespace
 
 std::string text_of(const HandInput& input) {

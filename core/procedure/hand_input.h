@@ -9,7 +9,7 @@ namespace kerf {
 
 /// What a hand asks for besides moving the handle. A run records it, so that a replay asks for the same.
 struct HandInput {
-    enum class Kind { drive, undo, redo, remove };
+    enum class Kind { drive, undo, redo, remove, fuse };
     Kind kind = Kind::drive;
     std::string drive{};  ///< id of a drive channel of the tool in hand
     double value = 0.0;   ///< what it is set to [SI]

@@ -168,7 +168,7 @@ const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.
     {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
     {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
     {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.", "{spindle_speed: 500 rpm}"},
-    {optional, "do", word({"undo", "redo", "remove"}), "On arrival: takes back the last cut, or does it again; or takes what is held out of the scene.", "undo"},
+    {optional, "do", word({"undo", "redo", "remove", "fuse"}), "On arrival: takes back the last cut, or does it again; takes what is held out of the scene, or lets it grow together with the piece beside it.", "undo"},
 }};
 
 const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forceps hold a piece of bone: it goes with them, and other bone stops it. And what was cut can be taken back.
+// Forceps hold a piece of bone: it goes with them, and other bone stops it. Pieces grow together, others come in. And what was cut
+// can be taken back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,6 +163,93 @@ TEST(HeldBody, HoldingNeitherAllocatesNorLocks) {
         bench.simulation.after_tick();
     }
     EXPECT_GT(linear(bench.last.coupled_on_hand).y, 0.1);
+}
+
+TEST(Fuse, ABridgeGrowsAndThePiecesGoTogether) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    ASSERT_EQ(bench.simulation.held(), 1);
+    const double before = bench.simulation.present().removed();
+    EXPECT_EQ(bench.simulation.fuse(), "");
+    ASSERT_EQ(bench.simulation.bodies().size(), 3u);
+    // It fills the slot of 1.2 mm between faces of 9 mm², and bulges a little; nothing of the bone is gone for it
+    const double gap = 1.2 * 9e-9, volume = bone_volume(*bench.simulation.bodies()[2]->bone, bench.simulation.exact(2));
+    EXPECT_GT(volume, 0.97 * gap);
+    EXPECT_LT(volume, 1.5 * gap);
+    EXPECT_EQ(bench.simulation.present().removed(), before);
+    EXPECT_EQ(bench.simulation.present().added(), volume);
+    // All three go where the forceps go, and nothing stops them
+    const Vec3 apart = bench.place_of(1) - bench.place_of(0);
+    bench.go_to({3.0_mm, 5.0_mm, -6.0_mm}, Bench::in_air);
+    bench.wait(50);
+    EXPECT_NEAR(length(bench.place_of(1) - bench.place_of(0) - apart), 0.0, 1e-9);
+    EXPECT_NEAR(length(bench.place_of(1) - bench.place_of(2)), 0.0, 1e-9);
+    EXPECT_NEAR(bench.place_of(0).x, 3.0_mm, 0.1_mm);
+    EXPECT_LT(length(linear(bench.last.coupled_on_hand)), 0.5);
+    // and taken back, there are two again, where they were
+    bench.simulation.command_drive(0, 0.0);
+    bench.go_to({20.0_mm, 5.0_mm, -30.0_mm}, Bench::in_air);
+    EXPECT_EQ(bench.simulation.undo(), "");
+    EXPECT_EQ(bench.simulation.bodies().size(), 2u);
+    EXPECT_EQ(length(bench.place_of(0)), 0.0);
+    EXPECT_EQ(bench.simulation.present().added(), 0.0);
+}
+
+TEST(Fuse, WhatIsFarApartStaysApart) {
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.grasp_the_end();
+    bench.go_to({0.0_mm, 15.0_mm, -1.6_mm}, Bench::in_air);
+    EXPECT_NE(bench.simulation.fuse().find("near enough"), std::string::npos);
+    EXPECT_EQ(bench.simulation.bodies().size(), 2u);
+    bench.simulation.command_drive(0, 0.0);
+    bench.wait(2);
+    EXPECT_EQ(bench.simulation.fuse(), "nothing is held");
+}
+
+TEST(Insert, MetalStopsWhatWouldCutItAndKeepsItsShape) {
+    // Given a block of metal before the bar, 2 mm thick
+    Bench bench;
+    const Body metal = test::block({-4.0_mm, -7.0_mm, -1.5_mm}, {-2.0_mm, 7.0_mm, 1.5_mm}, 0.2_mm);
+    ASSERT_EQ(bench.simulation.insert(metal, identity_pose(), false), "");
+    // When the mill goes there
+    bench.go_to({-6.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    bench.go_to({-3.0_mm, 2.0_mm, 6.0_mm});
+    bench.wait(100);
+    // Then it stands at its face, and nothing is cut
+    const Vec3 beside_it = bench.simulation.world_from_tool() * Vec3{0, 0, -6.0_mm};  // the tool leans on it
+    EXPECT_NEAR(beside_it.x, -4.0_mm - test::Milling::radius, 0.05_mm);
+    EXPECT_EQ(bench.simulation.present().removed(), 0.0);
+    EXPECT_GT(length(linear(bench.last.coupled_on_hand)), 0.5);
+}
+
+TEST(Insert, TheSeventeenthBodyIsRefusedAndNothingChanges) {
+    Bench bench;
+    const Body small = test::block({-0.5_mm, -0.5_mm, -0.5_mm}, {0.5_mm, 0.5_mm, 0.5_mm}, 0.2_mm);
+    for (int n = 1; n < static_cast<int>(most_bodies); ++n)
+        ASSERT_EQ(bench.simulation.insert(small, {{20.0_mm * n, 0, 0}, {1, 0, 0, 0}}, true), "") << n;
+    const std::uint64_t hash = bench.simulation.present().hash();
+    EXPECT_NE(bench.simulation.insert(small, identity_pose(), true).find("16 bodies"), std::string::npos);
+    EXPECT_EQ(bench.simulation.bodies().size(), most_bodies);
+    EXPECT_EQ(bench.simulation.present().hash(), hash);
+}
+
+TEST(Insert, BoneOfOtherTissuesIsRefused) {
+    Bench bench;
+    Body other = test::block({-0.5_mm, -0.5_mm, -0.5_mm}, {0.5_mm, 0.5_mm, 0.5_mm}, 0.2_mm);
+    other.materials.front().id = "enamel";
+    EXPECT_NE(bench.simulation.insert(other, identity_pose(), true), "");
+}
+
+TEST(Subtract, TakesWhatTheSolidHolds) {
+    Bench bench;
+    ASSERT_EQ(bench.simulation.subtract(0, test::mill_at(0.0, 2.0_mm)), "");
+    const double cylinder = pi * test::Milling::radius * test::Milling::radius * 3.0_mm;
+    EXPECT_NEAR(bench.simulation.present().removed(), cylinder, 0.02 * cylinder);
+    EXPECT_TRUE(bench.simulation.committed().same_bits(bench.simulation.exact()));
+    EXPECT_EQ(bench.simulation.undo(), "");
+    EXPECT_EQ(bench.simulation.present().removed(), 0.0);
 }
 
 TEST(Undo, BringsTheBoneBackBitForBitAndRedoDoesItAgain) {
