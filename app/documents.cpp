@@ -16,18 +16,20 @@ namespace kerf {
 
 namespace {
 
+void check_data_file(const Node& node, const std::string& document, Report& report) {
+    std::error_code ignored;
+    if (node.kind != Node::Kind::scalar || std::filesystem::exists(found_data_file(node.text, document), ignored)) return;
+    report.error(Code::no_data_file, node.span,
+                 "There is no such file or folder, neither beside the document nor in KERF_DATA. Check its name, and that KERF_DATA "
+                 "names the folder with the data.");
+}
+
 /// Every file that the anatomy names must be there; what is in it is looked at when the bone is made.
 void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
     const Document document = read_again(anatomy.file, anatomy.text);
     Report report(document, diagnostics);
     const auto check = [&](const Node* map, const char* key) {
-        const Node* node = map != nullptr ? map->find(key) : nullptr;
-        if (node == nullptr || node->kind != Node::Kind::scalar) return;
-        std::error_code ignored;
-        if (std::filesystem::exists(found_data_file(node->text, anatomy.file), ignored)) return;
-        report.error(Code::no_data_file, node->span,
-                     "There is no such file or folder, neither beside the document nor in KERF_DATA. Check its name, and that KERF_DATA "
-                     "names the folder with the data.");
+        if (const Node* node = map != nullptr ? map->find(key) : nullptr) check_data_file(*node, anatomy.file, report);
     };
     const Node* ct = document.root.find("ct");
     check(ct, "image");
@@ -38,6 +40,18 @@ void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
     const Node* landmarks = document.root.find("landmarks");
     if (const Node* markups = landmarks != nullptr ? landmarks->find("markups") : nullptr)
         for (const Node& item : markups->children) check(&item, "file");
+}
+
+/// The same of a procedure's implants.
+void check_implant_files(const Procedure& procedure, Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report report(*document, diagnostics);
+    for (const Implant& implant : procedure.implants) {
+        const Node* node = &document->root;
+        for (const std::string& key : {std::string("implants"), implant.id, std::string("mesh"), std::string("file")})
+            if (node != nullptr) node = node->find(key);
+        if (node != nullptr) check_data_file(*node, procedure.file, report);
+    }
 }
 
 /// The tools of the steps, as their plugins make them.
@@ -81,6 +95,7 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
     }
     documents.device = find_device(documents.procedure.device.c_str());
     check_run(documents.procedure, diagnostics);
+    check_implant_files(documents.procedure, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
     check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
     make_tools(documents, plugins, diagnostics);

@@ -90,17 +90,22 @@ std::vector<std::size_t> bodies_of(const PresentBone& bone) {
 }
 
 /// Carries out what a hand asks for. Not empty: why not.
-std::string carry_out(const HandInput& input, Simulation& simulation) {
+std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation) {
     switch (input.kind) {
         case HandInput::Kind::drive: {
             const kerf_tool& tool = *simulation.setup().tool->tool;
             for (std::uint32_t i = 0; i < tool.drive_count; ++i)
-                if (input.drive == tool.drives[i].id) {
+                if (input.id == tool.drives[i].id) {
                     simulation.command_drive(i, input.value);
                     return {};
                 }
-            return "the tool in hand has no drive " + input.drive;
+            return "the tool in hand has no drive " + input.id;
         }
+        case HandInput::Kind::insert: {
+            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(), [&](const Body& body) { return body.id == input.id; });
+            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false) : "there is no implant " + input.id;
+        }
+        case HandInput::Kind::subtract: return simulation.subtract(simulation.tool(), simulation.world_from_tool());
         case HandInput::Kind::remove:
             if (simulation.held() < 0) return "nothing is held";
             simulation.show_body(static_cast<std::size_t>(simulation.held()), false);
@@ -368,13 +373,12 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         }
         for (const HandInput& input : hand_inputs.take(simulation.ticks(), hand.leg())) {
             add_event_at(simulation.ticks(), hand_input_event, text_of(input));
-            const std::string why_not = carry_out(input, simulation);
+            const std::string why_not = carry_out(input, scene, simulation);
             if (!why_not.empty()) {
                 add_event_at(simulation.ticks(), "hand.refused", text_of(input) + ": " + why_not);
-            } else if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) {
-                record_cuts();
-                find_owners();
-            } else if (input.kind == HandInput::Kind::fuse) {
+            } else if (input.kind != HandInput::Kind::drive) {
+                if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo || input.kind == HandInput::Kind::subtract) record_cuts();
+                if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) find_owners();
                 before.follow(simulation.present());
             }
         }
@@ -388,7 +392,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         where_they_are();
         const double now = static_cast<double>(simulation.ticks() - 1) * Simulation::dt;
         const std::size_t step = monitor.current();
-        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0, result.thrust, world_from_body, simulation.held()},
+        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0 && !result.is_at_metal, result.thrust, world_from_body, simulation.held()},
                         simulation.outline().cutting);
         const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, removed);
         add_tick(hash, row);

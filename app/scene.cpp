@@ -21,6 +21,24 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
     return hash.value();
 }
 
+/// An implant is read like a bone of one tissue, at its place in the procedure.
+std::optional<Body> implant_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics, ImportReport& import) {
+    Anatomy surface;
+    surface.file = procedure.file;
+    surface.text = procedure.text;
+    surface.within = {"implants", implant.id};
+    surface.id = implant.id;
+    surface.mesh = implant.mesh;
+    surface.tissues.resize(1);
+    surface.tissues.front().id = "metal";
+    ImportReport read;
+    auto body = make_body(surface, procedure.spacing, diagnostics, &read);
+    if (!body) return std::nullopt;
+    body->id = implant.id;
+    import.file_hashes.insert(import.file_hashes.end(), read.file_hashes.begin(), read.file_hashes.end());
+    return body;
+}
+
 }  // namespace
 
 std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
@@ -39,6 +57,11 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         const auto user = std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool);
         check_blade_fits(scene.procedure, scene.procedure.steps[static_cast<std::size_t>(user - scene.tool_of_step.begin())].instrument,
                          scene.tools[tool].outline.cutting, scene.body.region, diagnostics);
+    }
+    for (const Implant& implant : scene.procedure.implants) {
+        auto metal = implant_body(implant, scene.procedure, diagnostics, import);
+        if (!metal) return std::nullopt;
+        scene.implants.push_back(std::move(*metal));
     }
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);

@@ -171,9 +171,10 @@ bool Simulation::ask(double step) noexcept {
             is_at_region_wall_ = true;
             break;
         }
+    metal_channel_ = -1;
     for (const LiveBody* body : view_.near())
         if (!body->is_cuttable && metal_wall(*body, outline().cutting, channels_[channel_count_])) {
-            ++channel_count_;
+            metal_channel_ = static_cast<int>(channel_count_++);
             break;
         }
     if (held_.is_any()) channel_count_ += static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
@@ -233,6 +234,8 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
         has_left_region_ = true;
         result.add_event("haptics.left_region");
     }
+    if (result.is_at_metal && !std::exchange(has_met_metal_, true)) result.add_event("haptics.met_metal");
+    if (metal_channel_ < 0) has_met_metal_ = false;  // well away from it
     command(result);
     result.world_from_tool = world_from_tool_;
     ++tick_;
@@ -291,7 +294,7 @@ void Simulation::rest(TickResult& result) noexcept {
     result.bone_on_tool = result.coupled_on_hand = result.limited_on_hand = Vec6{};
     result.thrust = result.torque = result.power_hand = 0.0;
     if (result.is_quarantined) return;
-    constexpr double nothing[KERF_MAX_CHANNELS] = {};
+    constexpr double nothing[most_channels] = {};
     commit(Vec6{}, nothing, period_, result);
 }
 
@@ -398,6 +401,8 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     out.signal = signals_;
     const kerf_tick_in in = tick_in(step);
     setup().force->force->commit(&in, &advance, state_, &out);
+
+    if (metal_channel_ >= 0 && lambda[metal_channel_] > 0.0) result.is_at_metal = true;
 
     // At the front: some edge met uncut bone in this step.
     bool is_at_front = false;

@@ -38,6 +38,7 @@ struct TickResult {
     int parts = 1;                ///< 1 … 16: how often the law was asked
     int iterations = 0;           ///< of the hardest of their solves
     bool is_cutting = false;      ///< the plugin removed bone in this tick
+    bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
     bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
     std::size_t event_count = 0;
@@ -232,7 +233,8 @@ private:
     Vec6 last_rate_{};  ///< where the next solve starts: the answer is the same from anywhere, and here it is near
     Vec6 law_wrench_{};
     double notes_[KERF_MAX_NOTES]{};
-    bool is_at_region_wall_ = false, has_left_region_ = false;
+    bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;
+    int metal_channel_ = -1;  ///< −1: no metal near
     Following following_;
 
     Pose world_from_tool_;

@@ -114,6 +114,7 @@ struct MeshSource {
 struct Anatomy {
     std::string file;   ///< stderr only
     std::string id, title;
+    std::vector<std::string> within{};  ///< keys under which it stands in the document; none: the document is it
     std::string text;   ///< the document itself
     PhantomSource phantom;           ///< this,
     std::optional<CtSource> ct;      ///< or that,

@@ -76,6 +76,7 @@ constexpr CodeEntry entries[] = {
     {310, "instrument not used", "No step uses an instrument.", "Most likely a step names another one by mistake. Only a warning.", "Remove it, or name it in a step.", true},
     {311, "unknown variant", "The procedure has no variant of this name.", "Running the procedure as it is instead would be recorded as something that it is not.", "Write one of those that the message lists."},
     {312, "unknown step", "A waypoint of a rehearsal is seen from a step that there is not.", "Nobody can tell along which axis its depth counts.", "Write one that the message lists."},
+    {313, "unknown implant", "A waypoint brings in an implant that the procedure does not have.", "Nobody can tell what its surface is.", "Write one that the message lists, or add it under `implants:`."},
 
     // ---- its numbers
     {401, "not a number", "A number is needed, and something else stands there.", "Numbers have a decimal point, whatever the language of the computer, and no signs for thousands.", "Write a number, and its unit behind it."},

@@ -9,20 +9,23 @@ namespace kerf {
 
 namespace {
 constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
-    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}, {HandInput::Kind::fuse, "fuse"}};
+    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}, {HandInput::Kind::fuse, "fuse"}, {HandInput::Kind::subtract, "subtract"}};
+constexpr std::string_view insert = "insert:";
 }  // namespace
 
 std::string text_of(const HandInput& input) {
     for (const auto& [kind, word] : words)
         if (kind == input.kind) return std::string(word);
+    if (input.kind == HandInput::Kind::insert) return std::string(insert) + input.id;
     char digits[32];
     const auto end = std::to_chars(std::begin(digits), std::end(digits), input.value).ptr;
-    return input.drive + " " + std::string(digits, end);
+    return input.id + " " + std::string(digits, end);
 }
 
 std::optional<HandInput> hand_input(std::string_view text) {
     for (const auto& [kind, word] : words)
         if (text == word) return HandInput{kind};
+    if (text.starts_with(insert)) return HandInput{HandInput::Kind::insert, std::string(text.substr(insert.size()))};
     const std::size_t space = text.find(' ');
     if (space == 0 || space == std::string_view::npos) return std::nullopt;
     HandInput input{HandInput::Kind::drive, std::string(text.substr(0, space)), 0.0};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/plugin/component_info.h"
+#include "core/procedure/anatomy.h"
 #include "core/procedure/hand_input.h"
 #include "core/procedure/source.h"
 #include "kerf/math.hpp"
@@ -33,6 +34,12 @@ struct Instrument {
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.
 struct Bound {
     std::optional<double> at_least, at_most;
+};
+
+/// A solid of metal that a hand brings into the scene: where the tool is then, in the tool's frame (z along its axis, the tip at 0).
+struct Implant {
+    std::string id;
+    MeshSource mesh;
 };
 
 struct Goal {
@@ -128,6 +135,7 @@ struct Procedure {
     std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent
     double time_limit = 120.0; ///< [s] simulated
     std::vector<Instrument> instruments;
+    std::vector<Implant> implants;
     std::vector<Step> steps;
     std::vector<Rehearsal> rehearsals;
 };

@@ -143,29 +143,6 @@ void read_repair(const Node& node, MeshSource& mesh, Report& report) {
     map.finish();
 }
 
-MeshSource read_mesh(const Node& node, Report& report) {
-    MapReader map(node, shapes::mesh, "mesh", report);
-    MeshSource mesh;
-    mesh.file = read_data_path(map.find("file"), "mesh.file", report);
-    const std::string unit = map.word("unit");
-    mesh.unit = unit == "cm" ? 1e-2 : unit == "m" ? 1.0 : unit == "um" ? 1e-6 : 1e-3;
-    if (const std::string frame = map.word("frame"); !frame.empty()) {
-        mesh.names_frame = true;
-        mesh.is_ras = frame == "RAS";
-    }
-    if (const Node* repair = map.find("repair")) read_repair(*repair, mesh, report);
-    if (const Node* canal = map.find("canal")) {
-        MapReader room(*canal, shapes::canal, "mesh.canal", report);
-        if (const Node* found = room.one_of()) {
-            if (found->key == "file") mesh.canal_file = read_data_path(found, "mesh.canal.file", report);
-            else mesh.canal = std::get<TubeSolid>(read_tube(*found, "mesh.canal.tube", report));
-        }
-        room.finish();
-    }
-    mesh.source = map.text("source");
-    map.finish();
-    return mesh;
-}
 
 /// `has_density_line`: the density of the base comes from the CT.
 std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report& report) {
@@ -316,7 +293,7 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
             }
             map.one_of();
             if (const Node* ct = map.find("ct")) anatomy->ct = read_ct(*ct, report);
-            if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, report);
+            if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, "mesh", report);
             if (const Node* node = map.find("phantom")) {
                 MapReader phantom(*node, shapes::phantom, "phantom", report);
                 if (const Node* parts = phantom.find("parts")) anatomy->phantom.parts = read_parts(*parts, report);
@@ -334,14 +311,39 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
     return anatomy;
 }
 
+MeshSource read_mesh(const Node& node, const std::string& where, Report& report) {
+    MapReader map(node, shapes::mesh, where, report);
+    MeshSource mesh;
+    mesh.file = read_data_path(map.find("file"), where + ".file", report);
+    const std::string unit = map.word("unit");
+    mesh.unit = unit == "cm" ? 1e-2 : unit == "m" ? 1.0 : unit == "um" ? 1e-6 : 1e-3;
+    if (const std::string frame = map.word("frame"); !frame.empty()) {
+        mesh.names_frame = true;
+        mesh.is_ras = frame == "RAS";
+    }
+    if (const Node* repair = map.find("repair")) read_repair(*repair, mesh, report);
+    if (const Node* canal = map.find("canal")) {
+        MapReader room(*canal, shapes::canal, where + ".canal", report);
+        if (const Node* found = room.one_of()) {
+            if (found->key == "file") mesh.canal_file = read_data_path(found, where + ".canal.file", report);
+            else mesh.canal = std::get<TubeSolid>(read_tube(*found, where + ".canal.tube", report));
+        }
+        room.finish();
+    }
+    mesh.source = map.text("source");
+    map.finish();
+    return mesh;
+}
+
 Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message) {
     Reason reason{{anatomy.file}, std::move(message), {}};
     if (anatomy.text.empty()) return reason;  // made by a program
     const Document document = read_again(anatomy.file, anatomy.text);
     const Node* node = &document.root;
     const Node* last = nullptr;
-    for (const std::string& key : keys)
-        if (const Node* within = node->find(key)) last = node = within;
+    for (const auto* some : {&anatomy.within, &keys})
+        for (const std::string& key : *some)
+            if (const Node* within = node->find(key)) last = node = within;
     if (last == nullptr) return reason;
     const TextSpan span = last->kind == Node::Kind::scalar && last->span.size > 0 ? last->span : last->key_span;
     reason.place = document.place(span);

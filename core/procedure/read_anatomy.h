@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/procedure/anatomy.h"
+#include "core/procedure/read_map.h"
 
 /// `kind: Anatomy` from YAML to checked values. All errors are reported, not the first; codes: read_codes.h.
 namespace kerf {
@@ -15,6 +16,9 @@ std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagno
 
 /// The same for text that is in memory already, as in a recorded session. `file` is only its name.   [main]
 std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics);
+
+/// `mesh:`, the surface that bone or an implant is made of. `where` is how messages call it.   [main]
+[[nodiscard]] MeshSource read_mesh(const Node& node, const std::string& where, Report& report);
 
 /// Where something stands in an anatomy: the last of `keys`, each within the one before, that it has; of a single value the value, else the key.
 /// Without any of them the file as a whole.   [main]

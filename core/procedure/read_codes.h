@@ -52,6 +52,7 @@ enum class Code {
     unused_instrument = 310,    ///< warning
     unknown_variant = 311,
     unknown_step = 312,         ///< a waypoint is seen from a step that there is not
+    unknown_implant = 313,      ///< a waypoint brings in what there is not
 
     // Its numbers
     not_a_number = 401,

@@ -373,6 +373,15 @@ void refuse_step(const Node& name, const std::vector<Step>& steps, Report& repor
     report.error(Code::unknown_step, name.span, "There is no such step; there is " + listed(known) + "." + or_choose(meant), meant);
 }
 
+void refuse_implant(const Node& name, const std::vector<Implant>& implants, Report& report) {
+    std::vector<std::string> known;
+    for (const Implant& implant : implants) known.push_back(implant.id);
+    const std::string meant = closest(name.text, known, report);
+    report.error(Code::unknown_implant, name.span,
+                 known.empty() ? "There are no implants. Add one under `implants:`." : "There is no such implant; there is " + listed(known) + "." + or_choose(meant),
+                 meant);
+}
+
 /// `step` is that of the waypoint before.
 Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, InstrumentReader& instruments, Report& report) {
     const std::vector<Step>& steps = procedure.steps;
@@ -394,6 +403,12 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
                                              [&](const Instrument& i) { return i.id == steps[at.step].instrument; });
         if (instrument != procedure.instruments.end()) at.inputs = instruments.read_inputs(*drives, *instrument);
     }
+    if (const Node* implant = waypoint.find("insert"))
+        if (const std::string id = read_id(*implant, "waypoint.insert", report).value_or(""); !id.empty()) {
+            at.inputs.push_back({HandInput::Kind::insert, id});
+            if (std::none_of(procedure.implants.begin(), procedure.implants.end(), [&](const Implant& i) { return i.id == id; }))
+                refuse_implant(*implant, procedure.implants, report);
+        }
     if (const auto input = hand_input(waypoint.word("do"))) at.inputs.push_back(*input);
     waypoint.finish();
     return at;
@@ -520,6 +535,16 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
             instrument_ids.push_back(child.key);
         }
     }
+    if (const Node* implants = map.find("implants"); implants && is_kind(*implants, Node::Kind::map, "implants", report))
+        for (const Node& child : implants->children) {
+            Node key;
+            key.text = child.key;
+            key.span = child.key_span;
+            read_id(key, "An implant's name", report);
+            MapReader implant(child, shapes::implant, child.key, report);
+            if (const Node* mesh = implant.find("mesh")) procedure.implants.push_back({child.key, read_mesh(*mesh, child.key + ".mesh", report)});
+            implant.finish();
+        }
     const Node* steps = map.find("steps");
     UniqueIds step_ids, rehearsal_ids;
     if (steps)

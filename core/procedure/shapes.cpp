@@ -168,7 +168,8 @@ const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.
     {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
     {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
     {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.", "{spindle_speed: 500 rpm}"},
-    {optional, "do", word({"undo", "redo", "remove", "fuse"}), "On arrival: takes back the last cut, or does it again; takes what is held out of the scene, or lets it grow together with the piece beside it.", "undo"},
+    {optional, "insert", id(), "One of `implants`, which comes in on arrival, where the tool is.", "plate"},
+    {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract"}), "On arrival: takes back the last change of the bone, or does it again; takes what is held out of the scene, or lets it grow together with the piece beside it; or takes away what the cutting part of the tool holds there.", "undo"},
 }};
 
 const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {
@@ -184,6 +185,10 @@ const Shape variant{"variant", "The procedure with a few values changed.", {
     {required, "patch", of_kind(Kind::patch), "Paths of values, and what they are instead; ids address the items of lists, `~` removes.", "{accuracy.spacing: 0.5 mm}"},
 }};
 
+const Shape implant{"implant", "A solid of metal. Its surface is given in the tool's frame: z along the axis, the tip at 0.", {
+    {required, "mesh", map(mesh), "Its surface, closed.", "{file: plate.stl, unit: mm}"},
+}};
+
 const Shape procedure{"procedure", "An operation: what to do, by the names of an anatomy.", {
     {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
     {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
@@ -195,6 +200,7 @@ const Shape procedure{"procedure", "An operation: what to do, by the names of an
     {required, "haptics", map(haptics), "What the hand holds.", "{device: touch}"},
     {optional, "time_limit", quantity(dimension::time, "s", 1.0_s, 3600.0_s), "When the run ends at the latest, simulated.", "120 s"},
     {required, "instruments", named(map(instrument)), "The tools, under names that steps use.", "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
+    {optional, "implants", named(map(implant)), "Solids that waypoints bring in.", "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
     {required, "steps", list(map(step)), "What to do, in this order.", "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
     {optional, "rehearsals", list(map(rehearsal)), "What simulated hands do, and how that should end.", "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
     {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.", "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"},

@@ -7,7 +7,7 @@
 /// key that is not in its shape, and at the end of a map for a key of the shape that it never asked for.
 namespace kerf::shapes {
 
-extern const Shape procedure;
+extern const Shape implant, procedure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument;
 extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound;
 extern const Shape rehearsal, expectation, hand, waypoint, variant;
