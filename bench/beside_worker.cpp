@@ -127,7 +127,7 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
     bool is_same = true;
     for (int round = 0; round < rounds; ++round) {
         Sawing with{body}, without{body};
-        with.worker = std::make_unique<SurfaceWorker>(body, with.simulation.outline().cutting, SurfaceWorker::Options{.crumb = 1e-9});
+        with.worker = std::make_unique<SurfaceWorker>(body, std::vector<const ToolSolid*>{&with.simulation.outline().cutting}, SurfaceWorker::Options{.crumb = 1e-9});
         for (Sawing* one : {&with, &without}) {
             while (one->depth() < 5.0_mm) one->tick(approach, false);
             for (int i = 0; i < 1000; ++i) one->tick(feed, false);  // until nothing of the approach waits any more

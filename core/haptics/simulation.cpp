@@ -436,7 +436,8 @@ void Simulation::do_as_told(const kerf_action& action, TickResult& result) noexc
     if (action.kind == KERF_ACTION_EVENT) result.add_event(action.event);
     if (action.kind == KERF_ACTION_RELEASE) held_.let_go();
     if (action.kind != KERF_ACTION_HOLD || action.value >= bodies_.size() || !bodies_[action.value]->is_present) return;
-    held_.take(bodies_, action.value, world_from_tool_);
+    if (bodies_.size() == 1) result.add_event("haptics.bone_is_whole");  // nobody takes the patient
+    else held_.take(bodies_, action.value, world_from_tool_);
 }
 
 void Simulation::take_closed(CutTracker& tracker, int count) noexcept {

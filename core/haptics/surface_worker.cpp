@@ -12,8 +12,8 @@ constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobo
 constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
 }  // namespace
 
-SurfaceWorker::SurfaceWorker(const Body& body, const ToolSolid& cutting, Options options)
-    : cutting_(&cutting), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
+SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options)
+    : cutting_(std::move(cutting)), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
     if (options_.looks_for_pieces) bone_.look_for_pieces(options_.crumb);
     if (options_.makes_surface) patches_.reserve(most_bodies);
     make_surface();
@@ -122,14 +122,14 @@ void SurfaceWorker::take(const Message& message) {
         return;
     }
     const bool had_offer = !waiting_.empty();
-    for (Separation& separation : bone_.apply(message.record, *cutting_)) waiting_.push_back(std::move(separation));
+    for (Separation& separation : bone_.apply(message.record, *cutting_[message.record.solid])) waiting_.push_back(std::move(separation));
     next_[message.record.body] = message.record.sequence + 1;
     if (!had_offer && !waiting_.empty()) make_offer();
 }
 
 void SurfaceWorker::make_offer() {
     const Separation& separation = waiting_.front();
-    offer_ = adoption_of(separation, bone_, *cutting_, next_[separation.parent]);
+    offer_ = adoption_of(separation, bone_, *cutting_.front(), next_[separation.parent]);
     offer_state_.store(OfferState::offered, std::memory_order_release);
 }
 

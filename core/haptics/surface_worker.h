@@ -32,8 +32,8 @@ public:
         bool looks_for_pieces = true, makes_surface = true;
     };
 
-    /// `body` and `cutting` must outlive it.   [main]
-    SurfaceWorker(const Body& body, const ToolSolid& cutting, Options options);
+    /// `body` and the cutting solids, as records number them, must outlive it.   [main]
+    SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options);
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
@@ -72,7 +72,7 @@ private:
     void make_offer();
     void make_surface();
 
-    const ToolSolid* cutting_;
+    std::vector<const ToolSolid*> cutting_;
     Options options_;
     PresentBone bone_;
     std::vector<SurfacePatches> patches_;  ///< of each body

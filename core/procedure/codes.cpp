@@ -99,6 +99,7 @@ constexpr CodeEntry entries[] = {
     {506, "no plane", "The `plane:` of a step is a point or an axis of the anatomy.", "Neither says how a blade is to be turned.", "Name a plane, or give the anatomy one."},
     {507, "axis out of its plane", "A step's axis leads out of the plane that its blade should lie in, or runs beside it.", "A blade that is fed across its own plane binds in its slot.", "Turn or move the axis or the plane in the anatomy."},
     {508, "step without a plane", "Something is measured in the plane of a step that names none.", "Without one a blade may be turned anyhow about its axis.", "Give the step a `plane:`, the name of a landmark plane."},
+    {509, "no piece yet", "A step takes a piece away, and no step before it parts the bone.", "Nobody takes the whole bone: there is nothing to hold yet, and the step could never be done.", "Put a step with the goal `{separated: {}}` before it."},
 
     // ---- bone and data files
     {601, "phantom without bone", "No part of the phantom adds bone.", "There is nothing to cut.", "Give `phantom.parts` at least one part without `subtract`."},

@@ -74,6 +74,7 @@ enum class Code {
     not_a_plane = 506,     ///< a step's `plane` is a point or an axis of the anatomy
     axis_off_plane = 507,  ///< a step's axis leads out of its plane
     needs_plane = 508,     ///< something is measured in the plane of a step that names none
+    needs_piece = 509,     ///< a step takes a piece that no step before it parts from the bone
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,

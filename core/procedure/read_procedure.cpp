@@ -643,6 +643,24 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
     }
 }
 
+/// What is held or moved must have come apart before: in an earlier step, or by an earlier goal of the same.
+void check_pieces(const Procedure& procedure, const Document& document, Report& report) {
+    const Node* steps = document.root.find("steps");
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s)
+        for (std::size_t g = 0; g < procedure.steps[s].goals.size(); ++g) {
+            const std::string& quantity = procedure.steps[s].goals[g].quantity;
+            if (quantity == "separated") return;
+            if (quantity != "held" && quantity != "moved") continue;
+            const Node* step = steps && s < steps->children.size() ? &steps->children[s] : nullptr;
+            const Node* goals = step ? step->find("goals") : nullptr;
+            const Node* goal = goals && g < goals->children.size() ? goals->children[g].find(quantity) : nullptr;
+            report.error(Code::needs_piece, goal ? goal->key_span : TextSpan{},
+                         "The step " + quoted_id(procedure.steps[s].id) +
+                             " takes a piece, and until then the bone is whole: no step before it has the goal `separated`. Add it to the step that parts the bone.");
+            return;
+        }
+}
+
 }  // namespace
 
 std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
@@ -722,6 +740,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     }
 
     check_planes(procedure, document, report);
+    check_pieces(procedure, document, report);
 
     if (contains(points, midline)) return;
     const Node* rehearsals = document.root.find("rehearsals");

@@ -157,7 +157,7 @@ struct Ended {
 /// On the clock: the worker is asked as it comes, and is slow now and then. `late`: how slow.
 Ended live(int late) {
     Milled milled;
-    SurfaceWorker worker(milled.body, milled.outline.cutting, {.crumb = 1e-9});
+    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     Ended ended;
     while (milled.x < 4.0_mm) {
         const TickResult r = milled.go();
@@ -208,7 +208,7 @@ TEST(SurfaceWorker, LiveAndLockStepGiveTheSameBitsForTheSameAdoption) {
 
 TEST(SurfaceWorker, PublishesTheSurfaceOfEachBody) {
     Milled milled;
-    SurfaceWorker worker(milled.body, milled.outline.cutting, {.crumb = 1e-9});
+    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     const auto at_first = worker.surface();
     ASSERT_EQ(at_first->patches.size(), 1u);
     milled.simulation.look_for_pieces(1e-9);
@@ -250,7 +250,7 @@ std::size_t triangles_of(const SurfaceWorker::Surface& surface, std::size_t bric
 TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
     // Given a reader who takes one surface after the other, and keeps the first
     Milled milled;
-    SurfaceWorker worker(milled.body, milled.outline.cutting, {.crumb = 1e-9});
+    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     const std::size_t bricks = milled.body.grid().brick_count();
     const auto first = worker.surface();
     const std::size_t at_first = triangles_of(*first, bricks);
@@ -281,7 +281,7 @@ TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
 
 TEST(SurfaceWorker, AdoptingWhatItMadeNeitherAllocatesNorWaits) {
     Milled milled;
-    SurfaceWorker worker(milled.body, milled.outline.cutting, {.crumb = 1e-9});
+    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     bool has_adopted = false;
     while (milled.x < 4.0_mm) {
         const test::Forbidden before = test::forbidden_here();

@@ -149,6 +149,15 @@ TEST(HeldBody, NothingIsHeldWhereThereIsNoBone) {
     EXPECT_STREQ(bench.last.events[0], "kerf.core.closed_on_nothing");
 }
 
+TEST(HeldBody, AWholeBoneIsNotTaken) {
+    Bench bench;
+    bench.go_to({-4.0_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
+    bench.grasp_the_end();
+    EXPECT_EQ(bench.simulation.held(), -1);
+    bench.go_to({0.0_mm, 5.0_mm, -6.0_mm}, Bench::in_air);
+    EXPECT_EQ(length(bench.place_of(0)), 0.0);
+}
+
 TEST(HeldBody, HoldingNeitherAllocatesNorLocks) {
     Bench bench;
     bench.sever(2.0_mm);

@@ -59,7 +59,7 @@ struct Rig {
     ToolSetup setup = test::saw({{"run_up", 50.0_ms}});
     ToolOutline outline = test::outline(setup);
     Simulation simulation{body, setup, outline, test::gains(), test::at_depth(-1.0_mm, 0.0, {0, 0, outer})};
-    SurfaceWorker worker{body, outline.cutting, {.crumb = 1e-9}};
+    SurfaceWorker worker{body, {&outline.cutting}, {.crumb = 1e-9}};
 
     struct Happened {
         bool was_fast = false, was_barred = false, has_adopted = false;
