@@ -7,6 +7,8 @@
 #include <numeric>
 
 #include "app/belongings.h"
+#include "app/hand_inputs.h"
+#include "app/signal_table.h"
 #include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
@@ -25,59 +27,6 @@ namespace {
 constexpr int volume_interval = 50;  // ticks between counts of the removed volume
 constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
 
-/// The signals of all tools side by side; tools with the same law share theirs.
-struct SignalTable {
-    std::vector<SignalColumn> columns;
-    std::vector<std::size_t> first;  ///< of each tool
-
-    explicit SignalTable(const std::vector<Tool>& tools) {
-        for (std::size_t t = 0; t < tools.size(); ++t) {
-            const kerf_component* force = tools[t].setup.force;
-            const auto same = std::find_if(tools.begin(), tools.begin() + static_cast<std::ptrdiff_t>(t), [&](const Tool& tool) { return tool.setup.force == force; });
-            first.push_back(same < tools.begin() + static_cast<std::ptrdiff_t>(t) ? first[static_cast<std::size_t>(same - tools.begin())] : columns.size());
-            if (first.back() < columns.size()) continue;
-            for (std::uint32_t i = 0; i < force->force->signal_count; ++i) {
-                const kerf_signal& s = force->force->signals[i];
-                const std::string unit = s.display_unit;
-                columns.push_back({s.id, s.help, unit, parse_unit(unit).value_or(Unit{}).factor});
-            }
-        }
-        if (columns.size() > most_signal_columns) columns.resize(most_signal_columns);
-    }
-    /// Those of the tool in hand; the others are 0.
-    void fill(const Simulation& simulation, TickRow& row) const {
-        const kerf_force& force = *simulation.setup().force->force;
-        for (std::uint32_t i = 0; i < force.signal_count; ++i) {
-            const std::size_t column = first[simulation.tool()] + i;
-            if (column < columns.size()) row.signals[column] = simulation.signals()[i];
-            if (std::string_view(force.signals[i].id) == "drive_power") row.power_drive = simulation.signals()[i];
-        }
-    }
-};
-
-/// What a hand asks for besides moving: as its rehearsal says, or as it was recorded.
-class HandInputs {
-public:
-    HandInputs(const RunRequest& request, const HandPlan& plan) : request_(&request), plan_(&plan) {}
-    /// Before a tick, of a hand that has gone `legs` of its way.
-    [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs) {
-        std::vector<HandInput> inputs;
-        if (request_->replay.empty()) {
-            for (; next_ <= legs && next_ < plan_->inputs.size(); ++next_)
-                inputs.insert(inputs.end(), plan_->inputs[next_].begin(), plan_->inputs[next_].end());
-        } else {
-            for (; next_ < request_->hand_inputs.size() && request_->hand_inputs[next_].first <= tick; ++next_)
-                inputs.push_back(request_->hand_inputs[next_].second);
-        }
-        return inputs;
-    }
-
-private:
-    const RunRequest* request_;
-    const HandPlan* plan_;
-    std::size_t next_ = 0;
-};
-
 std::vector<std::size_t> bodies_of(const Separation& separation) {
     std::vector<std::size_t> bodies;
     for (const auto& part : separation.parts) bodies.push_back(part.body);
@@ -87,34 +36,6 @@ std::vector<std::size_t> bodies_of(const PresentBone& bone) {
     std::vector<std::size_t> bodies(bone.count());
     std::iota(bodies.begin(), bodies.end(), std::size_t{0});
     return bodies;
-}
-
-/// Carries out what a hand asks for. Not empty: why not.
-std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation) {
-    switch (input.kind) {
-        case HandInput::Kind::drive: {
-            const kerf_tool& tool = *simulation.setup().tool->tool;
-            for (std::uint32_t i = 0; i < tool.drive_count; ++i)
-                if (input.id == tool.drives[i].id) {
-                    simulation.command_drive(i, input.value);
-                    return {};
-                }
-            return "the tool in hand has no drive " + input.id;
-        }
-        case HandInput::Kind::insert: {
-            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(), [&](const Body& body) { return body.id == input.id; });
-            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false) : "there is no implant " + input.id;
-        }
-        case HandInput::Kind::subtract: return simulation.subtract(simulation.tool(), simulation.world_from_tool());
-        case HandInput::Kind::remove:
-            if (simulation.held() < 0) return "nothing is held";
-            simulation.show_body(static_cast<std::size_t>(simulation.held()), false);
-            return {};
-        case HandInput::Kind::fuse: return simulation.fuse();
-        case HandInput::Kind::undo: return simulation.undo();
-        case HandInput::Kind::redo: return simulation.redo();
-    }
-    return {};
 }
 
 /// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
@@ -308,7 +229,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const HandPlan plan = plan_of(*rehearsal, scene);
     simulated_hand::SimulatedHand hand(plan.plant, plan.intent, plan.start, Simulation::dt);
     Simulation simulation(scene.body, scene.tools, scene.gains, plan.start);
-    HandInputs hand_inputs(request, plan);
+    HandInputs hand_inputs(plan, request.replay.empty() ? nullptr : &request.hand_inputs);
     simulation.look_for_pieces(crumb);
     simulation.replay_adoptions(request.adoptions);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/hand_inputs.h"
 #include "app/run_result.h"
-#include "core/procedure/hand_input.h"
 
 /// One run in lock-step: the simulated hand, the tick, the record, the verdict.
 namespace kerf {
@@ -17,7 +17,7 @@ struct RunRequest {
     std::string learner, mode = "practice";
     std::vector<Pose> replay;  ///< device poses of a recorded run: the hand does what it did then
     std::vector<std::uint64_t> adoptions;  ///< of that run: the ticks after which the loop took over what had come apart
-    std::vector<std::pair<std::uint64_t, HandInput>> hand_inputs;  ///< of that run: what else was asked for, and before which tick
+    HandInputs::Recorded hand_inputs;  ///< of that run: what else was asked for, and before which tick
     std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };

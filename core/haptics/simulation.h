@@ -16,6 +16,7 @@
 #include "core/haptics/hand_motion.h"
 #include "core/haptics/held_body.h"
 #include "core/haptics/passivity.h"
+#include "core/haptics/tool.h"
 
 /// One tool among bodies: the haptic loop's tick, from pose read to force out.
 namespace kerf {
@@ -47,31 +48,6 @@ struct TickResult {
     void add_event(const char* id) noexcept {
         if (event_count < most_events) events[event_count++] = id;
     }
-};
-
-/// A tool of a plugin, with its parameters: everything the loop needs to ask it.
-struct ToolSetup {
-    const kerf_component* tool = nullptr;
-    const kerf_component* force = nullptr;
-    std::vector<double> tool_parameters, force_parameters, drives;  ///< SI, declared order
-};
-
-/// What its law is asked with, in a step of `dt` [s]. `setup` and `bone` must outlive the answer.   [any] nonblocking.
-[[nodiscard]] kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept;
-
-/// A tool's outline as the plugin gives it.
-struct ToolOutline {
-    ToolSolid cutting;  ///< removes bone
-    ToolSolid whole;
-    double grip_z = -0.1;  ///< [m]
-};
-/// Asks the plugin; on failure `error` says why.   [main]
-[[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);
-
-/// One of the tools at hand.
-struct Tool {
-    ToolSetup setup;
-    ToolOutline outline;
 };
 
 class Simulation {
@@ -154,6 +130,8 @@ public:
     void place_body(std::size_t body, const Pose& world_from_body) noexcept;
     /// Takes a body out of the scene, or puts it back.   [haptic, nonblocking] between ticks
     void show_body(std::size_t body, bool is_present) noexcept;
+    /// Takes what the tool holds out of the scene, all that is fused together.   [haptic, nonblocking] between ticks
+    void remove_held() noexcept;
     /// The body that the tool holds; −1 for none.
     [[nodiscard]] int held() const noexcept { return held_.is_any() ? static_cast<int>(held_.body()) : -1; }
 

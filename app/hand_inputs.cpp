@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/hand_inputs.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs) {
+    std::vector<HandInput> inputs;
+    if (recorded_ == nullptr) {
+        for (; next_ <= legs && next_ < plan_->inputs.size(); ++next_)
+            inputs.insert(inputs.end(), plan_->inputs[next_].begin(), plan_->inputs[next_].end());
+    } else {
+        for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_) inputs.push_back((*recorded_)[next_].second);
+    }
+    return inputs;
+}
+
+std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation) {
+    switch (input.kind) {
+        case HandInput::Kind::drive: {
+            const kerf_tool& tool = *simulation.setup().tool->tool;
+            for (std::uint32_t i = 0; i < tool.drive_count; ++i)
+                if (input.id == tool.drives[i].id) {
+                    simulation.command_drive(i, input.value);
+                    return {};
+                }
+            return "the tool in hand has no drive " + input.id;
+        }
+        case HandInput::Kind::insert: {
+            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(), [&](const Body& body) { return body.id == input.id; });
+            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false) : "there is no implant " + input.id;
+        }
+        case HandInput::Kind::subtract: return simulation.subtract(simulation.tool(), simulation.world_from_tool());
+        case HandInput::Kind::remove:
+            if (simulation.held() < 0) return "nothing is held";
+            simulation.remove_held();
+            return {};
+        case HandInput::Kind::fuse: return simulation.fuse();
+        case HandInput::Kind::undo: return simulation.undo();
+        case HandInput::Kind::redo: return simulation.redo();
+    }
+    return {};
+}
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+
+kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
+    kerf_tick_in in{};
+    in.size = sizeof in;
+    in.dt = dt;
+    in.tool_params = setup.tool_parameters.data();
+    in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
+    in.force_params = setup.force_parameters.data();
+    in.drive = setup.drives.data();
+    in.bone = &bone;
+    return in;
+}
+
+bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
+    constexpr std::uint32_t capacity = 64;
+    kerf_profile_point points[capacity];
+    kerf_tool_shape shape{};
+    shape.size = sizeof shape;
+    shape.profile = points;
+    shape.profile_capacity = capacity;
+    shape.kind = KERF_SOLID_REVOLUTION;
+    if (setup.tool->tool->shape(setup.tool_parameters.data(), &shape) != KERF_OK) {
+        error = std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: it refused them.";
+        return false;
+    }
+    bool is_sound = shape.profile_count >= 2 && shape.profile_count <= capacity && shape.cutting_count >= 2 &&
+                    shape.cutting_count <= shape.profile_count && std::isfinite(shape.grip_z);
+    for (std::uint32_t i = 0; is_sound && i < shape.profile_count; ++i)
+        is_sound = std::isfinite(points[i].z) && points[i].radius >= 0.0 && points[i].radius < 0.1 &&
+                   (i == 0 || points[i].z < points[i - 1].z);
+    if (!is_sound) {
+        error =
+            std::string("tool `") + setup.tool->id +
+            "` gives an outline that is no solid: list (z, radius) from the tip backwards, in metres.";
+        return false;
+    }
+    out.grip_z = shape.grip_z;
+    if (shape.kind == KERF_SOLID_PRISM) {
+        bool is_convex = true;  // backwards the outline bends towards the axis only
+        for (std::uint32_t i = 2; i < shape.profile_count; ++i) {
+            const auto &a = points[i - 2], &b = points[i - 1], &c = points[i];
+            is_convex = is_convex && (c.radius - b.radius) * (b.z - a.z) >= (b.radius - a.radius) * (c.z - b.z);
+        }
+        if (!is_convex || !(shape.thickness > 0.0 && shape.thickness <= shape.kerf && shape.kerf < 0.1)) {
+            error = std::string("tool `") + setup.tool->id +
+                    "` gives a prism that is no blade: it needs a convex outline, a thickness above 0 mm and a kerf from that to 100 mm.";
+            return false;
+        }
+        out.cutting = ToolSolid::prism({points, points + shape.cutting_count}, shape.kerf);
+        out.whole = ToolSolid::prism({points, points + shape.profile_count}, shape.thickness);
+        return true;
+    }
+    if (shape.kind != KERF_SOLID_REVOLUTION) {
+        error = std::string("tool `") + setup.tool->id + "` gives a solid of kind " + std::to_string(shape.kind) +
+                "; this Kerf knows 1, a solid of revolution, and 2, a prism.";
+        return false;
+    }
+    out.cutting = ToolSolid({points, points + shape.cutting_count});
+    out.whole = ToolSolid({points, points + shape.profile_count});
+    return true;
+}
+
+}  // namespace kerf
