@@ -28,6 +28,12 @@ Quat turned_towards(Quat from, Quat to, double most) {
     return normalized(Quat{from.w + share * w, from.x + share * x, from.y + share * y, from.z + share * z});
 }
 
+/// To the bit: a product of the two rounds, and would leave some turn over for ever. A quaternion and its opposite are one rotation.
+bool are_same(Quat a, Quat b) noexcept {
+    const auto is = [&](double sign) { return a.w == sign * b.w && a.x == sign * b.x && a.y == sign * b.y && a.z == sign * b.z; };
+    return is(1.0) || is(-1.0);
+}
+
 double quantised(double x, double step) { return step > 0.0 ? std::floor(x / step + 0.5) * step : x; }
 
 }  // namespace
@@ -71,9 +77,7 @@ void SimulatedHand::think() {
         lean_ = std::clamp(lean_ + leaning_rate * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
 
-    const Quat still = conjugate(rotation_) * leg.target.rotation;
-    const bool is_turned = still.x == 0.0 && still.y == 0.0 && still.z == 0.0;
-    if (is_turned && dot(reported().position - leg_start_, along) >= total - arrived) {
+    if (are_same(rotation_, leg.target.rotation) && dot(reported().position - leg_start_, along) >= total - arrived) {
         ++leg_;
         leg_start_ = reported().position;
         plan_ = lean_ = 0.0;

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
 #include "app/run_procedure.h"
+#include "core/import/surface/edges.h"
+#include "core/import/surface/read_surface.h"
+#include "core/import/surface/repair.h"
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
@@ -158,6 +162,50 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     EXPECT_TRUE(std::filesystem::exists(request.out + "/bone-1.stl"));
     OutputLock lock;
     EXPECT_EQ(prepare_output(request.out, lock), "");
+}
+
+/// On a bone out of a surface, when there is one.
+TEST(AmputationOfARealFemur, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
+    // Given the shipped procedure on that femur
+    if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/meshes"))
+        GTEST_SKIP() << "KERF_DATA names no folder with meshes/";
+    Diagnostics diagnostics;
+    const auto femur = make_scene(KERF_SOURCE_DIR "/procedures/amputation.yaml", KERF_SOURCE_DIR "/tests/real-data/femur-z013-amputation.yaml",
+                                  test::plugins(), diagnostics);
+    ASSERT_TRUE(femur) << to_text(diagnostics);
+
+    // When the expert works on it
+    const test::TemporaryFolder folder;
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.out = folder / "first";
+    const RunOutcome run = run_procedure(*femur, test::plugins(), request);
+
+    // Then it comes apart in the last cut, the piece is taken away, and no bone is lost or made
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    ASSERT_EQ(run.summary.pieces.size(), 2u);
+    EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3);
+    EXPECT_GT(metric(run.summary, "remove.moved"), 60.0_mm);
+    const auto event = std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == came_apart_event; });
+    ASSERT_NE(event, run.events.end());
+    EXPECT_EQ(run.ticks[event->tick].step, 3);
+    for (const char* name : {"bone.stl", "bone-1.stl"}) {
+        auto surface = read_surface(request.out + "/" + name, diagnostics);
+        ASSERT_TRUE(surface) << to_text(diagnostics);
+        weld(surface->mesh);
+        EXPECT_TRUE(border_loops_of(half_edges_of(surface->mesh)).empty()) << name;
+    }
+
+    // and its record gives the same bits again.
+    std::string error;
+    const auto inputs = read_session(request.out + "/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    RunRequest again;
+    again.rehearsal = "expert";
+    again.replay = inputs->device_from_handle;
+    again.adoptions = inputs->adoptions;
+    for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
+    EXPECT_EQ(run_procedure(*femur, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
 }  // namespace

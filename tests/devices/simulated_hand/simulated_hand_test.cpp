@@ -28,6 +28,16 @@ TEST(SimulatedHand, InAirItArrivesAtItsSpeed) {
     EXPECT_NEAR(-hand.reported().position.z, 20.0_mm, 0.5_mm);
 }
 
+TEST(SimulatedHand, ArrivesInEveryDirection) {
+    for (int i = 1; i <= 100; ++i) {
+        const Quat rotation = normalized(Quat{0.7, -0.7 + 0.003 * i, 0.01 * i, -0.007 * i});
+        const Pose start{{}, i % 2 == 0 ? Quat{} : rotation}, end{rotate(rotation, {0, 0, 5.0_mm}), rotation};
+        SimulatedHand hand({}, {.legs = {{.target = end, .speed = 10.0_mm_per_s, .push = 0.5}}}, start, dt);
+        for (int tick = 0; tick < 5000 && !hand.is_done(); ++tick) hand.step({});
+        EXPECT_TRUE(hand.is_done()) << i;
+    }
+}
+
 TEST(SimulatedHand, AgainstAWallItLeansInAndNeverBeyondItsPush) {
     // A wall of 1 N/mm at 5 mm
     const double push = 0.6;
