@@ -164,22 +164,51 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     EXPECT_EQ(prepare_output(request.out, lock), "");
 }
 
-/// On a bone out of a surface, when there is one.
-TEST(AmputationOfARealFemur, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
-    // Given the shipped procedure on that femur
-    if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/meshes"))
-        GTEST_SKIP() << "KERF_DATA names no folder with meshes/";
+/// The shipped procedure on another anatomy, in one of its variants.
+std::optional<Scene> scene_of(const std::string& anatomy, const std::string& variant, Diagnostics& diagnostics) {
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/amputation.yaml", .anatomy = anatomy};
+    request.changes.variant = variant;
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+}
+
+TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
     Diagnostics diagnostics;
-    const auto femur = make_scene(KERF_SOURCE_DIR "/procedures/amputation.yaml", KERF_SOURCE_DIR "/tests/real-data/femur-z013-amputation.yaml",
-                                  test::plugins(), diagnostics);
-    ASSERT_TRUE(femur) << to_text(diagnostics);
+    const auto leg = scene_of("", "transtibial", diagnostics);
+    ASSERT_TRUE(leg) << to_text(diagnostics);
+    ASSERT_EQ(leg->procedure.rehearsals.size(), 2u);
+    for (const Rehearsal& rehearsal : leg->procedure.rehearsals) {
+        RunRequest request;
+        request.rehearsal = rehearsal.id;
+        const RunOutcome run = run_procedure(*leg, test::plugins(), request);
+        EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
+        EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
+        EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3) << rehearsal.id;
+    }
+}
+
+/// On real bone, when there is some: a femur out of a surface, a tibia out of a scan.
+struct RealBone {
+    const char *name, *anatomy, *data, *variant;
+    int last_cut;
+};
+class AmputationOfRealBone : public testing::TestWithParam<RealBone> {};
+
+TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
+    // Given the shipped procedure on that bone
+    const RealBone& bone = GetParam();
+    if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
+        GTEST_SKIP() << "KERF_DATA names no folder with " << bone.data;
+    Diagnostics diagnostics;
+    const auto scene = scene_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy, bone.variant, diagnostics);
+    ASSERT_TRUE(scene) << to_text(diagnostics);
 
     // When the expert works on it
     const test::TemporaryFolder folder;
     RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
-    const RunOutcome run = run_procedure(*femur, test::plugins(), request);
+    const RunOutcome run = run_procedure(*scene, test::plugins(), request);
 
     // Then it comes apart in the last cut, the piece is taken away, and no bone is lost or made
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
@@ -188,7 +217,7 @@ TEST(AmputationOfARealFemur, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     EXPECT_GT(metric(run.summary, "remove.moved"), 60.0_mm);
     const auto event = std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == came_apart_event; });
     ASSERT_NE(event, run.events.end());
-    EXPECT_EQ(run.ticks[event->tick].step, 3);
+    EXPECT_EQ(run.ticks[event->tick].step, bone.last_cut);
     for (const char* name : {"bone.stl", "bone-1.stl"}) {
         auto surface = read_surface(request.out + "/" + name, diagnostics);
         ASSERT_TRUE(surface) << to_text(diagnostics);
@@ -205,8 +234,13 @@ TEST(AmputationOfARealFemur, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
     for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
-    EXPECT_EQ(run_procedure(*femur, test::plugins(), again).summary.hash, run.summary.hash);
+    EXPECT_EQ(run_procedure(*scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, AmputationOfRealBone,
+                         testing::Values(RealBone{"femur", "femur-z013-amputation.yaml", "meshes/femur_left_vsd_z013.stl", "", 3},
+                                         RealBone{"tibia", "leg-transtibial.yaml", "volumes/leg_right_vhp_female.mha", "transtibial", 2}),
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace kerf
