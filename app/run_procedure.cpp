@@ -254,7 +254,6 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
 
     // Undo and redo leave other bodies than there were.
     const auto find_owners = [&] {
-        before.follow(simulation.present());
         Owners owners = monitor.owners();
         std::fill(owners.zone.begin(), owners.zone.end(), std::size_t{0});
         std::fill(owners.step.begin(), owners.step.end(), std::size_t{0});
