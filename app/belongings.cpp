@@ -9,6 +9,16 @@
 
 namespace kerf {
 
+std::vector<std::size_t> parts_of_the_bone(const PresentBone& bone) {
+    std::vector<std::size_t> parts;
+    for (std::size_t body = 0; body < bone.count(); ++body) {
+        std::size_t first = body;
+        while (bone.piece(first).came_off != first) first = bone.piece(first).came_off;
+        if (first == 0 && !bone.piece(body).still_in) parts.push_back(body);
+    }
+    return parts;
+}
+
 void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene, const PresentBone& bone) {
     if (bodies.size() < 2) return;
     std::vector<Mesh> parts;

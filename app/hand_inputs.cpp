@@ -31,7 +31,9 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
             const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(), [&](const Body& body) { return body.id == input.id; });
             return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false) : "there is no implant " + input.id;
         }
-        case HandInput::Kind::subtract: return simulation.subtract(simulation.tool(), simulation.world_from_tool());
+        case HandInput::Kind::subtract:
+            simulation.subtract(simulation.tool(), simulation.world_from_tool());
+            return {};
         case HandInput::Kind::remove:
             if (simulation.held() < 0) return "nothing is held";
             simulation.remove_held();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 #include "app/belongings.h"
 #include "app/hand_inputs.h"
@@ -30,11 +29,6 @@ constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they
 std::vector<std::size_t> bodies_of(const Separation& separation) {
     std::vector<std::size_t> bodies;
     for (const auto& part : separation.parts) bodies.push_back(part.body);
-    return bodies;
-}
-std::vector<std::size_t> bodies_of(const PresentBone& bone) {
-    std::vector<std::size_t> bodies(bone.count());
-    std::iota(bodies.begin(), bodies.end(), std::size_t{0});
     return bodies;
 }
 
@@ -231,7 +225,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     Simulation simulation(scene.body, scene.tools, scene.gains, plan.start);
     HandInputs hand_inputs(plan, request.replay.empty() ? nullptr : &request.hand_inputs);
     simulation.look_for_pieces(crumb);
-    simulation.replay_adoptions(request.adoptions);
+    if (!request.replay.empty()) simulation.replay_adoptions(request.adoptions);
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     std::vector<Pose> world_from_body(1, identity_pose());
     CutBefore before;
@@ -257,7 +251,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         Owners owners = monitor.owners();
         std::fill(owners.zone.begin(), owners.zone.end(), std::size_t{0});
         std::fill(owners.step.begin(), owners.step.end(), std::size_t{0});
-        pass_on(owners, 0, bodies_of(simulation.present()), scene, simulation.present());
+        pass_on(owners, 0, parts_of_the_bone(simulation.present()), scene, simulation.present());
         monitor.belong(std::move(owners));
     };
 

@@ -65,9 +65,7 @@ struct Sawing {
     void loop() {
         simulation.tick({test::at_depth(hand)});
         if (worker == nullptr) return;
-        for (const CutRecord& record : simulation.closed())
-            if (record.removes) (void)worker->push(record);
-        if (Adoption* offer = worker->offered()) worker->answer(simulation.adopt(*offer));
+        (void)worker->exchange(simulation);
     }
     void push_neighbours() {
         for (const CutRecord& own : simulation.closed())

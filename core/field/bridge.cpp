@@ -17,7 +17,7 @@ double distance_to(const CutBone& piece, Vec3 p) {
 
 }  // namespace
 
-std::optional<Body> bridge_between(const CutBone& a, const CutBone& b, const Pose& b_from_a) {
+std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const Pose& b_from_a) {
     const Grid& grid = a.bone->grid();
     const double far = grid.clamp() + b.bone->grid().clamp(), h = grid.spacing;
     struct Facing {
@@ -51,7 +51,7 @@ std::optional<Body> bridge_between(const CutBone& a, const CutBone& b, const Pos
     });
     for (const Material& material : a.bone->materials)
         bridge.materials.push_back({material.id, material.density, LevelSet::build(own, [&](Vec3) { return own.clamp(); })});
-    return bridge;
+    return Bridge{std::move(bridge), least};
 }
 
 }  // namespace kerf

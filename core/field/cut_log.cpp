@@ -80,8 +80,8 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     open_from_ = farthest_ = to;
     farthest_motion_ = 0.0;
     closed_[static_cast<std::size_t>(closed_count_++)] = record;
-    recent_[closed_ever_++ % recent_capacity] = record;
     if (!record.removes) return;
+    recent_[removing_ever_++ % recent_capacity] = record;
 
     last_removing_ = to;
     has_removed_ = true;

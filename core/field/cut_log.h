@@ -49,10 +49,10 @@ public:
     [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
     /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
-    /// The last records that were closed, the oldest first.
-    [[nodiscard]] std::size_t recent_count() const noexcept { return std::min(static_cast<std::size_t>(closed_ever_), recent_capacity); }
+    /// The last records that remove bone, the oldest first.
+    [[nodiscard]] std::size_t recent_count() const noexcept { return std::min(static_cast<std::size_t>(removing_ever_), recent_capacity); }
     [[nodiscard]] const CutRecord& recent(std::size_t i) const noexcept {
-        return recent_[(static_cast<std::size_t>(closed_ever_) - recent_count() + i) % recent_capacity];
+        return recent_[(static_cast<std::size_t>(removing_ever_) - recent_count() + i) % recent_capacity];
     }
     [[nodiscard]] std::uint16_t body_id() const noexcept { return body_id_; }
     void name(std::uint16_t body_id) noexcept { body_id_ = body_id; }
@@ -114,7 +114,7 @@ private:
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
-    std::uint64_t sequence_ = 0, closed_ever_ = 0;
+    std::uint64_t sequence_ = 0, removing_ever_ = 0;
     std::array<CutRecord, recent_capacity> recent_{};
     std::uint16_t body_id_ = 0, solid_number_ = 0;  ///< records say them
     std::uint64_t last_reversal_ = 0;  ///< sequence of the first record after the path last turned back

@@ -68,11 +68,6 @@ BoneImage PresentBone::image() {
     return all;
 }
 
-bool PresentBone::is_as_in(const BoneImage& image) const noexcept {
-    return std::equal(pieces_.begin(), pieces_.end(), image.pieces.begin(), image.pieces.end(),
-                      [](const auto& piece, const auto& was) { return piece->image == was; });
-}
-
 void PresentBone::restore(const BoneImage& image) {
     crumbs_ = image.crumbs;
     refused_ = image.refused;

@@ -93,8 +93,6 @@ public:
 
     /// As it is now, to be brought back.   [worker]
     [[nodiscard]] BoneImage image();
-    /// Whether nothing has changed since.   [worker]
-    [[nodiscard]] bool is_as_in(const BoneImage& image) const noexcept;
     /// Brings back all of what was, to the bit; bodies that there were not then are gone.   [worker]
     void restore(const BoneImage& image);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -80,6 +81,19 @@ public:
     /// Eight points around the solid where its outline has `radius` at `z`. Of a prism those on its flat sides stand away from
     /// its edges, which a grid rounds off.   [any] pure.
     [[nodiscard]] std::array<Vec3, 8> around(double radius, double z) const noexcept;
+    /// The same all along the outline, rings of points at most `apart` [m] from each other: `visit(ring)`.   [any] nonblocking
+    template <class Visit>
+    void for_each_ring(double apart, const Visit& visit) const {
+        constexpr double most = 64.0;  // along one stretch
+        for (std::size_t i = 0; i + 1 < outline_.size(); ++i) {
+            const double dz = outline_[i + 1].z - outline_[i].z, dr = outline_[i + 1].radius - outline_[i].radius;
+            const int steps = static_cast<int>(std::clamp(std::ceil(std::hypot(dz, dr) / apart), 1.0, most));
+            for (int step = i == 0 ? 0 : 1; step <= steps; ++step) {
+                const double t = static_cast<double>(step) / steps;
+                visit(around(outline_[i].radius + t * dr, outline_[i].z + t * dz));
+            }
+        }
+    }
     /// A box in the other frame that holds the solid.   [any] pure.
     struct Box {
         Vec3 low, high;

@@ -29,6 +29,17 @@ ChannelForce channel_force(const kerf_channel& c, double s, double dt) noexcept 
     }
 }
 
+kerf_channel contact_channel(OwnContact what, const Vec6& d, double stiffness, double depth) noexcept {
+    kerf_channel channel{};
+    channel.kind = KERF_CONTACT;
+    channel.id = static_cast<std::uint32_t>(what);
+    std::copy(d.begin(), d.end(), channel.d);
+    channel.w = 1e-6;
+    channel.k = stiffness;
+    channel.delta = depth;
+    return channel;
+}
+
 bool is_sound(const kerf_channel& c) noexcept {
     double size = 0.0;
     for (int i = 0; i < 6; ++i) {

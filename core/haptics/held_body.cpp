@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/field/bone_surface.h"
+#include "core/haptics/channel.h"
 #include "kerf/force.hpp"
 
 namespace kerf {
@@ -16,7 +17,6 @@ namespace {
 constexpr double stiffness = 2e5;         // [N/m] of bone on bone, for each octant [assumed]
 constexpr double near_contact = 0.3e-3;   // [m] farther away there is no channel
 constexpr double nearly = 20e-6;          // [m] behind the deepest, or half as deep: shares its channel
-constexpr std::uint32_t first_id = 0xfffffe00u;
 
 std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     std::array<Vec3, 8> corners;
@@ -152,13 +152,10 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
     for (std::size_t octant = 0; octant < touch.size(); ++octant) {
         const Touch& t = touch[octant];
         if (t.weight <= 0.0) continue;
-        kerf_channel& c = channels[count++] = kerf_channel{};
-        c.kind = KERF_CONTACT;
-        c.id = first_id + static_cast<std::uint32_t>(octant);
-        for (std::size_t k = 0; k < 6; ++k) c.d[k] = t.d[k] / t.weight;
-        c.w = 1e-6;
-        c.k = stiffness;
-        c.delta = t.depth / t.weight;
+        Vec6 d;
+        for (std::size_t k = 0; k < 6; ++k) d[k] = t.d[k] / t.weight;
+        kerf_channel& c = channels[count++] = contact_channel(OwnContact::held, d, stiffness, t.depth / t.weight);
+        c.id += static_cast<std::uint32_t>(octant);
     }
     return count;
 }

@@ -10,6 +10,8 @@
 
 namespace kerf {
 
+inline constexpr std::size_t live_reserve = 512;  ///< bricks ready in a new field
+
 /// A body as the loop meets it: its bone, what edges see cut of it, and where it is. Does not move in memory.
 struct LiveBody {
     /// Pre: `of_bone` and `solid` outlive it.   [main, worker]
@@ -33,6 +35,9 @@ struct LiveBody {
     bool is_present = true;  ///< false: taken out of the scene
     bool is_near = true;     ///< of the tool, in this tick
 };
+
+/// Of bone with a cut, with room for what is cut next.   [main, worker]
+[[nodiscard]] std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut, const ToolSolid& solid);
 
 /// What the loop adopts when bone came apart: a new field for the parent and a body for each part, all made beforehand, so that
 /// taking them over neither allocates nor waits. What they replace goes back in their place.

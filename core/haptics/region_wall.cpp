@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/region_wall.h"
 
-#include <algorithm>
+#include <array>
 
+#include "core/haptics/channel.h"
 #include "kerf/force.hpp"
 
 namespace kerf {
@@ -21,9 +22,8 @@ bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cuttin
 
     double farthest = 0.0;
     Vec3 at{}, outwards{};
-    const auto& outline = cutting.outline();
-    for (const auto& [z, radius] : outline)
-        for (const Vec3 in_tool : cutting.around(radius, z)) {
+    cutting.for_each_ring(2.0 * body.grid().spacing, [&](const std::array<Vec3, 8>& ring) {
+        for (const Vec3 in_tool : ring) {
             const Vec3 p = body_from_tool * in_tool;
             const double beyond = region.distance_outside(p);
             if (beyond <= farthest || view.present_distance(p) >= 0.0) continue;
@@ -31,15 +31,9 @@ bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cuttin
             at = in_tool;
             outwards = rotate(conjugate(body_from_tool.rotation), normalized(p - region.nearest(p)));
         }
+    });
     if (farthest <= 0.0) return false;
-    channel = kerf_channel{};
-    channel.kind = KERF_CONTACT;
-    channel.id = 0xffffffffu;
-    const Vec6 d = rate_at(at, outwards);
-    std::copy(d.begin(), d.end(), channel.d);
-    channel.w = 1e-6;
-    channel.k = stiffness;
-    channel.delta = farthest;
+    channel = contact_channel(OwnContact::region, rate_at(at, outwards), stiffness, farthest);
     return true;
 }
 

@@ -14,13 +14,18 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t first_reserve = 512;  // bricks
 constexpr std::size_t free_margin = 128;    // bricks kept ready for one tick
 constexpr double fastest = 1.0;             // [m/s] of a tool that bone resists (B9)
 constexpr std::size_t closed_room = 2 * 16 * most_bodies, stamp_room = 2 * closed_room;  // records of a tick at their most
 
 void add(const Vec6& v, double share, Vec6& sum) noexcept {
     for (std::size_t i = 0; i < 6; ++i) sum[i] += share * v[i];
+}
+
+std::vector<const ToolSolid*> cutting_of(const std::vector<Tool>& tools) {
+    std::vector<const ToolSolid*> solids;
+    for (const Tool& tool : tools) solids.push_back(&tool.outline.cutting);
+    return solids;
 }
 
 Vec6 turned(Quat q, const Vec6& v) noexcept { return make_vec6(rotate(q, linear(v)), rotate(q, angular(v))); }
@@ -35,14 +40,14 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
     : period_(period),
       spacing_(body.grid().spacing),
       tools_(std::move(tools)),
-      present_(body, first_reserve),
+      scene_(body, cutting_of(tools_)),
       view_(body),
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, {0, 0, outline().grip_z}),
       guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
     bodies_.reserve(most_bodies);
-    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, first_reserve), outline().cutting));
+    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, live_reserve), outline().cutting));
     closed_.reserve(closed_room);
     to_stamp_.reserve(stamp_room);
     std::size_t size = 0;
@@ -382,6 +387,7 @@ void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
         KERF_ASSERT(closed_.size() < closed_.capacity(), "there is room for the records of all parts and bodies");
         closed_.push_back(record);
         if (!record.removes) continue;
+        ++removing_;
         KERF_ASSERT(to_stamp_.size() < to_stamp_.capacity(), "call after_tick() after every tick");
         to_stamp_.push_back(record);
     }
@@ -395,8 +401,9 @@ bool Simulation::is_bone_in_reach(double margin) const noexcept {
 }
 
 void Simulation::after_tick() {
-    stamp_closed();
-    present_.reserve(free_margin);
+    if (!to_stamp_.empty()) scene_.apply(to_stamp_, placings());
+    else if (is_clear_of_bone()) scene_.leave_bone();
+    present().reserve(free_margin);
     make_room();
     adopt_what_is_due(false);
 }

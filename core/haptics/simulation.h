@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "core/haptics/hand_motion.h"
 #include "core/haptics/held_body.h"
 #include "core/haptics/passivity.h"
+#include "core/haptics/present_scene.h"
 #include "core/haptics/tool.h"
 
 /// One tool among bodies: the haptic loop's tick, from pose read to force out.
@@ -98,13 +100,21 @@ public:
     /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to make them.
     static constexpr std::uint64_t adoption_delay = 20;
     /// Lock-step: bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
-    void look_for_pieces(double crumb) { present_.look_for_pieces(crumb); }
-    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one.   [main]
+    void look_for_pieces(double crumb) { scene_.bone().look_for_pieces(crumb); }
+    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one, and no others.   [main]
     void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
     /// Takes over what a worker has made, between ticks. False, and nothing happens, where it holds less than the last
     /// `Adoption`'s records but eight: the worker is to bring it up to date. What was replaced comes back in it.
     /// [haptic, nonblocking]
     bool adopt(Adoption& adoption) noexcept;
+    /// The same with bodies as they were before a cut, or after it. False, and nothing happens, where the tool touches bone or has
+    /// removed some since they were made. What this closes is in `closed()`.   [haptic, nonblocking] between ticks
+    bool go_to(Restoration& restoration) noexcept;
+    /// Whether the tool and what it holds touch no bone, cut or uncut.   [haptic, nonblocking]
+    [[nodiscard]] bool is_clear_of_bone() const noexcept { return !is_bone_in_reach(0.0); }
+    [[nodiscard]] Placings placings() const noexcept;
+    /// From here on no body has numbered a record.
+    [[nodiscard]] std::uint64_t next_sequence() const noexcept;
     /// What came apart since the last call and is adopted.   [main]
     [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
 
@@ -112,18 +122,16 @@ public:
     /// it cannot be: there are sixteen, or its tissues are others.   [main] between ticks
     std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable);
     /// Lock-step: all that the cutting solid of one of the tools holds at a pose is gone from every body there.   [main] between ticks
-    std::string subtract(std::size_t tool, const Pose& world_from_tool);
-    /// Lock-step: the body that is held grows together with a piece beside it, of several with the first: a bridge of bone fills what is
-    /// between them, and they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
+    void subtract(std::size_t tool, const Pose& world_from_tool);
+    /// Lock-step: the body that is held grows together with the piece nearest to it: a bridge of bone fills what is between them, and
+    /// they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
     std::string fuse();
 
     /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is all that is
     /// removed from leaving the air to being clear of the bone again. `redo` does it again, until something else is cut. Not empty:
     /// why it cannot be, and nothing has changed.   [main] between ticks
-    std::string undo();
-    std::string redo();
-    /// Cuts that can be taken back, at most; before that the oldest is forgotten.
-    static constexpr std::size_t most_undo = 16;
+    std::string undo() { return turn_back(Turn::undo); }
+    std::string redo() { return turn_back(Turn::redo); }
 
     [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_; }
     /// Moves a body, between ticks; nothing is cut on the way.   [haptic, nonblocking]
@@ -138,9 +146,9 @@ public:
     /// What was closed by the last `tick`, `take_tool` or `finish`.
     [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return closed_; }
     /// Without lag, in lock-step.
-    [[nodiscard]] const PresentBone& present() const noexcept { return present_; }
-    [[nodiscard]] PresentBone& present() noexcept { return present_; }
-    [[nodiscard]] const CutField& exact(std::size_t body = 0) const noexcept { return present_.cut(body); }
+    [[nodiscard]] const PresentBone& present() const noexcept { return scene_.bone(); }
+    [[nodiscard]] PresentBone& present() noexcept { return scene_.bone(); }
+    [[nodiscard]] const CutField& exact(std::size_t body = 0) const noexcept { return present().cut(body); }
     [[nodiscard]] const CutField& committed(std::size_t body = 0) const noexcept { return bodies_[body]->committed; }
     [[nodiscard]] const BodiesView& bone() const noexcept { return view_; }
     [[nodiscard]] const Pose& world_from_tool() const noexcept { return world_from_tool_; }
@@ -175,21 +183,9 @@ private:
     void begin_with_tool();     ///< its law as at the beginning, out of bone
     void do_as_told(const kerf_action& action, TickResult& result) noexcept;
     void adopt_what_is_due(bool all);
-    /// Everything that a cut changes.
-    struct Moment {
-        BoneImage bone;
-        struct Place {
-            Pose world_from_body;
-            std::uint16_t group;
-            bool is_cuttable, is_present;
-        };
-        std::vector<Place> places;  ///< of each body
-        std::vector<Separation> waiting;
-    };
-    [[nodiscard]] Moment moment();
-    void go_back_to(const Moment& moment);
-    std::string exchange(std::vector<Moment>& from, std::vector<Moment>& to, const char* what);
-    void stamp_closed();  ///< into the present bone; if that begins a cut, what was before is kept
+    std::string turn_back(Turn turn);
+    void exchange_bodies(Restoration& restoration) noexcept;
+    [[nodiscard]] std::string why_no_more_bodies() const;        ///< empty: there may be
     void look_around() noexcept;
 
     double period_;  ///< [s] of a tick
@@ -197,7 +193,7 @@ private:
     std::vector<Tool> tools_;  ///< records call them by their place here
     std::size_t tool_ = 0;
     std::array<double, KERF_MAX_DRIVES> drives_{};  ///< as commanded
-    PresentBone present_;
+    PresentScene scene_;
     std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the place of their id; room for all there may be
     BodiesView view_;
     HeldBody held_;
@@ -227,12 +223,10 @@ private:
     std::uint64_t tick_ = 0;
     std::vector<CutRecord> closed_;    ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
-    std::vector<Separation> waiting_, separations_;
-    void keep_for_undo(Moment before);
-    std::vector<Moment> undo_, redo_;
+    std::uint64_t removing_ = 0;       ///< records closed so far that remove bone
+    std::vector<Separation> separations_;
     std::vector<std::unique_ptr<Body>> grown_;  ///< bridges
-    bool is_clear_ = true;  ///< of the bone since the last cut
-    std::vector<std::uint64_t> adoption_ticks_;  ///< of those still to come; empty: as soon as may be
+    std::optional<std::vector<std::uint64_t>> adoption_ticks_;  ///< of those still to come; none: as soon as may be
 };
 
 }  // namespace kerf

@@ -11,8 +11,7 @@
 namespace kerf {
 
 namespace {
-constexpr std::size_t first_reserve = 512;  // bricks
-constexpr std::uint64_t most_behind = 8;    // records that an adoption may lack
+constexpr std::size_t most_behind = 8;  // records that an adoption may lack
 }  // namespace
 
 void Simulation::take_tool(std::size_t tool) {
@@ -37,90 +36,75 @@ void Simulation::take_tool(std::size_t tool) {
 
 // ---- undo ---------------------------------------------------------------------------------------------------------
 
-void Simulation::stamp_closed() {
-    if (to_stamp_.empty()) {
-        is_clear_ = is_clear_ || !is_bone_in_reach(0.0);
-        return;
-    }
-    std::optional<Moment> before;
-    if (is_clear_) before = moment();
-    for (const auto& record : to_stamp_)
-        for (Separation& separation : present_.apply(record, tools_[record.solid].outline.cutting)) waiting_.push_back(std::move(separation));
-    if (!before || present_.is_as_in(before->bone)) return;
-    is_clear_ = false;
-    keep_for_undo(std::move(*before));
+Placings Simulation::placings() const noexcept {
+    Placings placings;
+    placings.count = bodies_.size();
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        placings.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable, bodies_[b]->is_present};
+    return placings;
 }
 
-void Simulation::keep_for_undo(Moment before) {
-    if (undo_.size() == most_undo) undo_.erase(undo_.begin());
-    undo_.push_back(std::move(before));
-    redo_.clear();
-}
-
-Simulation::Moment Simulation::moment() {
-    Moment now{present_.image(), {}, waiting_};
-    for (const auto& body : bodies_) now.places.push_back({body->world_from_body, body->group, body->is_cuttable, body->is_present});
-    return now;
-}
-
-std::string Simulation::undo() { return exchange(undo_, redo_, "take back"); }
-std::string Simulation::redo() { return exchange(redo_, undo_, "do again"); }
-
-std::string Simulation::exchange(std::vector<Moment>& from, std::vector<Moment>& to, const char* what) {
-    if (from.empty()) return std::string("there is no cut to ") + what;
-    if (is_bone_in_reach(0.0)) return "the tool is not clear of the bone";
+std::string Simulation::turn_back(Turn turn) {
+    if (!is_clear_of_bone()) return "the tool is not clear of the bone";
     close_all();
     after_tick();
-    if (from.empty()) return std::string("there is no cut to ") + what;
-    to.push_back(moment());
-    go_back_to(from.back());
-    from.pop_back();
+    scene_.leave_bone();
+    if (!scene_.can(turn)) return turn == Turn::undo ? "there is no cut to take back" : "there is no cut to do again";
+    Restoration restoration = scene_.restoration(turn);
+    scene_.go(turn, placings());
+    exchange_bodies(restoration);
     return {};
 }
 
-void Simulation::go_back_to(const Moment& moment) {
-    present_.restore(moment.bone);
-    waiting_ = moment.waiting;
-    held_.let_go();
+bool Simulation::go_to(Restoration& restoration) noexcept {
+    if (!is_clear_of_bone()) return false;
+    close_all();
+    if (restoration.records != removing_) return false;
+    exchange_bodies(restoration);
+    return true;
+}
+
+void Simulation::exchange_bodies(Restoration& restoration) noexcept {
     // Records are numbered on: what was taken back stays in the log.
-    std::uint64_t next = 0;
-    for (const auto& body : bodies_) next = std::max(next, body->tracker.next_sequence());
-    bodies_.clear();
-    for (std::size_t id = 0; id < moment.places.size(); ++id) {
-        const PresentPiece& piece = present_.piece(id);
-        CutField field = piece.cut;
-        field.reserve(first_reserve);
-        bodies_.push_back(std::make_unique<LiveBody>(static_cast<std::uint16_t>(id), *piece.bone, std::move(field), outline().cutting));
-        LiveBody& body = *bodies_.back();
-        body.world_from_body = moment.places[id].world_from_body;
-        body.group = moment.places[id].group;
-        body.is_cuttable = moment.places[id].is_cuttable;
-        body.is_present = moment.places[id].is_present;
+    const std::uint64_t next = next_sequence();
+    std::swap(bodies_, restoration.bodies);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        LiveBody& body = *bodies_[b];
+        const Placing& placing = restoration.placings.of[b];
+        body.world_from_body = placing.world_from_body;
+        body.group = placing.group;
+        body.is_cuttable = placing.is_cuttable;
+        body.is_present = placing.is_present;
         body.tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool_));
         body.tracker.number_from(next);
         body.tracker.restart(body.body_from(world_from_tool_));
     }
+    held_.let_go();
     look_around();
+}
+
+std::uint64_t Simulation::next_sequence() const noexcept {
+    std::uint64_t next = 0;
+    for (const auto& body : bodies_) next = std::max(next, body->tracker.next_sequence());
+    return next;
 }
 
 // ---- bodies -------------------------------------------------------------------------------------------------------
 
 void Simulation::adopt_what_is_due(bool all) {
+    const auto& waiting = scene_.waiting();
     const auto is_due = [&] {
-        const std::uint64_t at = adoption_ticks_.empty() ? waiting_.front().tick + adoption_delay : adoption_ticks_.front();
-        return all || at <= tick_;
+        if (all) return true;
+        if (!adoption_ticks_) return waiting.front().tick + adoption_delay <= tick_;
+        return !adoption_ticks_->empty() && adoption_ticks_->front() <= tick_;
     };
-    while (!waiting_.empty() && is_due()) {
-        if (!adoption_ticks_.empty()) adoption_ticks_.erase(adoption_ticks_.begin());
-        Separation separation = std::move(waiting_.front());
-        waiting_.erase(waiting_.begin());
-        const std::uint64_t through = bodies_[separation.parent]->tracker.next_sequence();
-        Adoption adoption = adoption_of(separation, present_, outline().cutting, through);
+    while (!waiting.empty() && is_due()) {
+        if (adoption_ticks_ && !adoption_ticks_->empty()) adoption_ticks_->erase(adoption_ticks_->begin());
+        Adoption adoption = scene_.adoption(bodies_[waiting.front().parent]->tracker.next_sequence());
         const bool is_adopted = adopt(adoption);
         KERF_ASSERT(is_adopted, "in lock-step the present bone holds every record");
         static_cast<void>(is_adopted);
-        present_.adopted(separation);
-        separations_.push_back(std::move(separation));
+        separations_.push_back(scene_.take_adopted());
     }
 }
 
@@ -128,13 +112,19 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
     if (adoption.parent >= bodies_.size() || bodies_.size() + adoption.parts.size() > most_bodies) return false;
     LiveBody& parent = *bodies_[adoption.parent];
     const std::uint64_t next = parent.tracker.next_sequence();
-    if (adoption.through + most_behind < next) return false;
+    std::array<const CutRecord*, most_behind> lacking{};
+    std::size_t lacking_count = 0;
+    for (std::size_t i = 0; i < parent.tracker.recent_count(); ++i) {
+        const CutRecord& record = parent.tracker.recent(i);
+        if (record.sequence < adoption.through) continue;
+        if (lacking_count == most_behind) return false;
+        lacking[lacking_count++] = &record;
+    }
 
     // The last few records, which the parent's tracker still knows, are stamped here; the open stretch goes on in all parts.
+    static_assert(CutTracker::recent_capacity > most_behind);
     const auto live_on = [&](LiveBody& body, std::uint64_t next_record) {
-        for (std::size_t i = 0; i < parent.tracker.recent_count(); ++i)
-            if (const CutRecord& record = parent.tracker.recent(i); record.sequence >= adoption.through && record.removes)
-                body.committed.stamp(record, tools_[record.solid].outline.cutting);
+        for (std::size_t i = 0; i < lacking_count; ++i) body.committed.stamp(*lacking[i], tools_[lacking[i]->solid].outline.cutting);
         body.world_from_body = parent.world_from_body;
         body.is_present = parent.is_present;
         body.tracker.go_on_from(parent.tracker, next_record);
@@ -164,14 +154,14 @@ void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexc
 }
 
 std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable) {
-    if (present_.count() >= most_bodies) return "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
+    if (std::string why_not = why_no_more_bodies(); !why_not.empty()) return why_not;
     const auto& tissues = bodies_.front()->bone->materials;
     if (is_cuttable && !std::equal(tissues.begin(), tissues.end(), body.materials.begin(), body.materials.end(),
                                    [](const Material& a, const Material& b) { return a.id == b.id; }))
         return "the tissues of `" + body.id + "` are not those of the bone";
-    keep_for_undo(moment());
-    const std::uint16_t id = present_.add(body);
-    bodies_.push_back(std::make_unique<LiveBody>(id, body, CutField(body, first_reserve), outline().cutting));
+    scene_.keep_for_undo(placings());
+    const std::uint16_t id = present().add(body);
+    bodies_.push_back(std::make_unique<LiveBody>(id, body, CutField(body, live_reserve), outline().cutting));
     LiveBody& live = *bodies_.back();
     live.world_from_body = world_from_body;
     live.is_cuttable = is_cuttable;
@@ -181,10 +171,10 @@ std::string Simulation::insert(const Body& body, const Pose& world_from_body, bo
     return {};
 }
 
-std::string Simulation::subtract(std::size_t tool, const Pose& world_from_tool) {
+void Simulation::subtract(std::size_t tool, const Pose& world_from_tool) {
     close_all();
     after_tick();
-    keep_for_undo(moment());
+    std::vector<CutRecord> records;
     for (const auto& body : bodies_) {
         if (!body->is_present || !body->is_cuttable) continue;
         CutRecord record;
@@ -195,31 +185,43 @@ std::string Simulation::subtract(std::size_t tool, const Pose& world_from_tool) 
         record.from = record.to = body->body_from(world_from_tool);
         body->tracker.number_from(record.sequence + 1);
         body->committed.stamp(record, tools_[tool].outline.cutting);
-        closed_.push_back(record);
-        for (Separation& separation : present_.apply(record, tools_[tool].outline.cutting)) waiting_.push_back(std::move(separation));
+        records.push_back(record);
     }
-    return {};
+    removing_ += records.size();
+    closed_.insert(closed_.end(), records.begin(), records.end());
+    scene_.leave_bone();
+    scene_.apply(records, placings());
+    scene_.leave_bone();  // a change of its own
+}
+
+std::string Simulation::why_no_more_bodies() const {
+    return present().count() < most_bodies ? std::string{} : "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
 }
 
 std::string Simulation::fuse() {
     if (!held_.is_any()) return "nothing is held";
+    if (std::string why_not = why_no_more_bodies(); !why_not.empty()) return why_not;
     const LiveBody& held = *bodies_[held_.body()];
-    const CutBone own{held.bone, &present_.cut(held.id)};
+    std::optional<Bridge> nearest;
+    std::uint16_t beyond = 0;  // the group of what it leads to
     for (const auto& other : bodies_) {
         if (held_.holds(other->id) || !other->is_present || !other->is_cuttable) continue;
-        auto bridge = bridge_between(own, {other->bone, &present_.cut(other->id)}, inverse(other->world_from_body) * held.world_from_body);
-        if (!bridge) continue;
-        grown_.push_back(std::make_unique<Body>(std::move(*bridge)));
-        const std::uint16_t from = other->group, to = held.group;
-        if (std::string why_not = insert(*grown_.back(), held.world_from_body, true); !why_not.empty()) return why_not;
-        bodies_.back()->group = to;
-        for (const auto& body : bodies_)
-            if (body->group == from) body->group = to;
-        held_.take(bodies_, held_.body(), world_from_tool_);
-        look_around();
-        return {};
+        auto bridge = bridge_between({held.bone, &exact(held.id)}, {other->bone, &exact(other->id)}, inverse(other->world_from_body) * held.world_from_body);
+        if (!bridge || (nearest && nearest->span <= bridge->span)) continue;
+        nearest = std::move(bridge);
+        beyond = other->group;
     }
-    return "no other piece is near enough to what is held: within about " + std::to_string(static_cast<int>(2e3 * clamp_voxels * spacing_)) + " mm";
+    if (!nearest)
+        return "no other piece is near enough to what is held: within about " + std::to_string(static_cast<int>(2e3 * clamp_voxels * spacing_)) + " mm";
+    grown_.push_back(std::make_unique<Body>(std::move(nearest->bone)));
+    const std::uint16_t group = held.group;
+    if (std::string why_not = insert(*grown_.back(), held.world_from_body, true); !why_not.empty()) return why_not;
+    bodies_.back()->group = group;
+    for (const auto& body : bodies_)
+        if (body->group == beyond) body->group = group;
+    held_.take(bodies_, held_.body(), world_from_tool_);
+    look_around();
+    return {};
 }
 
 void Simulation::show_body(std::size_t body, bool is_present) noexcept {

@@ -7,14 +7,14 @@ namespace kerf {
 
 namespace {
 constexpr std::size_t queue_records = 4096;  // 4 s at 1 kHz
-constexpr std::size_t reserve_bricks = 512;
+constexpr std::size_t queue_margin = 64;      // kept free for what must not be lost
 constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobody: that would be a system call
 constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
 }  // namespace
 
 SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options)
-    : cutting_(std::move(cutting)), options_(options), bone_(body, reserve_bricks), next_(1, 0), queue_(queue_records) {
-    if (options_.looks_for_pieces) bone_.look_for_pieces(options_.crumb);
+    : options_(options), scene_(body, std::move(cutting)), next_(1, 0), queue_(queue_records) {
+    if (options_.looks_for_pieces) scene_.bone().look_for_pieces(options_.crumb);
     if (options_.makes_surface) patches_.reserve(most_bodies);
     make_surface();
     thread_ = std::thread([this] { work(); });
@@ -31,8 +31,8 @@ SurfaceWorker::~SurfaceWorker() {
 
 // ---- the loop's side ----------------------------------------------------------------------------------------------
 
-bool SurfaceWorker::push(const CutRecord& record) noexcept {
-    if (!queue_.push({record, false})) {
+bool SurfaceWorker::send(const Message& message) noexcept {
+    if (!queue_.push(message)) {
         lost_.fetch_add(1, std::memory_order_relaxed);
         return false;
     }
@@ -40,18 +40,72 @@ bool SurfaceWorker::push(const CutRecord& record) noexcept {
     return true;
 }
 
-void SurfaceWorker::answer(bool is_adopted) noexcept {
-    if (!is_adopted) {
-        offer_state_.store(OfferState::refused, std::memory_order_release);
-        return;
+bool SurfaceWorker::push(const CutRecord& record) noexcept {
+    is_told_clear_ = false;
+    return send({.kind = Message::Kind::cut, .record = record});
+}
+
+bool SurfaceWorker::ask(Turn turn) noexcept {
+    if (asked_ || is_asked_) return false;
+    asked_ = turn;
+    return true;
+}
+
+SurfaceWorker::TakenOver SurfaceWorker::exchange(Simulation& simulation, std::uint64_t delay) noexcept {
+    TakenOver taken;
+    tell_cuts(simulation);
+    if (queue_.size() + queue_margin > queue_.capacity()) return taken;
+    if (offer_.is_out(restorations_) && offer_.made.tick + delay <= simulation.ticks()) {
+        taken.separation = simulation.adopt(offer_.made);
+        offer_.set(taken.separation ? offer_.taken : offer_.refused, restorations_);
+        // In the queue, so that the worker knows which records came before.
+        if (taken.separation) (void)send({.kind = Message::Kind::adopted});
     }
-    offer_state_.store(OfferState::taken, std::memory_order_release);
-    // In the queue, so that the worker knows which records came before.
-    if (!queue_.push({{}, true})) {
-        lost_.fetch_add(1, std::memory_order_relaxed);
-        return;
+    if (restoration_.is_out(restorations_)) take_restoration(simulation, taken);
+    if (asked_) {  // after what tells that the tool has left the bone
+        is_asked_ = send({.kind = *asked_ == Turn::undo ? Message::Kind::undo : Message::Kind::redo});
+        asked_.reset();
     }
-    pushed_.fetch_add(1, std::memory_order_release);
+    return taken;
+}
+
+void SurfaceWorker::tell_cuts(const Simulation& simulation) noexcept {
+    bool has_cut = false;
+    for (const CutRecord& record : simulation.closed()) {
+        if (!record.removes) continue;
+        if (!std::exchange(has_cut, true)) tell_placings(simulation);
+        (void)push(record);
+    }
+    if (!has_cut && !is_told_clear_ && simulation.is_clear_of_bone()) is_told_clear_ = send({.kind = Message::Kind::clear_of_bone});
+}
+
+void SurfaceWorker::tell_placings(const Simulation& simulation) noexcept {
+    const Placings now = simulation.placings();
+    for (std::size_t b = 0; b < now.count; ++b) {
+        if (b < told_.count && now.of[b].is_same_as(told_.of[b])) continue;
+        Message message{.kind = Message::Kind::placed, .count = static_cast<std::uint16_t>(now.count), .placing = now.of[b]};
+        message.record.body = static_cast<std::uint16_t>(b);
+        (void)send(message);
+    }
+    told_ = now;
+}
+
+void SurfaceWorker::take_restoration(Simulation& simulation, TakenOver& taken) noexcept {
+    is_asked_ = false;
+    const Turn turn = restoration_.made.turn;
+    tell_placings(simulation);
+    const bool may_go = !restoration_.made.bodies.empty() && simulation.is_clear_of_bone();
+    const bool has_gone = may_go && simulation.go_to(restoration_.made);
+    if (may_go) tell_cuts(simulation);  // what it closed
+    restoration_.set(restoration_.taken, restorations_);
+    (has_gone ? taken.turn : taken.refused_turn) = turn;
+    Message message{.kind = has_gone ? Message::Kind::restored : Message::Kind::dropped};
+    if (has_gone) {
+        ++restorations_;
+        told_ = simulation.placings();
+        message.record.sequence = simulation.next_sequence();
+    }
+    (void)send(message);
 }
 
 void SurfaceWorker::wait_for_all() {
@@ -60,7 +114,7 @@ void SurfaceWorker::wait_for_all() {
     wake_.notify_all();
     idle_.wait(lock, [&] {
         return done_.load(std::memory_order_acquire) == pushed_.load(std::memory_order_acquire) && !is_surface_old_ &&
-               offer_state_.load(std::memory_order_acquire) != OfferState::refused;
+               !offer_.is(offer_.refused);
     });
     --waiting_for_all_;
 }
@@ -78,7 +132,7 @@ void SurfaceWorker::work() {
     bool is_waited_for = false;
     for (;;) {
         const std::uint64_t taken = take_all();
-        if (offer_state_.load(std::memory_order_acquire) == OfferState::refused) make_offer();
+        if (offer_.is(offer_.refused)) make_offer();
         const bool is_old = is_surface_old_ || taken > 0;
         const bool is_due = is_old && (is_waited_for || Clock::now() - surface_made >= surface_time);
         if (is_due) {
@@ -108,29 +162,58 @@ std::uint64_t SurfaceWorker::take_all() {
 }
 
 void SurfaceWorker::take(const Message& message) {
-    if (message.is_adoption) {
-        // What the loop had before came back in the offer, and ends here.
-        bone_.adopted(waiting_.front());
-        for (std::size_t n = 1; n < waiting_.front().parts.size(); ++n) {
-            const std::size_t body = waiting_.front().parts[n].body;
-            if (next_.size() <= body) next_.resize(body + 1, 0);
+    switch (message.kind) {
+        case Message::Kind::cut: {
+            const bool had_offer = !scene_.waiting().empty();
+            scene_.apply({&message.record, 1}, placings_);
+            next_[message.record.body] = message.record.sequence + 1;
+            ++records_;
+            if (!had_offer && !scene_.waiting().empty()) make_offer();
+            break;
         }
-        waiting_.erase(waiting_.begin());
-        offer_ = {};
-        offer_state_.store(OfferState::none, std::memory_order_release);
-        if (!waiting_.empty()) make_offer();
-        return;
+        case Message::Kind::placed:
+            placings_.of[message.record.body] = message.placing;
+            placings_.count = message.count;
+            break;
+        case Message::Kind::clear_of_bone: scene_.leave_bone(); break;
+        case Message::Kind::undo: make_restoration(Turn::undo); break;
+        case Message::Kind::redo: make_restoration(Turn::redo); break;
+        case Message::Kind::adopted: {
+            const Separation separation = scene_.take_adopted();
+            for (const auto& part : separation.parts)
+                if (next_.size() <= part.body) next_.resize(part.body + 1u, 0);
+            offer_.made = {};  // what the loop had before came back in it, and ends here
+            offer_.set(offer_.none, restored_);
+            if (!scene_.waiting().empty()) make_offer();
+            break;
+        }
+        case Message::Kind::restored:
+            scene_.go(restoration_.made.turn, placings_);
+            placings_ = restoration_.made.placings;
+            next_.assign(placings_.count, message.record.sequence);
+            ++restored_;
+            offer_.made = {};
+            offer_.set(offer_.none, restored_);
+            [[fallthrough]];
+        case Message::Kind::dropped:
+            restoration_.made = {};
+            restoration_.set(restoration_.none, restored_);
+            if (message.kind == Message::Kind::restored && !scene_.waiting().empty()) make_offer();
+            break;
     }
-    const bool had_offer = !waiting_.empty();
-    for (Separation& separation : bone_.apply(message.record, *cutting_[message.record.solid])) waiting_.push_back(std::move(separation));
-    next_[message.record.body] = message.record.sequence + 1;
-    if (!had_offer && !waiting_.empty()) make_offer();
 }
 
 void SurfaceWorker::make_offer() {
-    const Separation& separation = waiting_.front();
-    offer_ = adoption_of(separation, bone_, *cutting_.front(), next_[separation.parent]);
-    offer_state_.store(OfferState::offered, std::memory_order_release);
+    offer_.made = scene_.adoption(next_[scene_.waiting().front().parent]);
+    offer_.set(offer_.out, restored_);
+}
+
+void SurfaceWorker::make_restoration(Turn turn) {
+    restoration_.made = {};
+    if (!scene_.is_in_a_cut() && scene_.can(turn)) restoration_.made = scene_.restoration(turn);
+    restoration_.made.turn = turn;
+    restoration_.made.records = records_;
+    restoration_.set(restoration_.out, restored_);
 }
 
 void SurfaceWorker::make_surface() {
@@ -143,15 +226,20 @@ void SurfaceWorker::make_surface() {
     }
     if (last != nullptr) *surface = *last;
     ++surface->version;
-    bool has_changed = last == nullptr;
-    for (std::size_t body = 0; body < bone_.count(); ++body) {
-        const std::vector<std::size_t> changed = bone_.take_changed(body);
+    PresentBone& bone = scene_.bone();
+    bool has_changed = last == nullptr || surface->patches.size() > bone.count();
+    if (surface->patches.size() > bone.count()) {  // a cut was taken back
+        patches_.erase(patches_.begin() + static_cast<std::ptrdiff_t>(bone.count()), patches_.end());
+        surface->patches.erase(surface->patches.begin() + static_cast<std::ptrdiff_t>(bone.count()), surface->patches.end());
+    }
+    for (std::size_t body = 0; body < bone.count(); ++body) {
+        const std::vector<std::size_t> changed = bone.take_changed(body);
         const bool is_new = body >= patches_.size();
         if (is_new) {
-            patches_.emplace_back(*bone_.piece(body).bone);
-            surface->patches.emplace_back(bone_.piece(body).bone->grid().brick_count());
+            patches_.emplace_back(*bone.piece(body).bone);
+            surface->patches.emplace_back(bone.piece(body).bone->grid().brick_count());
         }
-        const auto published = is_new ? patches_[body].update_all(bone_.cut(body)) : patches_[body].update(bone_.cut(body), changed);
+        const auto published = is_new ? patches_[body].update_all(bone.cut(body)) : patches_[body].update(bone.cut(body), changed);
         if (!published.empty()) surface->patches[body] = surface->patches[body].with(published);
         has_changed = has_changed || is_new || !published.empty();
     }

@@ -2,39 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <thread>
 
 #include "core/field/bone_surface.h"
-#include "core/haptics/surface_worker.h"
-#include "tests/support/loop_guard.h"
-#include "tests/support/mill.h"
+#include "tests/support/milled_bar.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
 
-struct Milled {
-    Body body = test::bar(0.2_mm);
-    ToolSetup setup = test::mill();
-    ToolOutline outline = made(setup);
-    Simulation simulation{body, setup, outline, gains_for(*find_device("premium-1.5-6dof"), 0.1), test::mill_at(-3.0_mm)};
-    double x = -3.0_mm;
-
-    static ToolOutline made(const ToolSetup& setup) {
-        ToolOutline outline;
-        std::string error;
-        EXPECT_TRUE(outline_of(setup, outline, error)) << error;
-        return outline;
-    }
-    /// One tick of the hand on its way along x, 2 µm.
-    TickResult go(double y = 2.0_mm) {
-        x += 2.0_um;
-        return simulation.tick({test::mill_at(x, y)});
-    }
-};
+using test::Milled;
 
 double volume_of(const Mesh& mesh) {
     double sum = 0.0;
@@ -144,160 +121,6 @@ TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
         EXPECT_LT(bone_volume(milled.body, milled.simulation.exact(b)), before[b] - 0.5e-9) << "body " << b;
         EXPECT_TRUE(milled.simulation.committed(b).same_bits(milled.simulation.exact(b))) << "body " << b;
     }
-}
-
-// ---- the worker ---------------------------------------------------------------------------------------------------
-
-struct Ended {
-    std::vector<std::uint64_t> hashes;
-    std::vector<std::uint64_t> adopted_at;
-    std::vector<Pose> way;
-};
-
-/// On the clock: the worker is asked as it comes, and is slow now and then. `late`: how slow.
-Ended live(int late) {
-    Milled milled;
-    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
-    Ended ended;
-    while (milled.x < 4.0_mm) {
-        const TickResult r = milled.go();
-        for (const CutRecord& record : milled.simulation.closed())
-            EXPECT_TRUE(!record.removes || worker.push(record));
-        ended.way.push_back(r.world_from_tool);
-        milled.simulation.make_room();
-        // However slow this machine is, the worker is never behind for long.
-        if (late == 0 || milled.simulation.ticks() % (25 + static_cast<unsigned>(late)) == 0) worker.wait_for_all();
-        if (late > 0 && milled.simulation.ticks() % 17 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1 + milled.simulation.ticks() * 7 % static_cast<unsigned>(late)));
-        if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay + static_cast<unsigned>(late) <= milled.simulation.ticks()) {
-            const bool is_adopted = milled.simulation.adopt(*offer);
-            worker.answer(is_adopted);
-            if (is_adopted) ended.adopted_at.push_back(milled.simulation.ticks());
-        }
-    }
-    worker.wait_for_all();
-    for (std::size_t b = 0; b < worker.bone().count(); ++b) ended.hashes.push_back(worker.bone().cut(b).hash());
-    EXPECT_EQ(worker.lost(), 0u);
-    return ended;
-}
-
-Ended lock_step(const std::vector<std::uint64_t>& adoptions) {
-    Milled milled;
-    milled.simulation.look_for_pieces(1e-9);
-    milled.simulation.replay_adoptions(adoptions);
-    Ended ended;
-    while (milled.x < 4.0_mm) {
-        ended.way.push_back(milled.go().world_from_tool);
-        milled.simulation.after_tick();
-        for (std::size_t n = 0; n < milled.simulation.take_separations().size(); ++n) ended.adopted_at.push_back(milled.simulation.ticks());
-    }
-    for (std::size_t b = 0; b < milled.simulation.present().count(); ++b) ended.hashes.push_back(milled.simulation.exact(b).hash());
-    return ended;
-}
-
-TEST(SurfaceWorker, LiveAndLockStepGiveTheSameBitsForTheSameAdoption) {
-    for (const int late : {0, 3, 40}) {
-        const Ended on_the_clock = live(late);
-        ASSERT_EQ(on_the_clock.adopted_at.size(), 1u) << "late by " << late;
-        const Ended replayed = lock_step(on_the_clock.adopted_at);
-        EXPECT_EQ(replayed.adopted_at, on_the_clock.adopted_at);
-        EXPECT_EQ(replayed.hashes, on_the_clock.hashes) << "late by " << late;
-        ASSERT_EQ(replayed.way.size(), on_the_clock.way.size());
-        for (std::size_t i = 0; i < replayed.way.size(); ++i) ASSERT_TRUE(replayed.way[i].position == on_the_clock.way[i].position) << "tick " << i << ", late by " << late;
-    }
-}
-
-TEST(SurfaceWorker, PublishesTheSurfaceOfEachBody) {
-    Milled milled;
-    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
-    const auto at_first = worker.surface();
-    ASSERT_EQ(at_first->patches.size(), 1u);
-    milled.simulation.look_for_pieces(1e-9);
-    while (milled.x < 4.0_mm) {
-        milled.go();
-        for (const CutRecord& record : milled.simulation.closed())
-            EXPECT_TRUE(!record.removes || worker.push(record));
-        milled.simulation.make_room();
-        if (milled.simulation.ticks() % 10 == 0) worker.wait_for_all();
-        if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= milled.simulation.ticks())
-            worker.answer(milled.simulation.adopt(*offer));
-    }
-    worker.wait_for_all();
-    const auto at_last = worker.surface();
-    ASSERT_EQ(at_last->patches.size(), 2u);
-    EXPECT_GT(at_last->version, at_first->version);
-    // What was handed out before has not changed, and what there is now is the whole surface
-    for (std::size_t body = 0; body < 2; ++body) {
-        SurfacePatches whole(milled.body);
-        (void)whole.update_all(worker.bone().cut(body));
-        for (std::size_t b = 0; b < milled.body.grid().brick_count(); ++b) {
-            const auto& mine = at_last->patches[body][b];
-            ASSERT_EQ(mine == nullptr, whole.patch(b) == nullptr) << "body " << body << ", brick " << b;
-            if (mine != nullptr) {
-                ASSERT_TRUE(mine->is_same_as(whole.patch(b)->view())) << "body " << body << ", brick " << b;
-            }
-        }
-    }
-}
-
-std::size_t triangles_of(const SurfaceWorker::Surface& surface, std::size_t bricks) {
-    std::size_t sum = 0;
-    for (const PatchTable& patches : surface.patches)
-        for (std::size_t b = 0; b < bricks; ++b)
-            if (patches[b] != nullptr) sum += patches[b]->triangles().size();
-    return sum;
-}
-
-TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
-    // Given a reader who takes one surface after the other, and keeps the first
-    Milled milled;
-    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
-    const std::size_t bricks = milled.body.grid().brick_count();
-    const auto first = worker.surface();
-    const std::size_t at_first = triangles_of(*first, bricks);
-    std::atomic<bool> has_seen_it_change{false};
-    std::thread reader([&] {
-        std::uint64_t last = first->version;
-        while (!has_seen_it_change) {
-            const auto now = worker.surface();
-            EXPECT_GE(now->version, last);
-            last = now->version;
-            has_seen_it_change = triangles_of(*now, bricks) != at_first;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-    });
-
-    // When bone is milled, and nobody waits for the worker
-    while (milled.x < 0.0_mm) {
-        milled.go();
-        for (const CutRecord& record : milled.simulation.closed())
-            if (record.removes) (void)worker.push(record);
-        milled.simulation.make_room();
-    }
-
-    // Then the reader comes to see it, and what it kept has not changed
-    reader.join();
-    EXPECT_EQ(triangles_of(*first, bricks), at_first);
-}
-
-TEST(SurfaceWorker, AdoptingWhatItMadeNeitherAllocatesNorWaits) {
-    Milled milled;
-    SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
-    bool has_adopted = false;
-    while (milled.x < 4.0_mm) {
-        const test::Forbidden before = test::forbidden_here();
-        milled.go();
-        for (const CutRecord& record : milled.simulation.closed())
-            if (record.removes) (void)worker.push(record);
-        if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= milled.simulation.ticks()) {
-            const bool is_adopted = milled.simulation.adopt(*offer);
-            worker.answer(is_adopted);
-            has_adopted = has_adopted || is_adopted;
-        }
-        EXPECT_EQ(test::forbidden_here(), before) << "tick " << milled.simulation.ticks();
-        milled.simulation.make_room();
-        if (milled.simulation.ticks() % 10 == 0) worker.wait_for_all();
-    }
-    EXPECT_TRUE(has_adopted);
 }
 
 }  // namespace

@@ -253,7 +253,7 @@ TEST(Insert, BoneOfOtherTissuesIsRefused) {
 
 TEST(Subtract, TakesWhatTheSolidHolds) {
     Bench bench;
-    ASSERT_EQ(bench.simulation.subtract(0, test::mill_at(0.0, 2.0_mm)), "");
+    bench.simulation.subtract(0, test::mill_at(0.0, 2.0_mm));
     const double cylinder = pi * test::Milling::radius * test::Milling::radius * 3.0_mm;
     EXPECT_NEAR(bench.simulation.present().removed(), cylinder, 0.02 * cylinder);
     EXPECT_TRUE(bench.simulation.committed().same_bits(bench.simulation.exact()));
@@ -308,6 +308,18 @@ TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
     ASSERT_EQ(undone.simulation.bodies().size(), 2u);
     EXPECT_NEAR(undone.simulation.present().removed(), plain.simulation.present().removed(), 1e-3 * plain.simulation.present().removed());
     EXPECT_NE(undone.simulation.redo(), "");
+}
+
+TEST(Undo, PassingByIsNoCut) {
+    // Given the mill on its way past the bar, 0.3 mm from it: near enough to change distances in the air
+    Bench bench;
+    bench.go_to({-4.0_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
+    bench.go_to({-1.5_mm - test::Milling::radius - 0.3_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
+    const std::uint64_t before = bench.simulation.present().hash();
+    bench.go_to({bench.hand.position.x, -12.0_mm, 6.0_mm}, 20.0_um);
+    EXPECT_NE(bench.simulation.present().hash(), before);
+    EXPECT_EQ(bench.simulation.present().removed(), 0.0);
+    EXPECT_EQ(bench.simulation.undo(), "there is no cut to take back");
 }
 
 TEST(Undo, WaitsUntilTheToolIsClearOfTheBone) {

@@ -71,12 +71,7 @@ struct Rig {
         const TickResult result = simulation.tick({hand.pose});
         happened.was_fast = result.parts > 1;
         happened.was_barred = result.is_barred;
-        for (const CutRecord& record : simulation.closed())
-            if (record.removes) (void)worker.push(record);
-        if (Adoption* offer = worker.offered(); offer != nullptr && offer->tick + Simulation::adoption_delay <= simulation.ticks()) {
-            happened.has_adopted = simulation.adopt(*offer);
-            worker.answer(happened.has_adopted);
-        }
+        happened.has_adopted = worker.exchange(simulation).separation;
         return happened;
     }
     [[nodiscard]] bool is_offer_due() {
