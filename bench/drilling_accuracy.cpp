@@ -276,7 +276,7 @@ void repeatability(const char* name, int shifts) {
 
 int main() {
     crossing(10);
-    partial_volume(10);
+    partial_volume(40);
     tilted_volume(20);
     for (const char* name : {"l3.yaml", "t12.yaml"}) repeatability(name, 10);
     return 0;

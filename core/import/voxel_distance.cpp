@@ -37,6 +37,19 @@ double solved(std::array<double, 3> near, std::array<double, 3> spacing) {
     return distance;
 }
 
+/// Where the border crosses the line through four voxels between the second and the third, as a share of the way; `inner` and
+/// `outer` are the next ones. Either way round.
+double crossing(double inner, double here, double there, double outer, double threshold) {
+    constexpr double blurred = 0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
+    const double share = (here - threshold) / (here - there);
+    const bool falls = here > there;
+    const double full = falls ? std::max(inner, here) : std::min(inner, here), empty = falls ? std::min(outer, there) : std::max(outer, there);
+    const double whole = full - empty;
+    const double sharpness = 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred;
+    if (sharpness <= 0.0) return share;
+    return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
+}
+
 }  // namespace
 
 VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double farthest) {
@@ -60,7 +73,11 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 is_bone ? here >= threshold && there < threshold : here < threshold && there >= threshold;
             ++faces;
             crossings += crosses;
-            const double share = crosses ? (here - threshold) / (here - there) : 0.5;
+            const auto value = [&](int steps, double otherwise) {
+                const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
+                return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
+            };
+            const double share = crosses ? crossing(value(-1, here), here, there, value(2, there), threshold) : 0.5;
             ways[n / 2] = std::min(ways[n / 2], share * spacing[n / 2]);
         }
         const double near = distance_to_plane(ways);
