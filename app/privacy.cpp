@@ -150,7 +150,9 @@ private:
         while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
         while (is_letter(at(end)) || at(end) == '-') ++end;
         // Of a hundred million bytes that mean nothing a few look like that
-        if (!where_.empty() && (!(is_name(from, caret) && is_name(caret + 1, end)) || is_row_of_numbers(from, end))) return;
+        const bool is_by_chance = !is_name(from, caret) || !is_name(caret + 1, end) || is_row_of_numbers(from, end) || (from > 0 && !bounds_a_value(text_[from - 1])) ||
+                                  !bounds_a_value(at(end));
+        if (!where_.empty() && is_by_chance) return;
         if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
     }
     /// Three letters or more, `Doe` or `DOE`, and nothing between.
@@ -161,13 +163,19 @@ private:
             if (is_capital(n) != is_capital(from + 1)) return false;
         return true;
     }
-    /// Every second byte the same: numbers of two bytes each, such as the corners of triangles.
+    /// What stands before and behind a value, in a header or a text: a length, a tag, a space, a quotation mark.
+    [[nodiscard]] static bool bounds_a_value(char c) {
+        return static_cast<unsigned char>(c) <= 0x20 || std::string_view("\"'<>=:;,^\\").find(c) != std::string_view::npos;
+    }
+    /// Every second byte the same, or every fourth from before to behind: numbers of two or four bytes each, such as corners of triangles.
     [[nodiscard]] bool is_row_of_numbers(std::size_t from, std::size_t end) const {
         for (const std::size_t first : {from, from + 1}) {
             bool is_same = true;
             for (std::size_t n = first + 2; n < end; n += 2) is_same = is_same && text_[n] == text_[first];
             if (is_same) return true;
         }
+        for (std::size_t n = std::max<std::size_t>(from, 4); n < from + 4; ++n)
+            if (text_[n - 4] == text_[n] && at(n + 4) == text_[n]) return true;
         return false;
     }
     /// A UID (six numbers or more with points between them), 2024-05-17, or 20240517.

@@ -463,10 +463,11 @@ std::int32_t quantised(float depth, float per_quantum) noexcept {
 }
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest) noexcept {
+           std::int16_t& lowest, std::int16_t& highest, std::int16_t& spare) noexcept {
     const auto& at = cell.along;
     bool is_raised = false;
-    std::int32_t least = 32767, most = -32767;
+    std::int32_t least = 32767, most = -32767, least_spare = 32767;
+    const auto end_of_band = static_cast<std::int32_t>(-band * per_quantum);
     for (int z = 0; z < 3; ++z)
         for (int y = 0; y < 3; ++y)
             for (int x = 0; x < stored_edge; ++x) {
@@ -477,6 +478,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 const float r = radius_of(outline, p);
                 std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
                 const float at_most = depth_at_most(outline, p, r);
+                if (sample < 32767) least_spare = std::min(least_spare, std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
                 if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
                     const float depth = depth_from(outline, p, r, at_most);
                     const std::int32_t value = quantised(depth, per_quantum);
@@ -488,6 +490,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 least = std::min<std::int32_t>(least, sample);
                 most = std::max<std::int32_t>(most, sample);
             }
+    spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
     if (!is_raised) return false;
     lowest = static_cast<std::int16_t>(least);
     highest = static_cast<std::int16_t>(most);

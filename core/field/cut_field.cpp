@@ -92,6 +92,7 @@ CutField::CutField(const CutField &other)
     prepare();
     samples_.assign(other.samples_.begin(), other.samples_.end());
     ranges_.assign(other.ranges_.begin(), other.ranges_.end());
+    memory_ = other.memory_;
     used_ = other.used_;
     capacity_ = other.capacity_;
 }
@@ -169,6 +170,7 @@ void CutField::find_ranges(std::size_t index) noexcept {
         ranges.lowest[cell] = lowest;
         ranges.highest[cell] = highest;
     }
+    ranges.compared = 0;
     is_full_[index] = std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
 }
 
@@ -223,7 +225,7 @@ std::size_t CutField::stamp_pose(const Pose &body_from_tool, const ToolSolid &so
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
 
     // Of those that hold bone, a block at a time: does the solid reach them?
-    PoseStamp stamp(g, solid, body_from_tool);
+    PoseStamp stamp(g, solid, body_from_tool, &memory_);
     PointBlock centres;
     std::array<std::array<int, 3>, block_capacity> places;
     std::array<std::size_t, block_capacity> numbers;

@@ -160,6 +160,7 @@ private:
     std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
     BrickSamples<std::int16_t> samples_;  ///< has room for every brick that can be cut, so stamping never moves it
     std::vector<CellRanges> ranges_;  ///< of the bricks in use
+    StampMemory memory_;
     std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is how many hold bone
 };
 

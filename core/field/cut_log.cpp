@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/field/reach.h"
 
 namespace kerf {
 
 namespace {
-constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
+constexpr double record_voxels = 0.1;       ///< motion that closes a record (R2)
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
@@ -87,7 +88,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     has_removed_ = true;
     if (pending_count_ == pending_capacity) {  // nobody has come to commit: rather early than lost
         ++early_commits_;
-        commit_oldest();
+        commit_at_once(1);
     }
     const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
     pending_[slot] = record;
@@ -116,34 +117,50 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
     last_bricks_ = 0;
     while (pending_count_ > pending_limit) {
         if (!is_passed(0)) ++early_commits_;
-        last_bricks_ += commit_oldest();
+        last_bricks_ += commit_at_once(1);
     }
 
-    // A few bricks a tick for each record that waits, so that the tool does not leave the stamping behind.
-    int allowance = 0;
-    while (is_passed(static_cast<std::size_t>(allowance / bricks_per_tick))) allowance += bricks_per_tick;
-    if (allowance == 0 && progress_.has_begun()) allowance = bricks_per_tick;
-    while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_passed(0))) {
-        if (!committed_->stamp_on(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
-        drop_oldest();
+    const auto is_group_passed = [&](std::size_t first) {
+        for (std::size_t i = first + group_records; i-- > first;)
+            if (!is_passed(i)) return false;
+        return true;
+    };
+    if (group_count_ == 0 && is_group_passed(0)) group_count_ = group_left_ = group_records;
+    if (group_count_ == 0) return;
+    // More for those that wait, so that the tool does not leave the stamping behind.
+    int most = bricks_per_tick;
+    for (std::size_t first = group_count_; is_group_passed(first); first += group_records) most += bricks_per_tick;
+    go_on_with_group(most);
+}
+
+void CutTracker::go_on_with_group(int most) {
+    constexpr int quarters = 4;
+    int touched = quarters * last_bricks_;
+    while (group_left_ > 0 && touched < quarters * most) {
+        const bool is_newest = group_left_ == group_count_;
+        int bricks = is_newest ? touched / quarters : touched;
+        const bool is_done = committed_->stamp_on(pending(group_left_ - 1), *solid_, is_newest ? most : quarters * most, progress_, bricks);
+        touched = is_newest ? quarters * bricks : bricks;
+        if (!is_done) break;
+        progress_ = {};
+        --group_left_;
     }
+    last_bricks_ = touched / quarters;
+    if (group_left_ > 0) return;
+    pending_first_ = (pending_first_ + group_count_) % pending_capacity;
+    pending_count_ -= std::exchange(group_count_, std::size_t{0});
 }
 
 void CutTracker::flush() {
-    while (pending_count_ > 0) commit_oldest();
+    if (group_count_ > 0) commit_at_once(group_count_);
+    if (pending_count_ > 0) commit_at_once(pending_count_);
 }
 
-int CutTracker::commit_oldest() {
-    int bricks = 0;
-    committed_->stamp_on(pending(0), *solid_, std::numeric_limits<int>::max(), progress_, bricks);
-    drop_oldest();
-    return bricks;
-}
-
-void CutTracker::drop_oldest() noexcept {
-    progress_ = {};
-    pending_first_ = (pending_first_ + 1) % pending_capacity;
-    --pending_count_;
+int CutTracker::commit_at_once(std::size_t count) {
+    if (group_count_ == 0) group_count_ = group_left_ = count;
+    const int before = std::exchange(last_bricks_, 0);
+    go_on_with_group(std::numeric_limits<int>::max() / 8);
+    return std::exchange(last_bricks_, before);
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {

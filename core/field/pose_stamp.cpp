@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool) noexcept
-    : grid_(&grid), solid_(&solid), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
+PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
+    : grid_(&grid), solid_(&solid), memory_(solid.is_convex() ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
     const double at[3] = {tip.x, tip.y, tip.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -49,15 +49,57 @@ SampleCell PoseStamp::cell_at(int i, int j, int k) const noexcept {
     return cell;
 }
 
-bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) const noexcept {
+const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept {
+    if (memory_ == nullptr || number == 0) return nullptr;
+    Motion& motion = motions_[number % motions_.size()];
+    if (motion.since != number) {
+        motion = {};
+        motion.since = number;
+        const StampMemory::Stamped* then = memory_->find(number);
+        if (then == nullptr || then->solid != solid_->shape_hash()) return nullptr;
+        const Pose then_from_now = then->tool_from_body * inverse(tool_from_body_);
+        const Quat& q = then_from_now.rotation;
+        motion.shift = -then_from_now.position;
+        motion.turn = (q.w < 0.0 ? 2.0 : -2.0) * Vec3{q.x, q.y, q.z};  // by its sine, for its angle
+        motion.turned = length(motion.turn);
+        motion.error = motion.turned * motion.turned;
+        motion.is_known = motion.turned < 0.1;
+    }
+    return motion.is_known ? &motion : nullptr;
+}
+
+double PoseStamp::most_gained(const Motion& motion, Vec3 middle, Vec3 half) const noexcept {
+    constexpr double rounding = 2.0;  // [quanta]
+    const double size = length(half), spread = motion.turned * size + motion.error * (length(middle) + size);
+    const double gained = solid_->most_gained(middle, half, motion.shift + cross(motion.turn, middle), spread, grid_->clamp() + grid_->quantum());
+    return gained / grid_->quantum() + rounding;
+}
+
+Vec3 PoseStamp::extent(double along_x, double across) const noexcept {
+    const auto [x, y, z] = along_;
+    const auto reach = [&](double in_x, double in_y, double in_z) { return along_x * std::abs(in_x) + across * (std::abs(in_y) + std::abs(in_z)); };
+    return {reach(x.x, y.x, z.x), reach(x.y, y.y, z.y), reach(x.z, y.z, z.z)};
+}
+
+bool PoseStamp::is_as_before(const CellRanges& ranges, int i, int j, int k) noexcept {
+    const Motion* since = motion_since(ranges.compared);
+    constexpr double half = 0.5 * brick_edge;
+    return since != nullptr && most_gained(*since, place_in(cell_at(i, j, k), half, half, half), extent(half, half)) <=
+                                   static_cast<double>(*std::min_element(ranges.spare.begin(), ranges.spare.end()));
+}
+
+bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) noexcept {
+    if (is_as_before(ranges, i, j, k)) return false;
+    if (memory_ != nullptr && number_ == 0) number_ = memory_->add(*solid_, tool_from_body_);
+    const Motion* since = motion_since(ranges.compared);
+    SampleCell cell = cell_at(i, j, k);
+
     // How deep can any sample of a cell be? No deeper than a plane that touches the solid; or, since the distance is
     // 1-Lipschitz, than the middle by as much as it lies from there.
-    SampleCell cell = cell_at(i, j, k);
     PointBlock middles;
     for (std::size_t n = 0; n < CellRanges::count; ++n) {
         const CellPlace at = CellPlace::of(n);
-        const auto place = [&](std::size_t axis, int within) { return static_cast<double>(cell.first[axis]) + within; };
-        middles.add(origin_ + place(0, 4) * along_[0] + place(1, at.first_y + 1) * along_[1] + place(2, at.first_z + 1) * along_[2]);
+        middles.add(place_in(cell, 4.0, at.first_y + 1.0, at.first_z + 1.0));
     }
     BlockValues depth;
     PointBlock gradient;
@@ -71,32 +113,44 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
     const SingleOutline whole = solid_->single();
     const float first[2] = {cell.first[1], cell.first[2]};
     bool is_changed = false;
-    const auto spread = [&](double x, double y, double z) { return 4.0 * std::abs(x) + std::abs(y) + std::abs(z); };
-    const auto [x, y, z] = along_;
-    const Vec3 half{spread(x.x, y.x, z.x), spread(x.y, y.y, z.y), spread(x.z, y.z, z.z)};
+    const Vec3 half = extent(4.0, 1.0);
     for (std::size_t n = 0; n < CellRanges::count; ++n) {
-        if (ranges.lowest[n] == 32767) continue;
+        const auto keep = [&](double spare) { ranges.spare[n] = static_cast<std::int16_t>(std::min(spare, 32767.0)); };
+        if (ranges.lowest[n] == 32767) {
+            keep(32767.0);
+            continue;
+        }
         double deepest = depth[n] + radius;
         if (has_tangents) {
             const auto along = [&](std::size_t axis) { return std::abs(dot(gradient[n], along_[axis])); };
             deepest = depth[n] + 4.0 * along(0) + along(1) + along(2);
         }
         deepest *= per_quantum;
-        if (deepest < lowest_kept || ranges.lowest[n] >= deepest + 2.0) continue;
+        if (const double spare = std::max<double>(lowest_kept, ranges.lowest[n] - 2.0) - deepest; spare >= 0.0) {
+            keep(spare);
+            continue;
+        }
+        if (since != nullptr) {
+            if (const double spare = ranges.spare[n] - most_gained(*since, middles[n], half); spare >= 0.0) {
+                keep(spare);
+                continue;
+            }
+        }
         const CellPlace at = CellPlace::of(n);
         cell.first[1] = first[0] + static_cast<float>(at.first_y);
         cell.first[2] = first[1] + static_cast<float>(at.first_z);
         const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
         cell.has_edges = solid_->has_edge_within(middles[n], half, 2.0 * band_ + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
-                                 samples + at.first_sample(), ranges.lowest[n], ranges.highest[n]))
+                                 samples + at.first_sample(), ranges.lowest[n], ranges.highest[n], ranges.spare[n]))
             is_changed = true;
     }
+    ranges.compared = number_;
     return is_changed;
 }
 
 bool PoseStamp::raise(std::int16_t* samples, CellRanges& ranges, int i, int j, int k, const std::array<int, 3>& first,
-                      const std::array<int, 3>& last) const noexcept {
+                      const std::array<int, 3>& last) noexcept {
     const int low[] = {i * brick_edge, j * brick_edge, k * brick_edge};
     bool is_all_within = true;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -2,9 +2,11 @@
 #include "core/field/tool_solid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/field/azimuths.h"
+#include "core/field/fnv1a.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -44,6 +46,14 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
     is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
+    Fnv1a hash;
+    const auto add = [&](double v) { hash.add_bytes(std::bit_cast<std::uint64_t>(v), 8); };
+    for (const auto& [z, radius] : outline_) {
+        add(z);
+        add(radius);
+    }
+    add(half_thickness_);
+    shape_hash_ = hash.value();
     KERF_ASSERT(is_convex_ || !is_prism(), "give a prism an outline that bends towards the axis only");
 }
 
@@ -96,6 +106,49 @@ double ToolSolid::distance(double r, double z) const noexcept {
         is_beside = is_beside || (to_face(s) == depth && along >= 0.0 && along <= 1.0);
     }
     return is_beside ? -depth : std::sqrt(squared_distance(r, z));
+}
+
+double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
+    // Inside, the depth is the least of the planes' of its faces, and concave: it grows by no more than where it was, at the steepest of
+    // the faces that may have been the nearest. Outside of several faces the way to their edge lies between theirs.
+    const double size = length(moved) + spread, r = radius_of(middle);
+    const double aside = (is_prism() ? half.x : std::sqrt(squared(half.x) + squared(half.y))) + size, along = half.z + size;
+    const double lateral = is_prism() ? std::abs(moved.x) : std::sqrt(squared(moved.x) + squared(moved.y));
+    double outwards = -lateral;  // at least
+    if (is_prism()) {
+        if (r > aside) outwards = middle.x > 0.0 ? moved.x : -moved.x;
+    } else if (aside < 0.7 * r) {  // by an angle of asin(aside / r) at most
+        const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
+        outwards = std::max(outwards, in_the_middle - 1.11 * aside / r * lateral);
+    }
+    outwards -= spread;
+
+    struct Plane {
+        double depth, out, on, gain;  // out, on: its normal's parts away from the axis, or across a blade, and along the axis
+    };
+    Plane nearest{HUGE_VAL, 0, 0, 0};
+    const auto for_each_plane = [&](const auto& what) {
+        what(Plane{outline_.front().z - middle.z, 0.0, 1.0, spread - moved.z});
+        what(Plane{middle.z - outline_.back().z, 0.0, -1.0, spread + moved.z});
+        for (const OutlineSegment& s : segments_)
+            what(Plane{s.offset - (s.normal_r * r + s.normal_z * middle.z), s.normal_r, s.normal_z,
+                       -s.normal_r * outwards - s.normal_z * moved.z + std::abs(s.normal_z) * spread});
+    };
+    for_each_plane([&](const Plane& p) {
+        if (p.depth < nearest.depth) nearest = p;
+    });
+    double gain = -HUGE_VAL;
+    for_each_plane([&](const Plane& p) {
+        const bool may_be_nearest = p.depth - nearest.depth <= std::abs(p.out - nearest.out) * aside + std::abs(p.on - nearest.on) * along;
+        const double least = p.depth - p.out * aside - std::abs(p.on) * along;
+        if ((may_be_nearest && least <= deepest) || least <= 0.0) gain = std::max(gain, p.gain);
+    });
+    if (is_prism()) {
+        const double y = std::abs(middle.y), reach = half.y + size;
+        if (half_thickness_ - y - reach <= deepest) gain = std::max(gain, spread + (y > reach ? (middle.y > 0.0 ? -moved.y : moved.y) : std::abs(moved.y)));
+    }
+    if (gain <= 0.0) return gain;
+    return is_blunt_ ? std::min(2.0 * gain, size) : size;  // two faces that meet at 60° or more
 }
 
 bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const noexcept {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/field/point_block.h"
@@ -58,6 +59,11 @@ public:
     /// No point of the box is deeper [m]. Pre: is_convex().   [any] pure.
     [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
 
+    /// No point of the box is deeper by more than this [m] where it stands than it was before it moved there: by `moved`, give or take
+    /// `spread` [m]. Negative: all have become less deep. Points that were deeper than `deepest` do not count. Pre: is_convex().
+    /// [any] pure, nonblocking.
+    [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread, double deepest) const noexcept;
+
     /// Whether an edge of the outline, or of the solid's ends, may be so near to a point of a box. If none is, then what of the box
     /// lies outside a convex solid, by half of `distance` at most, lies beside a face.   [any] pure.
     [[nodiscard]] bool has_edge_within(Vec3 middle_in_tool, Vec3 half_extent, double distance) const noexcept;
@@ -75,6 +81,8 @@ public:
     [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
     [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
+    /// Solids of one shape have one; others another.
+    [[nodiscard]] std::uint64_t shape_hash() const noexcept { return shape_hash_; }
     [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
     [[nodiscard]] double thickness() const noexcept { return 2.0 * half_thickness_; }  ///< [m] of a prism; else 0
 
@@ -122,6 +130,7 @@ private:
     std::vector<OutlineFace> faces_;
     double largest_radius_ = 0.0;
     double half_thickness_ = 0.0;  ///< [m] 0: a solid of revolution
+    std::uint64_t shape_hash_ = 0;
     bool is_convex_ = true;
     bool is_blunt_ = true;  ///< its faces meet at 60° or more
 };

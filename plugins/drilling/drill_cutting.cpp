@@ -6,10 +6,9 @@
 
 namespace kerf::drilling {
 
-void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, const Turning& turning, double last_feed_rate,
+void add_feed_cutting(const Edges& e, const Tick& tick, const Turning& turning, double last_feed_rate,
                       Channels& channels) noexcept {
     const Coefficients k = coefficients(tick.force);
-    const double reference = tick.force[force_reference_density];
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
@@ -17,7 +16,7 @@ void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, c
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
-        const double m = resistance(e.sample[i], tissues, reference);
+        const double m = e.resistance[i];
         if (i < e.lip_points) full_width += e.element(i).width;
         if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
         if (i >= e.lip_points) {
@@ -37,7 +36,7 @@ void add_feed_cutting(const Edges& e, const Tick& tick, std::uint32_t tissues, c
     kerf_channel* feed = channels.add(KERF_CUT, id_feed);
     axial.write({0, 0, 1, 0, 0, 0}, turning.cut_share, least, feed);
     if (feed != nullptr) {
-        const Side side = side_forces(e, tick, tissues, turning.n, last_feed_rate, least);
+        const Side side = side_forces(e, tick, turning.n, last_feed_rate, least);
         if (side.thrust > 0.0) {
             const Vec6 follow = make_vec6((1.0 / side.thrust) * side.lateral,
                                           (1.0 / side.thrust) * Vec3{side.moment.x, side.moment.y, -side.torque});

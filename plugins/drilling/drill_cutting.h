@@ -19,7 +19,7 @@ struct Turning {
 };
 
 /// Lips, chisel edge and heel along the shaft.   [haptic, nonblocking]
-void add_feed_cutting(const Edges& edges, const Tick& tick, std::uint32_t tissues, const Turning& turning, double last_feed_rate,
+void add_feed_cutting(const Edges& edges, const Tick& tick, const Turning& turning, double last_feed_rate,
                       Channels& channels) noexcept;
 
 /// Cutting sideways: the cone's flank and the corner behind it, averaged over the turn.

@@ -29,7 +29,9 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
     }
     count = lip_points;
     const SinCos helix = sin_cos_exact(drill.helix_angle), fitted = sin_cos_exact(fitted_helix);
-    for (std::size_t i = 0; i < lip.count; ++i) {
+    const bool is_fitted = helix.sin == fitted.sin;
+    if (is_fitted) std::fill_n(rake_factor.begin(), lip.count, 1.0);
+    for (std::size_t i = 0; i < lip.count && !is_fitted; ++i) {
         const double more = (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 / pi;  // [deg]
         rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
     }
@@ -44,6 +46,7 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
     const Vec3 runs_off{drill.runout * a.cos, drill.runout * a.sin, 0.0};
     for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + runs_off;
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
+    for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
 
 LipShare share_of_lips(double lag, double feed) noexcept {
@@ -55,9 +58,8 @@ LipShare share_of_lips(double lag, double feed) noexcept {
     return share;
 }
 
-Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double n, double feed_rate, double least) noexcept {
+Side side_forces(const Edges& e, const Tick& tick, double n, double feed_rate, double least) noexcept {
     const Coefficients k = coefficients(tick.force);
-    const double reference = tick.force[force_reference_density];
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
     const LipShare share = share_of_lips(e.lag, feed_rate / n);
     const double on_chisel = force_per_width(per_lip, k.chisel);
@@ -66,7 +68,7 @@ Side side_forces(const Edges& e, const Tick& tick, std::uint32_t tissues, double
     of_first_lip.fill(-1.0);
     Side sum;
     for (std::size_t i = 0; i < e.count; ++i) {
-        const double m = resistance(e.sample[i], tissues, reference);
+        const double m = e.resistance[i];
         if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
         if (i >= e.lip_points) {
             sum.thrust += m * e.chisel_width() * on_chisel;

@@ -22,6 +22,7 @@ struct Edges {
     Lip lip;
     std::array<Vec3, lip_count * largest_element_count + 2 * most_chisel_points> point;
     std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * most_chisel_points> sample;
+    std::array<double, lip_count * largest_element_count + 2 * most_chisel_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
     double lag = 0.0;  ///< [m] of the second lip
 
@@ -72,7 +73,6 @@ struct Side {
     Vec3 lateral{}, moment{};
 };
 
-[[nodiscard]] Side side_forces(const Edges& edges, const Tick& tick, std::uint32_t tissues, double revolutions, double feed_rate,
-                               double least_gap) noexcept;
+[[nodiscard]] Side side_forces(const Edges& edges, const Tick& tick, double revolutions, double feed_rate, double least_gap) noexcept;
 
 }  // namespace kerf::drilling

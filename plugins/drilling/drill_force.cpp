@@ -46,11 +46,11 @@ double pushed_along(const Advance& advance) noexcept {
 
 /// Torque that a drill under `push` [N] meets while it takes no bone: to start, its edges have to break loose what they stand
 /// in, with the torque that goes with such a push in cutting; in reverse they rub.
-double torque_of_standing(const Edges& edges, const Tick& tick, std::uint32_t tissues, double push, bool is_reverse) noexcept {
+double torque_of_standing(const Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
     if (is_reverse) return tick.force[force_friction] * push * 2.0 / 3.0 * edges.drill.radius();
     constexpr double n = 1.0;
     const double feed_rate = lip_count * n * tick.force[force_edge_depth];
-    const Side side = side_forces(edges, tick, tissues, n, feed_rate, edges.least_gap());
+    const Side side = side_forces(edges, tick, n, feed_rate, edges.least_gap());
     return side.thrust > 0.0 ? push * side.torque / side.thrust : 0.0;
 }
 
@@ -63,7 +63,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         Edges edges;
         edges.ask(tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
-        add_feed_cutting(edges, tick, bone.tissue_count(), turning, state.feed_rate, channels);
+        add_feed_cutting(edges, tick, turning, state.feed_rate, channels);
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, channels);
     }
     add_contact(drill, tick, bone, turning, state.shank_force, channels);
@@ -88,7 +88,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
         Edges edges;
         edges.ask(tick, bone, state.angle);
         engaged = edges.engagement();
-        load += torque_of_standing(edges, tick, bone.tissue_count(), pushed_along(advance), state.spindle.speed < 0.0);
+        load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
     const double feed = state.feed_rate / turning.n;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -92,6 +93,57 @@ TEST(PoseStamp, OfABladeLeavesOutOnlyWhatCannotRise) {
     expect_as_sample_by_sample(body, test::blade_outline(20.0_mm, 4.0_mm, 1.5_mm, 0.9_mm), h, counts);
     EXPECT_GT(counts.wall, 5000u);
     EXPECT_GT(counts.untouched, 20000u);
+}
+
+TEST(PoseStamp, WhatItRemembersChangesNoBit) {
+    // Given records stamped in their order, backwards by groups as they are committed, and shuffled
+    const double h = 0.2_mm;
+    const Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.31, 0.17, 0.73});
+    const ToolSolid tools[] = {test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm), test::blade_outline(20.0_mm, 2.0_mm, 1.5_mm, 0.9_mm),
+                               ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}})};
+    std::mt19937 random(11);
+    for (const ToolSolid& tool : tools) {
+        const std::vector<CutRecord> in_order = records(h);
+        test::ScalarStamp reference{body, tool};
+        for (const auto& record : in_order) reference.stamp(record);
+        for (int way = 0; way < 6; ++way) {
+            std::vector<CutRecord> some = in_order;
+            const std::ptrdiff_t group = 3 + 2 * way;
+            if (way < 3)
+                for (auto from = some.begin(); from != some.end();) {
+                    const auto to = from + std::min(group, some.end() - from);
+                    std::reverse(from, to);
+                    from = to;
+                }
+            else
+                std::shuffle(some.begin(), some.end(), random);
+            CutField cut(body, 64);
+            for (std::size_t n = 0; n < some.size(); ++n) {
+                if (n == some.size() / 2) cut = CutField(cut);  // a copy remembers too
+                cut.stamp(some[n], tool);
+            }
+            for (const auto& [index, samples] : reference.bricks)
+                for (int s = 0; s < stored_samples; ++s) {
+                    const std::int16_t* stored = cut.stored(index);
+                    ASSERT_EQ(stored != nullptr ? stored[s] : std::int16_t{-32767}, samples[static_cast<std::size_t>(s)]) << "way " << way << ", brick " << index << ", sample " << s;
+                }
+        }
+    }
+}
+
+TEST(PoseStamp, AnotherSolidIsNotTakenForTheOneBefore) {
+    // Given two drills of different widths that stand at the same place one after the other
+    const double h = 0.2_mm;
+    const Body body = test::block({-3.0_mm, -3.0_mm, -3.0_mm}, {3.0_mm, 3.0_mm, 0}, h);
+    CutRecord record;
+    record.from = record.to = test::pointing({0, 0, -2.0_mm}, {0, 0, -1});
+    CutField both(body, 64), wide(body, 64);
+    for (const double radius : {1.0_mm, 1.5_mm}) {
+        const ToolSolid tool = test::drill_outline(radius, 59.0_deg, 4.0_mm);  // likely where the other was in memory
+        both.stamp(record, tool);
+        if (radius == 1.5_mm) wide.stamp(record, tool);
+    }
+    EXPECT_TRUE(both.same_bits(wide));
 }
 
 }  // namespace

@@ -48,5 +48,34 @@ TEST(ToolSolid, EndsExactlyOnItsSurfaceAfterThatTravel) {
     }
 }
 
+TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {
+    const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm), ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}, {-4.0_mm, 1.2_mm}}),
+                                test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm), ToolSolid::prism({{0.0, 0.3_mm}, {-1.0_mm, 1.5_mm}, {-4.0_mm, 1.5_mm}}, 1.0_mm)};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };
+    int negative = 0, tight = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const ToolSolid& solid = solids[i % 4];
+        const Vec3 half = 0.4_mm * Vec3{std::abs(unit(random)), std::abs(unit(random)), std::abs(unit(random))};
+        const Vec3 middle{2.5_mm * unit(random), 2.5_mm * unit(random), -2.0_mm + 2.5_mm * unit(random)};
+        const Vec3 moved = std::pow(10.0, -4.0 + unit(random)) * vector();
+        const double spread = i % 3 == 0 ? 0.0 : 0.1 * length(moved), deepest = i % 2 == 0 ? 0.3_mm : 1.0;
+        const double most = solid.most_gained(middle, half, moved, spread, deepest);
+        double found = -HUGE_VAL;
+        for (int n = 0; n < 20; ++n) {
+            const Vec3 aside = vector(), p = middle + Vec3{aside.x * half.x, aside.y * half.y, aside.z * half.z};
+            const Vec3 before = p - moved - (0.5 * spread) * vector();
+            if (-solid.distance(before) > deepest) continue;
+            found = std::max(found, solid.distance(before) - solid.distance(p));
+        }
+        ASSERT_LE(found, most + 1e-12) << "solid " << i % 4;
+        negative += most < 0.0;
+        tight += found > most - 0.3 * length(moved);
+    }
+    EXPECT_GT(negative, 3000) << "it says less than that nothing moves faster than the solid";
+    EXPECT_GT(tight, 5000);
+}
+
 }  // namespace
 }  // namespace kerf
