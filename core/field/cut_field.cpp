@@ -18,7 +18,7 @@ namespace {
 /// Samples that may lie on a ridge, a block at a time.
 class RidgeBlock {
 public:
-    RidgeBlock(const Sweep &sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
+    RidgeBlock(const Sweep& sweep, double tolerance) noexcept : sweep_(&sweep), tolerance_(tolerance) {}
 
     void add(Vec3 point_in_body, std::size_t brick, std::uint16_t sample) noexcept {
         bricks_[points_.count] = brick;
@@ -29,7 +29,7 @@ public:
 
     /// Those that the sweep holds; the block is empty then.
     template <class Do>
-    void for_each_held(const Do &what) noexcept {
+    void for_each_held(const Do& what) noexcept {
         std::array<bool, block_capacity> may_hold;
         sweep_->may_hold(points_, tolerance_, may_hold);
         for (std::size_t n = 0; n < points_.count; ++n)
@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    const Sweep *sweep_;
+    const Sweep* sweep_;
     double tolerance_;
     PointBlock points_;
     std::array<std::size_t, block_capacity> bricks_;
@@ -47,7 +47,7 @@ private:
 
 }  // namespace
 
-CutField::CutField(const Body &body, std::size_t reserve_bricks)
+CutField::CutField(const Body& body, std::size_t reserve_bricks)
     : body_(&body),
       clamp_(body.grid().clamp()),
       quantum_(body.grid().quantum()),
@@ -60,7 +60,7 @@ CutField::CutField(const Body &body, std::size_t reserve_bricks)
 }
 
 void CutField::prepare() {
-    const Grid &g = grid();
+    const Grid& g = grid();
     for (std::size_t b = 0; b < g.brick_count(); ++b) most_ += !body_->surface.is_all_air(b);
     if (most_ > most_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
     samples_.reserve((most_ + 2) * stored_samples);
@@ -68,7 +68,7 @@ void CutField::prepare() {
     samples_.assign(first_stored, -32767);
     std::fill(samples_.begin() + gone, samples_.end(), std::int16_t{32767});
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = g.samples(axis);
-    const Region &region = body_->region;
+    const Region& region = body_->region;
     if (!region.is_bounded()) return;
     const std::array<double, 3> low{region.low.x, region.low.y, region.low.z};
     const std::array<double, 3> high{region.high.x, region.high.y, region.high.z};
@@ -82,7 +82,7 @@ void CutField::prepare() {
     }
 }
 
-CutField::CutField(const CutField &other)
+CutField::CutField(const CutField& other)
     : body_(other.body_),
       clamp_(other.clamp_),
       quantum_(other.quantum_),
@@ -97,7 +97,7 @@ CutField::CutField(const CutField &other)
     capacity_ = other.capacity_;
 }
 
-CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t reserve_bricks)
+CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve_bricks)
     : body_(whole.body_),
       clamp_(whole.clamp_),
       quantum_(whole.quantum_),
@@ -105,7 +105,7 @@ CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t res
       changed_(whole.changed_.size(), 0),
       is_full_(whole.is_full_.size(), 0) {
     prepare();
-    const Grid &g = grid();
+    const Grid& g = grid();
     for (std::size_t index = 0; index < g.brick_count(); ++index) {
         if (body_->surface.is_all_air(index)) continue;
         const auto [i, j, k] = g.brick_place(index);
@@ -115,7 +115,8 @@ CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t res
         bool is_alike = share != PieceMask::Share::some;
         for (int c = 1; is_alike && c < 8; ++c) {
             const int bi = i + (c & 1), bj = j + (c >> 1 & 1), bk = k + (c >> 2);
-            if (bi < g.bricks[0] && bj < g.bricks[1] && bk < g.bricks[2]) is_alike = mask.gone_in(g.brick_index(bi, bj, bk)) == share;
+            if (bi < g.bricks[0] && bj < g.bricks[1] && bk < g.bricks[2])
+                is_alike = mask.gone_in(g.brick_index(bi, bj, bk)) == share;
         }
         if (is_alike && (share == PieceMask::Share::everything || whole.start_[index] == gone)) {
             start_[index] = gone;
@@ -124,30 +125,31 @@ CutField::CutField(const CutField &whole, const PieceMask &mask, std::size_t res
         }
         if (is_alike && whole.start_[index] == uncut) continue;
 
-        std::int16_t *samples = open_brick(index);
-        const std::int16_t *before = whole.brick(whole.start_[index]);
+        std::int16_t* samples = open_brick(index);
+        const std::int16_t* before = whole.brick(whole.start_[index]);
         for (int z = 0, s = 0; z < stored_edge; ++z)
             for (int y = 0; y < stored_edge; ++y)
                 for (int x = 0; x < stored_edge; ++x, ++s)
-                    samples[s] = !is_alike && mask.is_gone(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z) ? std::int16_t{32767}
-                                                                                                                        : before[s];
+                    samples[s] = !is_alike && mask.is_gone(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z)
+                                     ? std::int16_t{32767}
+                                     : before[s];
         find_ranges(index);
     }
     reserve(reserve_bricks);
 }
 
-std::int16_t *CutField::open_brick(std::size_t index) {
+std::int16_t* CutField::open_brick(std::size_t index) {
     if (free_bricks() == 0) reserve(1);
     start_[index] = first_stored + static_cast<std::int32_t>(used_++) * stored_samples;
     ranges_of(index).fill(-32767);
     return brick(start_[index]);
 }
 
-void CutField::begin_with(const LevelSet &hollow) {
+void CutField::begin_with(const LevelSet& hollow) {
     for (std::size_t index = 0; index < body_->grid().brick_count(); ++index) {
         if (hollow.is_all_air(index) || body_->surface.is_all_air(index)) continue;
-        std::int16_t *samples = open_brick(index);
-        const std::int16_t *room = hollow.stored(index);
+        std::int16_t* samples = open_brick(index);
+        const std::int16_t* room = hollow.stored(index);
         for (std::size_t s = 0; s < stored_samples; ++s)
             samples[s] = static_cast<std::int16_t>(room ? -room[s] : 32767);
         find_ranges(index);
@@ -155,10 +157,10 @@ void CutField::begin_with(const LevelSet &hollow) {
 }
 
 void CutField::find_ranges(std::size_t index) noexcept {
-    const std::int16_t *samples = brick(start_[index]);
-    CellRanges &ranges = ranges_of(index);
+    const std::int16_t* samples = brick(start_[index]);
+    CellRanges& ranges = ranges_of(index);
     for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
-        const std::int16_t *first = samples + CellPlace::of(cell).first_sample();
+        const std::int16_t* first = samples + CellPlace::of(cell).first_sample();
         std::int16_t lowest = 32767, highest = -32767;
         for (int z = 0; z < 3; ++z)
             for (int y = 0; y < 3; ++y)
@@ -171,7 +173,8 @@ void CutField::find_ranges(std::size_t index) noexcept {
         ranges.highest[cell] = highest;
     }
     ranges.compared = 0;
-    is_full_[index] = std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
+    is_full_[index] =
+        std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
 }
 
 void CutField::reserve(std::size_t count) {
@@ -183,15 +186,15 @@ void CutField::reserve(std::size_t count) {
     ranges_.resize(capacity_);
 }
 
-int CutField::stamp(const CutRecord &record, const ToolSolid &solid) {
+int CutField::stamp(const CutRecord& record, const ToolSolid& solid) {
     StampProgress progress;
     int touched = 0;
     stamp_on(record, solid, std::numeric_limits<int>::max(), progress, touched);
     return touched;
 }
 
-bool CutField::stamp_on(const CutRecord &record, const ToolSolid &solid, int most, StampProgress &progress,
-                        int &touched) {
+bool CutField::stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress,
+                        int& touched) {
     const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
     for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
         progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, most, touched);
@@ -202,16 +205,15 @@ bool CutField::stamp_on(const CutRecord &record, const ToolSolid &solid, int mos
     return progress.brick == StampProgress::to_the_end;
 }
 
-CutField::BrickBox CutField::bricks_near(const ToolSolid &solid, const Pose &body_from_tool,
+CutField::BrickBox CutField::bricks_near(const ToolSolid& solid, const Pose& body_from_tool,
                                          double band) const noexcept {
-    const Grid &g = grid();
+    const Grid& g = grid();
     const auto [low, high] = solid.box(body_from_tool);
     const double edge = brick_edge * g.spacing;
     BrickBox box;
     const auto range = [&](std::size_t axis, double a, double b, double origin) {
         box.first[axis] = std::max(0, static_cast<int>(std::floor((a - band - origin) / edge)) - 1);
-        box.last[axis] =
-            std::min(g.bricks[axis] - 1, static_cast<int>(std::floor((b + band - origin) / edge)));
+        box.last[axis] = std::min(g.bricks[axis] - 1, static_cast<int>(std::floor((b + band - origin) / edge)));
     };
     range(0, low.x, high.x, g.origin.x);
     range(1, low.y, high.y, g.origin.y);
@@ -219,9 +221,9 @@ CutField::BrickBox CutField::bricks_near(const ToolSolid &solid, const Pose &bod
     return box;
 }
 
-std::size_t CutField::stamp_pose(const Pose &body_from_tool, const ToolSolid &solid, std::size_t next, int most,
-                                 int &touched) {
-    const Grid &g = grid();
+std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most,
+                                 int& touched) {
+    const Grid& g = grid();
     const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
 
     // Of those that hold bone, a block at a time: does the solid reach them?
@@ -250,11 +252,11 @@ std::size_t CutField::stamp_pose(const Pose &body_from_tool, const ToolSolid &so
     return StampProgress::to_the_end;
 }
 
-std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, const CutRecord &record,
-                                   std::size_t next, int most, int &touched) noexcept {
+std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record,
+                                   std::size_t next, int most, int& touched) noexcept {
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.
-    const Grid &g = grid();
+    const Grid& g = grid();
     const auto lowest = static_cast<std::int16_t>(-std::min(static_cast<int>(sweep.step() / quantum_) + 2, 32767));
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
@@ -283,8 +285,8 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, c
         const std::size_t index = g.brick_index(i, j, k);
         if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;
-        const std::int16_t *samples = brick(start_[index]);
-        const CellRanges &ranges = ranges_of(index);
+        const std::int16_t* samples = brick(start_[index]);
+        const CellRanges& ranges = ranges_of(index);
         for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
             if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
             const CellPlace at = CellPlace::of(cell);
@@ -292,7 +294,8 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, c
             block_kernel().find(samples + at.first_sample(), lowest, 0, found);
             for (int layer = 0; layer < 3; ++layer)
                 for (std::uint32_t left = found[layer]; left != 0; left &= left - 1) {
-                    const int bit = std::countr_zero(left), x = bit % stored_edge, y = at.first_y + bit / stored_edge, z = at.first_z + layer;
+                    const int bit = std::countr_zero(left), x = bit % stored_edge, y = at.first_y + bit / stored_edge,
+                              z = at.first_z + layer;
                     const std::array<int, 3> in_grid{i * brick_edge + x, j * brick_edge + y, k * brick_edge + z};
                     bool is_in_region = true;
                     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -308,8 +311,8 @@ std::size_t CutField::clear_ridges(const Sweep &sweep, const ToolSolid &solid, c
     return StampProgress::to_the_end;
 }
 
-std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, const std::array<int, 3> *places,
-                                   int most, int &touched) {
+std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places,
+                                   int most, int& touched) {
     const double h = grid().spacing;
     const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band_voxels * h;
     BlockValues depth;
@@ -324,8 +327,8 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
         ++touched;  // so that what a tick may stamp does not depend on what was cut
                     // before
         if (is_full_[index] != 0) continue;
-        std::int16_t *samples = brick(start_[index]);
-        CellRanges &ranges = ranges_of(index);
+        std::int16_t* samples = brick(start_[index]);
+        CellRanges& ranges = ranges_of(index);
         if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
         is_full_[index] =
@@ -335,9 +338,10 @@ std::size_t CutField::stamp_bricks(PoseStamp &stamp, const PointBlock &centres, 
 }
 
 std::int16_t CutField::sample(int i, int j, int k) const noexcept {
-    const Grid &g = grid();
+    const Grid& g = grid();
     if (i < 0 || j < 0 || k < 0 || i >= g.samples(0) || j >= g.samples(1) || k >= g.samples(2)) return -32767;
-    return brick(start_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)])[((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
+    return brick(start_[g.brick_index(i / brick_edge, j / brick_edge, k / brick_edge)])
+        [((k % brick_edge) * stored_edge + j % brick_edge) * stored_edge + i % brick_edge];
 }
 
 std::vector<std::size_t> CutField::take_changed() {
@@ -359,7 +363,7 @@ std::vector<std::size_t> CutField::take_changed() {
 std::uint64_t CutField::hash() const noexcept {
     Fnv1a hash;
     for (std::size_t b = 0; b < start_.size(); ++b) {
-        const std::int16_t *v = stored(b);
+        const std::int16_t* v = stored(b);
         if (v == nullptr) continue;
         for (int s = 0; s < stored_samples; ++s)
             if (v[s] != -32767) {
@@ -374,7 +378,8 @@ std::uint64_t CutField::hash() const noexcept {
 bool CutField::same_in(std::size_t brick_index, const CutField& other) const noexcept {
     const std::int16_t *mine = stored(brick_index), *theirs = other.stored(brick_index);
     if (mine == nullptr && theirs == nullptr) return true;
-    if (mine != nullptr && theirs != nullptr) return std::memcmp(mine, theirs, stored_samples * sizeof(std::int16_t)) == 0;
+    if (mine != nullptr && theirs != nullptr)
+        return std::memcmp(mine, theirs, stored_samples * sizeof(std::int16_t)) == 0;
     const std::int16_t* some = mine != nullptr ? mine : theirs;
     return std::all_of(some, some + stored_samples, [](std::int16_t s) { return s == -32767; });
 }
