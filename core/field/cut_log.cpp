@@ -11,7 +11,7 @@
 namespace kerf {
 
 namespace {
-constexpr double record_voxels = 0.1;       ///< motion that closes a record (R2)
+constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
@@ -120,17 +120,15 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
         last_bricks_ += commit_at_once(1);
     }
 
-    const auto is_group_passed = [&](std::size_t first) {
-        for (std::size_t i = first + group_records; i-- > first;)
-            if (!is_passed(i)) return false;
-        return true;
-    };
-    if (group_count_ == 0 && is_group_passed(0)) group_count_ = group_left_ = group_records;
-    if (group_count_ == 0) return;
-    // More for those that wait, so that the tool does not leave the stamping behind.
-    int most = bricks_per_tick;
-    for (std::size_t first = group_count_; is_group_passed(first); first += group_records) most += bricks_per_tick;
-    go_on_with_group(most);
+    if (pending_count_ == 0) return;
+    const double groups = (largest_motion(*solid_, pending(0).to, now) - h) / (group_voxels * h);
+    if (group_count_ == 0) {
+        if (groups < 1.0 || !is_at_front) return;
+        while (is_passed(group_count_)) ++group_count_;
+        group_left_ = group_count_;
+    }
+    // Twice as many more for each group that waits, so that the tool does not leave the stamping behind.
+    go_on_with_group(bricks_per_tick * static_cast<int>(std::clamp(2.0 * groups - 1.0, 1.0, static_cast<double>(pending_capacity))));
 }
 
 void CutTracker::go_on_with_group(int most) {

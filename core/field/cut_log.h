@@ -18,9 +18,9 @@ public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    /// That many records at least are committed together, the newest first: it holds most of what the others do, and what it holds
-    /// need not be looked at again.
-    static constexpr std::size_t group_records = 6;
+    /// Records that the front has left a voxel behind are committed together once the first is so much farther [voxels], the newest of
+    /// them first: it holds most of what the others do, and what it holds need not be looked at again.
+    static constexpr double group_voxels = 0.3;
     static constexpr int bricks_per_tick = 16;  ///< stamped at most, for each group that waits; the rest stays pending
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
@@ -43,7 +43,7 @@ public:
     /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps records that the front has left a voxel behind, once there is a group of them.   [haptic, nonblocking]
+    /// Stamps records that the front has left a voxel behind, once the first is so far and a group's way behind.   [haptic, nonblocking]
     void commit_passed(const Pose& body_from_tool, bool is_at_front);
     /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
     void flush();
