@@ -58,8 +58,8 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
 }
 
 /// Share of an edge that is in bone, `uncut` and `cut` [quanta] the distances to the bone before any cut and to what was
-/// removed (negative where it still is). Along the wall of a hole the removed solid is known to a twentieth of a voxel, so its
-/// border is a ramp of little more: the end of a lip runs along the wall of its own hole and must not feel it.
+/// removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a ramp of
+/// little more: the end of a lip runs along the wall of its own hole and must not feel it.
 [[nodiscard]] inline float engagement(float uncut, float cut) noexcept {
     const float there = coverage(uncut), left = coverage(cut, 0.1f);
     return there < left ? there : left;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "core/field/reach.h"
 
@@ -88,7 +87,7 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     has_removed_ = true;
     if (pending_count_ == pending_capacity) {  // nobody has come to commit: rather early than lost
         ++early_commits_;
-        commit_at_once(1);
+        commit_oldest();
     }
     const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
     pending_[slot] = record;
@@ -117,48 +116,34 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
     last_bricks_ = 0;
     while (pending_count_ > pending_limit) {
         if (!is_passed(0)) ++early_commits_;
-        last_bricks_ += commit_at_once(1);
+        last_bricks_ += commit_oldest();
     }
 
-    if (pending_count_ == 0) return;
-    const double groups = (largest_motion(*solid_, pending(0).to, now) - h) / (group_voxels * h);
-    if (group_count_ == 0) {
-        if (groups < 1.0 || !is_at_front) return;
-        while (is_passed(group_count_)) ++group_count_;
-        group_left_ = group_count_;
+    // A few bricks a tick for each record that waits, so that the tool does not leave the stamping behind.
+    int allowance = 0;
+    while (is_passed(static_cast<std::size_t>(allowance / bricks_per_tick))) allowance += bricks_per_tick;
+    if (allowance == 0 && progress_.has_begun()) allowance = bricks_per_tick;
+    while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_passed(0))) {
+        if (!committed_->stamp_on(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
+        drop_oldest();
     }
-    // Twice as many more for each group that waits, so that the tool does not leave the stamping behind.
-    go_on_with_group(bricks_per_tick * static_cast<int>(std::clamp(2.0 * groups - 1.0, 1.0, static_cast<double>(pending_capacity))));
-}
-
-void CutTracker::go_on_with_group(int most) {
-    constexpr int quarters = 4;
-    int touched = quarters * last_bricks_;
-    while (group_left_ > 0 && touched < quarters * most) {
-        const bool is_newest = group_left_ == group_count_;
-        int bricks = is_newest ? touched / quarters : touched;
-        const bool is_done = committed_->stamp_on(pending(group_left_ - 1), *solid_, is_newest ? most : quarters * most, progress_, bricks);
-        touched = is_newest ? quarters * bricks : bricks;
-        if (!is_done) break;
-        progress_ = {};
-        --group_left_;
-    }
-    last_bricks_ = touched / quarters;
-    if (group_left_ > 0) return;
-    pending_first_ = (pending_first_ + group_count_) % pending_capacity;
-    pending_count_ -= std::exchange(group_count_, std::size_t{0});
 }
 
 void CutTracker::flush() {
-    if (group_count_ > 0) commit_at_once(group_count_);
-    if (pending_count_ > 0) commit_at_once(pending_count_);
+    while (pending_count_ > 0) commit_oldest();
 }
 
-int CutTracker::commit_at_once(std::size_t count) {
-    if (group_count_ == 0) group_count_ = group_left_ = count;
-    const int before = std::exchange(last_bricks_, 0);
-    go_on_with_group(std::numeric_limits<int>::max() / 8);
-    return std::exchange(last_bricks_, before);
+int CutTracker::commit_oldest() {
+    int bricks = 0;
+    committed_->stamp_on(pending(0), *solid_, std::numeric_limits<int>::max(), progress_, bricks);
+    drop_oldest();
+    return bricks;
+}
+
+void CutTracker::drop_oldest() noexcept {
+    progress_ = {};
+    pending_first_ = (pending_first_ + 1) % pending_capacity;
+    --pending_count_;
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {

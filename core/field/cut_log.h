@@ -18,10 +18,7 @@ public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    /// Records that the front has left a voxel behind are committed together once the first is so much farther [voxels], the newest of
-    /// them first: it holds most of what the others do, and what it holds need not be looked at again.
-    static constexpr double group_voxels = 0.3;
-    static constexpr int bricks_per_tick = 16;  ///< stamped at most, for each group that waits; the rest stays pending
+    static constexpr int bricks_per_tick = 16;  ///< stamped at most, for each record that waits; the rest stays pending
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
@@ -43,7 +40,7 @@ public:
     /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps records that the front has left a voxel behind, once the first is so far and a group's way behind.   [haptic, nonblocking]
+    /// Stamps records that the front has left a voxel behind.   [haptic, nonblocking]
     void commit_passed(const Pose& body_from_tool, bool is_at_front);
     /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
     void flush();
@@ -101,10 +98,8 @@ private:
     }
     /// How the pending solids lie to the newest, which has just come.
     void compare_with_newest() noexcept;
-    /// Stamps the oldest, or what is left of the group that is under way. How many bricks that took.
-    int commit_at_once(std::size_t count);
-    /// Goes on with the group until about `most` bricks are stamped in this tick; a record's that is not the newest count a quarter.
-    void go_on_with_group(int most);
+    int commit_oldest();
+    void drop_oldest() noexcept;
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
     /// Whether the solid at this pose takes bone that is still there. Decided once, here: a record that removes
     /// nothing is logged, and nobody stamps it.
@@ -130,8 +125,7 @@ private:
     std::array<Pose, pending_capacity> pending_inverse_{};
     Spread spread_;
     std::size_t pending_first_ = 0, pending_count_ = 0;
-    std::size_t group_count_ = 0, group_left_ = 0;  ///< the oldest records, that are being stamped; 0: no group is under way
-    StampProgress progress_;  ///< of the newest of those left
+    StampProgress progress_;  ///< of the oldest
     int last_bricks_ = 0;
     std::uint64_t early_commits_ = 0;
 };

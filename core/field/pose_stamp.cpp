@@ -6,8 +6,15 @@
 
 namespace kerf {
 
+namespace {
+
+/// Beside a blade most cells change with every record: to ask first would take longer than it saves.
+bool pays_to_remember(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
+
+}  // namespace
+
 PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
-    : grid_(&grid), solid_(&solid), memory_(solid.is_convex() ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
+    : grid_(&grid), solid_(&solid), memory_(pays_to_remember(solid) ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
     const double at[3] = {tip.x, tip.y, tip.z};
     for (std::size_t axis = 0; axis < 3; ++axis)

