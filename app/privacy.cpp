@@ -150,9 +150,7 @@ private:
         while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
         while (is_letter(at(end)) || at(end) == '-') ++end;
         // Of a hundred million bytes that mean nothing a few look like that
-        const bool is_by_chance = !is_name(from, caret) || !is_name(caret + 1, end) || is_row_of_numbers(from, end) || (from > 0 && !bounds_a_value(text_[from - 1])) ||
-                                  !bounds_a_value(at(end));
-        if (!where_.empty() && is_by_chance) return;
+        if (!where_.empty() && (!is_name(from, caret) || !is_name(caret + 1, end) || !stands_alone(from, end) || is_row_of_numbers(from, end))) return;
         if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
     }
     /// Three letters or more, `Doe` or `DOE`, and nothing between.
@@ -163,9 +161,10 @@ private:
             if (is_capital(n) != is_capital(from + 1)) return false;
         return true;
     }
-    /// What stands before and behind a value, in a header or a text: a length, a tag, a space, a quotation mark.
-    [[nodiscard]] static bool bounds_a_value(char c) {
-        return static_cast<unsigned char>(c) <= 0x20 || std::string_view("\"'<>=:;,^\\").find(c) != std::string_view::npos;
+    /// Bounded as a value is, in a header or a text, by a length, a tag, a space, a quotation mark.
+    [[nodiscard]] bool stands_alone(std::size_t from, std::size_t end) const {
+        const auto bounds = [](char c) { return static_cast<unsigned char>(c) <= 0x20 || std::string_view("\"'<>=:;,^\\").find(c) != std::string_view::npos; };
+        return (from == 0 || bounds(text_[from - 1])) && bounds(at(end));
     }
     /// Every second byte the same, or every fourth from before to behind: numbers of two or four bytes each, such as corners of triangles.
     [[nodiscard]] bool is_row_of_numbers(std::size_t from, std::size_t end) const {

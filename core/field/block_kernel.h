@@ -171,10 +171,10 @@ struct BlockKernel {
     void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
                     const kerf_vec3* points, Walls walls) noexcept;
     /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
-    /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta]: were the solid deeper by
-    /// less everywhere, still none would be raised that was not; kernels need not agree in it.
+    /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta], if it is asked for:
+    /// were the solid deeper by less everywhere, still none would be raised that was not; kernels need not agree in it.
     bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
-                  std::int16_t& lowest, std::int16_t& highest, std::int16_t& spare) noexcept;
+                  std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
     /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
     /// The larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[place]`. Bit x + 1 of

@@ -670,7 +670,7 @@ struct LanePlaces {
 alignas(32) constexpr LanePlaces lane_places;
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest, std::int16_t& spare) noexcept {
+           std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
     // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong too
     // often.
     constexpr int steps = 3 * steps_of_layer;
@@ -709,8 +709,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         may_rise = _mm256_or_ps(may_rise, rises_here);
         may_rise_outside = _mm256_or_ps(may_rise_outside, _mm256_and_ps(rises_here, less(depth[n], zero)));
     }
-    spare = 0;
     const auto find_spare = [&] {
+        if (spare == nullptr) return;
         const EightInts full = all_ints(32767), end_of_band = all_ints(static_cast<std::int32_t>(-band * per_quantum));
         EightInts least_spare = full;
         for (int n = 0; n < steps; ++n) {
@@ -721,7 +721,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), least_spare);
         std::int32_t least = 32767;
         for (const std::int32_t one : each) least = one < least ? one : least;
-        spare = static_cast<std::int16_t>(least < 0 ? 0 : least);
+        *spare = static_cast<std::int16_t>(least < 0 ? 0 : least);
     };
     if (!any(may_rise)) {
         find_spare();
@@ -754,9 +754,12 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         lowest = each[0][lane] < lowest ? each[0][lane] : lowest;
         highest = each[1][lane] > highest ? each[1][lane] : highest;
     }
-    if (any(is_raised)) return true;
-    find_spare();
-    return false;
+    if (!any(is_raised)) {
+        find_spare();
+        return false;
+    }
+    if (spare != nullptr) *spare = 0;
+    return true;
 }
 
 void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept {

@@ -463,7 +463,7 @@ std::int32_t quantised(float depth, float per_quantum) noexcept {
 }
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
-           std::int16_t& lowest, std::int16_t& highest, std::int16_t& spare) noexcept {
+           std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
     const auto& at = cell.along;
     bool is_raised = false;
     std::int32_t least = 32767, most = -32767, least_spare = 32767;
@@ -490,7 +490,7 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 least = std::min<std::int32_t>(least, sample);
                 most = std::max<std::int32_t>(most, sample);
             }
-    spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
+    if (spare != nullptr) *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
     if (!is_raised) return false;
     lowest = static_cast<std::int16_t>(least);
     highest = static_cast<std::int16_t>(most);

@@ -149,7 +149,7 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
         const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
         cell.has_edges = solid_->has_edge_within(middles[n], half, 2.0 * band_ + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
-                                 samples + at.first_sample(), ranges.lowest[n], ranges.highest[n], ranges.spare[n]))
+                                 samples + at.first_sample(), ranges.lowest[n], ranges.highest[n], memory_ != nullptr ? &ranges.spare[n] : nullptr))
             is_changed = true;
     }
     ranges.compared = number_;

@@ -112,19 +112,17 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
     // Inside, the depth is the least of the planes' of its faces, and concave: it grows by no more than where it was, at the steepest of
     // the faces that may have been the nearest. Outside of several faces the way to their edge lies between theirs.
     const double size = length(moved) + spread, r = radius_of(middle);
-    const double aside = (is_prism() ? half.x : std::sqrt(squared(half.x) + squared(half.y))) + size, along = half.z + size;
-    const double lateral = is_prism() ? std::abs(moved.x) : std::sqrt(squared(moved.x) + squared(moved.y));
+    const double aside = std::sqrt(squared(half.x) + squared(half.y)) + size, along = half.z + size;
+    const double lateral = std::sqrt(squared(moved.x) + squared(moved.y));
     double outwards = -lateral;  // at least
-    if (is_prism()) {
-        if (r > aside) outwards = middle.x > 0.0 ? moved.x : -moved.x;
-    } else if (aside < 0.7 * r) {  // by an angle of asin(aside / r) at most
+    if (aside < 0.7 * r) {  // by an angle of asin(aside / r) at most
         const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
         outwards = std::max(outwards, in_the_middle - 1.11 * aside / r * lateral);
     }
     outwards -= spread;
 
     struct Plane {
-        double depth, out, on, gain;  // out, on: its normal's parts away from the axis, or across a blade, and along the axis
+        double depth, out, on, gain;  // out, on: its normal's parts away from the axis and along it
     };
     Plane nearest{HUGE_VAL, 0, 0, 0};
     const auto for_each_plane = [&](const auto& what) {
@@ -143,10 +141,6 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
         const double least = p.depth - p.out * aside - std::abs(p.on) * along;
         if ((may_be_nearest && least <= deepest) || least <= 0.0) gain = std::max(gain, p.gain);
     });
-    if (is_prism()) {
-        const double y = std::abs(middle.y), reach = half.y + size;
-        if (half_thickness_ - y - reach <= deepest) gain = std::max(gain, spread + (y > reach ? (middle.y > 0.0 ? -moved.y : moved.y) : std::abs(moved.y)));
-    }
     if (gain <= 0.0) return gain;
     return is_blunt_ ? std::min(2.0 * gain, size) : size;  // two faces that meet at 60° or more
 }

@@ -60,7 +60,7 @@ public:
     [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
 
     /// No point of the box is deeper by more than this [m] where it stands than it was before it moved there: by `moved`, give or take
-    /// `spread` [m]. Negative: all have become less deep. Points that were deeper than `deepest` do not count. Pre: is_convex().
+    /// `spread` [m]. Negative: all have become less deep. Points that were deeper than `deepest` do not count. Pre: convex, and no prism.
     /// [any] pure, nonblocking.
     [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread, double deepest) const noexcept;
 

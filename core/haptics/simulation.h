@@ -103,12 +103,12 @@ public:
     void look_for_pieces(double crumb) { scene_.bone().look_for_pieces(crumb); }
     /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one, and no others.   [main]
     void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
-    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it holds less than the last
-    /// `Adoption`'s records but eight: the worker is to bring it up to date. What was replaced comes back in it.
+    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it lacks more than eight records
+    /// that remove bone: the worker is to bring it up to date. What was replaced comes back in it.
     /// [haptic, nonblocking]
     bool adopt(Adoption& adoption) noexcept;
-    /// The same with bodies as they were before a cut, or after it. False, and nothing happens, where the tool touches bone or has
-    /// removed some since they were made. What this closes is in `closed()`.   [haptic, nonblocking] between ticks
+    /// The same with bodies as they were before a cut, or after it. False, and the bodies stay, where the tool touches bone or has
+    /// removed some since they were made. Unless it touches bone, open stretches are closed: `closed()`.   [haptic, nonblocking] between ticks
     bool go_to(Restoration& restoration) noexcept;
     /// Whether the tool and what it holds touch no bone, cut or uncut.   [haptic, nonblocking]
     [[nodiscard]] bool is_clear_of_bone() const noexcept { return !is_bone_in_reach(0.0); }
@@ -185,7 +185,7 @@ private:
     void adopt_what_is_due(bool all);
     std::string turn_back(Turn turn);
     void exchange_bodies(Restoration& restoration) noexcept;
-    [[nodiscard]] std::string why_no_more_bodies() const;        ///< empty: there may be
+    [[nodiscard]] std::string why_no_more_bodies() const;  ///< empty: there may be
     void look_around() noexcept;
 
     double period_;  ///< [s] of a tick

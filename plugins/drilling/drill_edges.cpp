@@ -29,9 +29,8 @@ void Edges::ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept 
     }
     count = lip_points;
     const SinCos helix = sin_cos_exact(drill.helix_angle), fitted = sin_cos_exact(fitted_helix);
-    const bool is_fitted = helix.sin == fitted.sin;
-    if (is_fitted) std::fill_n(rake_factor.begin(), lip.count, 1.0);
-    for (std::size_t i = 0; i < lip.count && !is_fitted; ++i) {
+    rake_factor.fill(1.0);
+    for (std::size_t i = 0; helix.sin != fitted.sin && i < lip.count; ++i) {
         const double more = (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 / pi;  // [deg]
         rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
     }

@@ -12,6 +12,7 @@ namespace kerf::drilling {
 
 inline constexpr double left_behind = 0.1e-3;  ///< [m] edges farther from the front than the nearest by this wait (R2)
 inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
+inline constexpr std::size_t most_edge_points = lip_count * largest_element_count + 2 * most_chisel_points;
 
 /// Share of the reference tissue's resistance at a sample, zero in air.
 [[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
@@ -20,9 +21,9 @@ inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chis
 struct Edges {
     TwistDrill drill;
     Lip lip;
-    std::array<Vec3, lip_count * largest_element_count + 2 * most_chisel_points> point;
-    std::array<kerf_bone_sample, lip_count * largest_element_count + 2 * most_chisel_points> sample;
-    std::array<double, lip_count * largest_element_count + 2 * most_chisel_points> resistance;  ///< [–] of each, as shares of the reference tissue's
+    std::array<Vec3, most_edge_points> point;
+    std::array<kerf_bone_sample, most_edge_points> sample;
+    std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
     double lag = 0.0;  ///< [m] of the second lip
 

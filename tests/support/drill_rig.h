@@ -9,6 +9,7 @@
 #include "core/haptics/simulation.h"
 #include "core/plugin/loader.h"
 #include "tests/support/block.h"
+#include "tests/support/made_outline.h"
 
 /// The drilling plugin as the host loads it, in a bone made for the question. The bone's face is z = 0, the drill comes
 /// from above and feeds along −z.
@@ -49,13 +50,6 @@ inline ToolSetup drill(const std::string& tool, std::map<std::string, double> se
 
 inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) { return drill("twist_drill", set); }
 inline ToolSetup step_drill(const std::map<std::string, double>& set = {}) { return drill("step_drill", set); }
-
-inline ToolOutline outline(const ToolSetup& setup) {
-    ToolOutline out;
-    std::string error;
-    if (!outline_of(setup, out, error)) throw std::runtime_error(error);
-    return out;
-}
 
 /// A drill at `depth` of its tip below the face, straight down, tilted by `tilt` about y.
 inline Pose at_depth(double depth, double tilt = 0.0, Vec3 entry = {0, 0, 0}) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-
+#include "tests/support/made_outline.h"
 #include "tests/support/mill.h"
 
 namespace kerf::test {
@@ -13,16 +10,10 @@ namespace kerf::test {
 struct Milled {
     Body body = bar(0.2e-3);
     ToolSetup setup = mill();
-    ToolOutline outline = made(setup);
+    ToolOutline outline = test::outline(setup);
     Simulation simulation{body, setup, outline, gains_for(*find_device("premium-1.5-6dof"), 0.1), mill_at(-3.0e-3)};
     double x = -3.0e-3;
 
-    static ToolOutline made(const ToolSetup& setup) {
-        ToolOutline outline;
-        std::string error;
-        EXPECT_TRUE(outline_of(setup, outline, error)) << error;
-        return outline;
-    }
     /// One tick of the hand on its way along x, 2 µm.
     TickResult go(double y = 2.0e-3) {
         x += 2e-6;

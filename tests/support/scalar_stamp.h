@@ -27,9 +27,9 @@ struct ScalarStamp {
                     SampleCell cell = pose.cell_at(i, j, k);
                     cell.first[1] += static_cast<float>(at.first_y);
                     cell.first[2] += static_cast<float>(at.first_z);
-                    std::int16_t lowest, highest, spare;
+                    std::int16_t lowest, highest;
                     portable_kernel().raise(solid.single(), cell, static_cast<float>(PoseStamp::band_voxels * g.spacing),
-                                            static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(), lowest, highest, spare);
+                                            static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(), lowest, highest, nullptr);
                 }
                 const std::int16_t* to = raised.data();
                 for_each_sample(i, j, k, samples, [&](int, int, int, std::int16_t& v) { v = to[&v - samples]; });

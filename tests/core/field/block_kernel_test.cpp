@@ -321,10 +321,10 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         }
         for (const std::size_t k : {0u, 1u}) {
             after[k] = before;
-            std::int16_t lowest = 0, highest = 0, spare = 0, least = 32767, most = -32767;
+            std::int16_t lowest = 0, highest = 0, least = 32767, most = -32767;
             const bool is_raised = (k == 0 ? plain : *fast)
                                        .raise(solid.single(), cell, static_cast<float>(band), static_cast<float>(1.0 / quantum),
-                                              after[k].data() + first_y * stored_edge, lowest, highest, spare);
+                                              after[k].data() + first_y * stored_edge, lowest, highest, nullptr);
             ASSERT_EQ(is_raised, after[k] != before);
             for (std::size_t s = 0; s < layers; ++s) {
                 // Single precision: coordinates of 5 mm are known to 0.5 nm, a fifteenth of a quantum, so it is one off at

@@ -7,19 +7,13 @@
 
 #include "core/plugin/core_instruments.h"
 #include "tests/support/loop_guard.h"
+#include "tests/support/made_outline.h"
 #include "tests/support/mill.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
-
-ToolOutline outline_made(const ToolSetup& setup) {
-    ToolOutline outline;
-    std::string error;
-    EXPECT_TRUE(outline_of(setup, outline, error)) << error;
-    return outline;
-}
 
 ToolSetup forceps() {
     const kerf_entry& core = core_instruments();
@@ -37,7 +31,7 @@ ToolSetup forceps() {
 struct Bench {
     static constexpr double in_bone = 5.0_um, in_air = 100.0_um;  // a tick
     Body body = test::bar(0.2_mm);
-    std::vector<Tool> tools{{test::mill(), outline_made(test::mill())}, {forceps(), outline_made(forceps())}};
+    std::vector<Tool> tools{{test::mill(), test::outline(test::mill())}, {forceps(), test::outline(forceps())}};
     Simulation simulation{body, tools, gains_for(*find_device("premium-1.5-6dof"), 0.1), test::mill_at(-4.0_mm)};
     Pose hand = test::mill_at(-4.0_mm);
     TickResult last;
