@@ -10,8 +10,9 @@
 namespace kerf {
 
 namespace {
-constexpr double record_voxels = 0.05;      ///< motion that closes a record (R2)
+constexpr double record_voxels = 0.05;      ///< motion that closes a record
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
+constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
@@ -49,7 +50,9 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
 
     const double h = body_->grid().spacing;
     double motion = largest_motion(*solid_, open_from_, now);
-    if (motion < farthest_motion_ && largest_motion(*solid_, farthest_, now) >= reversal_voxels * h) {
+    const double further = largest_motion(*solid_, farthest_, now);
+    const bool has_turned = motion < farthest_motion_ || motion < further;
+    if (further >= reversal_voxels * h && (has_turned || farthest_motion_ + further > motion + bend_voxels * h)) {
         close_at(farthest_, tick);
         last_reversal_ = sequence_;
         motion = largest_motion(*solid_, open_from_, now);

@@ -137,6 +137,42 @@ TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
     EXPECT_GT(pieces, 3 * records);
 }
 
+TEST(CutLog, WhereTheToolTurnsARecordEndsHoweverFarItGoesInThatTick) {
+    constexpr double h = 0.5_mm;
+    const auto at = [](double x, double depth) { return test::pointing({x, 0, -depth}, {0, 0, -1}); };
+    const struct {
+        const char* name;
+        Pose next;
+    } turns[] = {{"a little back", at(0, 2.0_mm + 0.01 * h)},  // less than it came
+                 {"back past where the stretch began", at(0, 2.0_mm - 0.7 * h)},
+                 {"aside", at(0.7 * h, 2.0_mm + 0.04 * h)},
+                 {"aside and back", at(0.7 * h, 2.0_mm - 0.2 * h)}};
+    for (const auto& [name, next] : turns) {
+        Cutting cutting(h, at(0, -1.0_mm));
+        cutting.move_to(at(0, 2.0_mm));                         // closes a record
+        const Pose deepest = at(0, 2.0_mm + 0.04 * h);
+        cutting.move_to(deepest);                               // too little for one
+        const std::size_t before = cutting.log.size();
+        cutting.move_to(next);
+        cutting.end();
+        ASSERT_GT(cutting.log.size(), before) << name;
+        EXPECT_EQ(length(cutting.log[before].to.position - deepest.position), 0.0) << name;
+        EXPECT_TRUE(cutting.log[before].removes) << name;
+        EXPECT_TRUE(cutting.committed.same_bits(cutting.exact)) << name;
+    }
+    // Straight on, or round a bend so wide that nothing is left out, one record holds both
+    for (const Pose& next : {at(0, 2.0_mm + 0.7 * h), at(0.003 * h, 2.0_mm + 0.7 * h)}) {
+        Cutting cutting(h, at(0, -1.0_mm));
+        cutting.move_to(at(0, 2.0_mm));
+        const std::size_t before = cutting.log.size();
+        cutting.move_to(at(0, 2.0_mm + 0.04 * h));
+        cutting.move_to(next);
+        cutting.end();
+        ASSERT_EQ(cutting.log.size(), before + 1);
+        EXPECT_EQ(length(cutting.log[before].to.position - next.position), 0.0);
+    }
+}
+
 TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
     // Given a drill that is fed at 1 mm/s into a grid so fine that a record touches more bricks than a tick may stamp
     Cutting cutting(0.1_mm, test::pointing({0, 0, 2.0_mm}, {0, 0, -1}));
