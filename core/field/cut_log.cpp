@@ -10,7 +10,8 @@
 namespace kerf {
 
 namespace {
-constexpr double record_voxels = 0.05;      ///< motion that closes a record
+constexpr double record_voxels = 0.2;       ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
+constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is looked at again
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
@@ -19,10 +20,15 @@ constexpr double rounding = 1e-9;           ///< [m] of distances that are compa
 }  // namespace
 
 void CutTracker::restart(const Pose& body_from_tool) noexcept {
-    open_from_ = farthest_ = body_from_tool;
-    farthest_motion_ = 0.0;
+    begin_stretch(body_from_tool);
     is_started_ = true;
     closed_count_ = 0;
+}
+
+void CutTracker::begin_stretch(const Pose& body_from_tool) noexcept {
+    open_from_ = farthest_ = body_from_tool;
+    farthest_motion_ = looked_at_ = 0.0;
+    is_open_solid_ = false;
 }
 
 void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcept {
@@ -36,12 +42,15 @@ void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcep
     solid_number_ = other.solid_number_;
     number_from(next);
     closed_count_ = 0;
+    looked_at_ = 0.0;
+    is_open_solid_ = false;
+    look_at_open_stretch();
 }
 
 void CutTracker::take_tool(const ToolSolid& solid, std::uint16_t number) noexcept {
     solid_ = &solid;
     solid_number_ = number;
-    has_removed_ = is_started_ = false;
+    has_removed_ = is_started_ = is_open_solid_ = false;
 }
 
 int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
@@ -62,7 +71,16 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
         farthest_motion_ = motion;
     }
     if (motion >= record_voxels * h) close_at(now, tick);
+    else look_at_open_stretch();
     return closed_count_;
+}
+
+void CutTracker::look_at_open_stretch() noexcept {
+    if (farthest_motion_ < looked_at_ + look_voxels * body_->grid().spacing) return;
+    looked_at_ = farthest_motion_;
+    if (!is_open_solid_ && !removes_bone(farthest_)) return;
+    is_open_solid_ = true;
+    take_newest(farthest_);
 }
 
 int CutTracker::close(std::uint64_t tick) noexcept {
@@ -79,30 +97,27 @@ void CutTracker::close_at(const Pose& to, std::uint64_t tick) noexcept {
     record.tick = tick;
     record.from = open_from_;
     record.to = to;
-    record.removes = removes_bone(to) || removes_bone(between(record.from, to, 0.5));
-    open_from_ = farthest_ = to;
-    farthest_motion_ = 0.0;
+    record.removes = is_open_solid_ || removes_bone(to) || removes_bone(between(record.from, to, 0.5));
+    begin_stretch(to);
     closed_[static_cast<std::size_t>(closed_count_++)] = record;
     if (!record.removes) return;
     recent_[removing_ever_++ % recent_capacity] = record;
 
     last_removing_ = to;
     has_removed_ = true;
-    if (pending_count_ == pending_capacity) {  // nobody has come to commit: rather early than lost
+    if (pending_count_ + 1 == pending_capacity) {  // nobody has come to commit: rather early than lost
         ++early_commits_;
         commit_oldest();
     }
-    const std::size_t slot = (pending_first_ + pending_count_) % pending_capacity;
-    pending_[slot] = record;
-    pending_inverse_[slot] = inverse(record.to);
-    ++pending_count_;
-    compare_with_newest();
+    pending_[slot(pending_count_++)] = record;
+    take_newest(to);
 }
 
-void CutTracker::compare_with_newest() noexcept {
+void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
+    tool_from_body_[slot(solid_count() - 1)] = inverse(body_from_tool);
     spread_ = {};
-    for (std::size_t i = 0; i + 1 < pending_count_; ++i) {
-        const Pose older_from_newest = tool_from_body(i) * pending(pending_count_ - 1).to;
+    for (std::size_t i = 0; i + 1 < solid_count(); ++i) {
+        const Pose older_from_newest = tool_from_body(i) * body_from_tool;
         const Vec3 p = older_from_newest.position;
         const Quat& q = older_from_newest.rotation;
         spread_.low = {std::min(spread_.low.x, p.x), std::min(spread_.low.y, p.y), std::min(spread_.low.z, p.z)};
@@ -150,14 +165,14 @@ void CutTracker::drop_oldest() noexcept {
 }
 
 std::size_t CutTracker::first_that_matters() const noexcept {
-    // Without a turn the last pending solid is the farthest along; the others lie behind it.
+    // Without a turn the last is the farthest along; the others lie behind it.
     const bool has_turned = pending_count_ > 0 && last_reversal_ > pending(0).sequence;
-    return has_turned ? 0 : pending_count_ - std::min<std::size_t>(pending_count_, 1);
+    return has_turned ? 0 : solid_count() - std::min<std::size_t>(solid_count(), 1);
 }
 
 double CutTracker::gap(Vec3 point, Vec3 direction) const noexcept {
     double gap = 0.0;
-    for (std::size_t i = first_that_matters(); i < pending_count_; ++i) {
+    for (std::size_t i = first_that_matters(); i < solid_count(); ++i) {
         const Pose& tool_from = tool_from_body(i);
         gap = std::max(gap, solid_->travel_to_leave(tool_from * point, rotate(tool_from.rotation, direction)));
     }
@@ -166,7 +181,7 @@ double CutTracker::gap(Vec3 point, Vec3 direction) const noexcept {
 
 double CutTracker::depth_in_pending(Vec3 point) const noexcept {
     double depth = -body_->grid().clamp();
-    for (std::size_t i = 0; i < pending_count_; ++i) depth = std::max(depth, depth_in_pending(i, point));
+    for (std::size_t i = 0; i < solid_count(); ++i) depth = std::max(depth, depth_in_pending(i, point));
     return depth;
 }
 
@@ -176,11 +191,11 @@ void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t
     // A point that is outside a convex solid after the gap found so far leaves it earlier, by far more than rounding.
     PointBlock in_solid, ahead;
     BlockValues depth;
-    for (std::size_t i = pending_count_, first = first_that_matters(); i-- > first;) {
+    for (std::size_t i = solid_count(), first = first_that_matters(); i-- > first;) {
         const Frame solid_from = solid_from_tool(i, body_from_tool);
         const Vec3 along = turned(solid_from, direction);
         transform(solid_from, points, count, in_solid);
-        const bool knows_more = solid_->is_convex() && i + 1 < pending_count_;
+        const bool knows_more = solid_->is_convex() && i + 1 < solid_count();
         if (knows_more) {
             ahead.count = count;
             for (std::size_t p = 0; p < count; ++p) {

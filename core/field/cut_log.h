@@ -45,9 +45,12 @@ public:
     /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
     void flush();
 
-    /// How far a point travels along `direction` (body frame) until it leaves every pending solid [m].
+    /// The solids that are gone and not committed: where pending records end, the oldest first, and where the open stretch stands, if
+    /// it removes bone. What is stamped is decided by closed records alone.
+    [[nodiscard]] std::size_t solid_count() const noexcept { return pending_count_ + (is_open_solid_ ? 1 : 0); }
+    /// How far a point travels along `direction` (body frame) until it leaves every one of them [m].
     [[nodiscard]] double gap(Vec3 point_in_body, Vec3 direction_in_body) const noexcept;
-    /// Largest depth of a point inside the pending solids [m]; negative outside all of them.
+    /// Largest depth of a point inside them [m]; negative outside all of them.
     [[nodiscard]] double depth_in_pending(Vec3 point_in_body) const noexcept;
     /// The last records that remove bone, the oldest first.
     [[nodiscard]] std::size_t recent_count() const noexcept { return std::min(static_cast<std::size_t>(removing_ever_), recent_capacity); }
@@ -60,7 +63,7 @@ public:
     void take_tool(const ToolSolid& solid, std::uint16_t number) noexcept;
     /// Records are numbered on from `next`.   [haptic, nonblocking]
     void number_from(std::uint64_t next) noexcept { sequence_ = last_reversal_ = next; }
-    /// Of one of them, 0 … pending_count() − 1, the newest last.
+    /// Of one of them.
     [[nodiscard]] double depth_in_pending(std::size_t i, Vec3 point_in_body) const noexcept {
         return -solid_->distance(tool_from_body(i) * point_in_body);
     }
@@ -68,7 +71,7 @@ public:
     /// The same for `count` ≤ `block_capacity` points of the tool at a pose, and a direction in its frame.
     /// [haptic, nonblocking]
     void gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Vec3 direction, BlockValues& gaps) const noexcept;
-    /// From the tool at a pose to the frame of a pending solid.
+    /// From the tool at a pose to the frame of one of the solids.
     [[nodiscard]] Frame solid_from_tool(std::size_t i, const Pose& body_from_tool) const noexcept {
         return frame_of(tool_from_body(i) * body_from_tool);
     }
@@ -77,7 +80,7 @@ public:
     /// Those before it lie behind it and make no gap.
     [[nodiscard]] std::size_t first_that_matters() const noexcept;
 
-    /// How the frames of the pending solids differ: what a point moves by, on its way from the newest's to another's.
+    /// How the frames of the solids differ: what a point moves by, on its way from the newest's to another's.
     struct Spread {
         Vec3 low{}, high{};  ///< [m] of the origin
         double turn = 0.0;   ///< [–] and no more than this of its distance from there
@@ -91,13 +94,14 @@ public:
 
 private:
     [[nodiscard]] const CutRecord& pending(std::size_t i) const noexcept {
-        return pending_[(pending_first_ + i) % pending_capacity];
+        return pending_[slot(i)];
     }
-    [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept {
-        return pending_inverse_[(pending_first_ + i) % pending_capacity];
-    }
-    /// How the pending solids lie to the newest, which has just come.
-    void compare_with_newest() noexcept;
+    [[nodiscard]] std::size_t slot(std::size_t i) const noexcept { return (pending_first_ + i) % pending_capacity; }
+    [[nodiscard]] const Pose& tool_from_body(std::size_t i) const noexcept { return tool_from_body_[slot(i)]; }
+    /// The newest solid has come, or moved.
+    void take_newest(const Pose& body_from_tool) noexcept;
+    void begin_stretch(const Pose& body_from_tool) noexcept;
+    void look_at_open_stretch() noexcept;
     int commit_oldest();
     void drop_oldest() noexcept;
     void close_at(const Pose& to, std::uint64_t tick) noexcept;
@@ -111,6 +115,8 @@ private:
     Pose open_from_ = identity_pose();  ///< the last record's end
     Pose farthest_ = identity_pose();   ///< of the open stretch
     double farthest_motion_ = 0.0;      ///< [m] from open_from_
+    double looked_at_ = 0.0;            ///< [m] of that motion, when it was last asked whether the stretch removes bone
+    bool is_open_solid_ = false;        ///< it does
     Pose last_removing_ = identity_pose();
     bool has_removed_ = false;
     bool is_started_ = false;
@@ -122,7 +128,7 @@ private:
     int closed_count_ = 0;
 
     std::array<CutRecord, pending_capacity> pending_{};
-    std::array<Pose, pending_capacity> pending_inverse_{};
+    std::array<Pose, pending_capacity> tool_from_body_{};  ///< of the solids: one place is always free for the open stretch
     Spread spread_;
     std::size_t pending_first_ = 0, pending_count_ = 0;
     StampProgress progress_;  ///< of the oldest

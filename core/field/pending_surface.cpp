@@ -19,12 +19,12 @@ Vec3 magnitude(Vec3 v) noexcept { return {std::abs(v.x), std::abs(v.y), std::abs
 
 PendingSurface::PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept
     : tracker_(&tracker), body_from_tool_(body_from_tool), clamp_(tracker.body().grid().clamp()) {
-    if (tracker.pending_count() > 0) newest_from_tool_ = tracker.solid_from_tool(tracker.pending_count() - 1, body_from_tool);
+    if (tracker.solid_count() > 0) newest_from_tool_ = tracker.solid_from_tool(tracker.solid_count() - 1, body_from_tool);
 }
 
 void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
                            kerf_surface_point* answers) noexcept {
-    if (tracker_->pending_count() == 0) return;
+    if (tracker_->solid_count() == 0) return;
     const ToolSolid& solid = tracker_->solid();
     const CutTracker::Spread& spread = tracker_->spread();
     const bool is_convex = solid.is_convex();
@@ -46,7 +46,7 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
 
     if (frame_count_ == 0) {
         frames_[frame_count_++] = single(newest_from_tool_);
-        for (std::size_t i = 0; i + 1 < tracker_->pending_count(); ++i)
+        for (std::size_t i = 0; i + 1 < tracker_->solid_count(); ++i)
             frames_[frame_count_++] = single(tracker_->solid_from_tool(i, body_from_tool_));
     }
     constexpr float never = 1e30f;

@@ -367,6 +367,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
             take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_));
             body->tracker.commit_passed(body_from_tool, is_at_front);
         } else {
+            take_closed(body->tracker, body->tracker.close(tick_));  // what was cut until now is gone
             body->tracker.restart(body_from_tool);
         }
     }

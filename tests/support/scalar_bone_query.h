@@ -43,13 +43,13 @@ struct ScalarBoneQuery {
     [[nodiscard]] double deepest_pending(Vec3 point) const {
         double deepest = -1.0;
         if (!can_be_cut(point) || nearest_committed(point).distance >= body.grid().clamp()) return deepest;
-        for (std::size_t i = 0; i < tracker.pending_count(); ++i)
+        for (std::size_t i = 0; i < tracker.solid_count(); ++i)
             deepest = std::max(deepest, -tracker.solid().distance(tracker.solid_from_tool(i, body_from_tool) * point));
         return deepest;
     }
     /// Whether a normal is that of a pending solid which is as deep, give or take `tolerance` [m].
     [[nodiscard]] bool is_pending_normal(Vec3 point, Vec3 normal, double deepest, double tolerance) const {
-        for (std::size_t i = 0; i < tracker.pending_count(); ++i) {
+        for (std::size_t i = 0; i < tracker.solid_count(); ++i) {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             const Vec3 p = solid_from * point;
             if (-tracker.solid().distance(p) < deepest - tolerance) continue;
@@ -66,7 +66,7 @@ struct ScalarBoneQuery {
         const bool is_near = deepest < body.grid().clamp();
         s.body = is_near ? 0 : -1;
         s.normal = {0, 0, 0};
-        for (std::size_t i = 0; is_near && i < tracker.pending_count(); ++i) {
+        for (std::size_t i = 0; is_near && i < tracker.solid_count(); ++i) {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             if (-tracker.solid().distance(solid_from * point) == deepest)
                 s.normal = turned_back(solid_from, tracker.solid().way_in(solid_from * point));
@@ -116,7 +116,7 @@ private:
     }
     [[nodiscard]] double gap(Vec3 point, Vec3 direction) const {
         double gap = 0.0;
-        for (std::size_t i = tracker.first_that_matters(); i < tracker.pending_count(); ++i) {
+        for (std::size_t i = tracker.first_that_matters(); i < tracker.solid_count(); ++i) {
             const Frame solid_from = tracker.solid_from_tool(i, body_from_tool);
             gap = std::max(gap, tracker.solid().travel_to_leave(solid_from * point, turned(solid_from, direction)));
         }

@@ -192,7 +192,7 @@ TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
     EXPECT_LE(largest, 3 * CutTracker::bricks_per_tick);
     EXPECT_LT(largest, touched);
     EXPECT_EQ(cutting.tracker.early_commits(), 0u);
-    EXPECT_LE(most_pending, 26u);
+    EXPECT_LE(most_pending, 7u);
     cutting.end();
     EXPECT_TRUE(cutting.committed.same_bits(cutting.exact));
 }

@@ -115,6 +115,20 @@ TEST(SpindleInBone, SwitchedOffUnderPushItStopsCuttingAndStands) {
     EXPECT_EQ(rig.events.back(), "drilling.spindle_off");
 }
 
+TEST(SpindleInBone, WhatItCutBeforeItStoodIsGone) {
+    // However far the open stretch had come when it took the last bone: that tick closes it
+    for (const int ticks : {2000, 2003, 2008, 2014}) {
+        Rig rig({{"run_up", 0.0}});
+        for (int i = 0; i < ticks; ++i) (void)rig.push(170.0);
+        rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+        Pose last_cut = rig.simulation.world_from_tool();
+        for (int i = 0; i < 100; ++i)
+            if (rig.push(170.0).is_cutting) last_cut = rig.simulation.world_from_tool();
+        const CutTracker& tracker = rig.simulation.tracker();
+        EXPECT_EQ(length(tracker.recent(tracker.recent_count() - 1).to.position - last_cut.position), 0.0) << ticks;
+    }
+}
+
 TEST(SpindleInBone, TheMotorPaysForTheTorque) {
     Rig rig({});
     double torque = 0.0, power = 0.0, count = 0.0;
