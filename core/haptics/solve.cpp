@@ -88,10 +88,11 @@ void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexc
         }
 }
 
-/// Everything at one rate: −gradient (what is out of balance) and, on demand, the Hessian.
+/// Everything at one rate: −gradient (what is out of balance), and what the Hessian and the caller need of it.
 struct At {
-    Vec6 out_of_balance{};
-    Vec3 force_pull{}, torque_pull{};
+    Vec6 out_of_balance;
+    Vec3 force_pull, torque_pull;
+    std::array<ChannelForce, most_channels> channel;  ///< as many as there are
 };
 
 double release_force(const Balance& b, const Vec6& u) noexcept {
@@ -99,16 +100,16 @@ double release_force(const Balance& b, const Vec6& u) noexcept {
 }
 
 At evaluate(const Balance& b, const Vec6& u) noexcept {
-    At at;
+    At at;  // all of it is set below, but for channels that there are not
     at.force_pull = b.force.pull - b.force.drag * grip_velocity(b, u);
     at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
     Vec6 g = at_tip(b, limited(b.force, at.force_pull), limited(b.torque, at.torque_pull));
     for (std::size_t i = 0; i < 6; ++i) g[i] += b.following[i];
     for (std::size_t i = 0; i < 3; ++i) g[i] -= b.mass / b.dt * (u[i] - b.previous_rate[i]);
-    for (const auto& channel : b.channels) {
-        const Vec6 d = direction(channel);
-        const double lambda = channel_force(channel, dot(d, u), b.dt).lambda;
-        for (std::size_t i = 0; i < 6; ++i) g[i] -= d[i] * lambda;
+    for (std::size_t c = 0; c < b.channels.size(); ++c) {
+        const Vec6 d = direction(b.channels[c]);
+        at.channel[c] = channel_force(b.channels[c], dot(d, u), b.dt);
+        for (std::size_t i = 0; i < 6; ++i) g[i] -= d[i] * at.channel[c].lambda;
     }
     const Vec3 release = release_force(b, u) * b.release_along;
     g[0] -= release.x;
@@ -122,9 +123,9 @@ Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
     Mat6 h{};
     add_coupling(b, stiffness(b.force, at.force_pull), stiffness(b.torque, at.torque_pull), h);
     for (std::size_t i = 0; i < 3; ++i) h[i][i] += b.mass / b.dt;
-    for (const auto& channel : b.channels) {
-        const Vec6 d = direction(channel);
-        const double slope = channel_force(channel, dot(d, u), b.dt).slope;
+    for (std::size_t c = 0; c < b.channels.size(); ++c) {
+        const Vec6 d = direction(b.channels[c]);
+        const double slope = at.channel[c].slope;
         if (slope == 0.0) continue;
         for (std::size_t i = 0; i < 6; ++i)
             for (std::size_t j = 0; j < 6; ++j) h[i][j] += slope * d[i] * d[j];
@@ -198,6 +199,15 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
     return {low > 0.0 ? low : 0.5 * (low + high), false};
 }
 
+/// What everything carries there.
+void carry(const Balance& b, const Vec6& rate, const At& at, Motion& motion) noexcept {
+    motion.rate = rate;
+    motion.force = limited(b.force, at.force_pull);
+    motion.torque = limited(b.torque, at.torque_pull);
+    motion.release = release_force(b, rate);
+    for (std::size_t c = 0; c < b.channels.size(); ++c) motion.lambda[c] = at.channel[c].lambda;
+}
+
 }  // namespace
 
 Motion solve(const Balance& balance) noexcept { return solve_from(balance, Vec6{}); }
@@ -251,22 +261,13 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         if (!found.is_last) at = evaluate(b, u);
     }
 
-    Motion carried = at_rate(b, u);
-    carried.iterations = motion.iterations;
-    carried.residual = motion.residual;
-    carried.has_converged = motion.has_converged;
-    return carried;
+    carry(b, u, at, motion);
+    return motion;
 }
 
 Motion at_rate(const Balance& b, const Vec6& rate) noexcept {
     Motion motion;
-    const At at = evaluate(b, rate);
-    motion.rate = rate;
-    motion.force = limited(b.force, at.force_pull);
-    motion.torque = limited(b.torque, at.torque_pull);
-    motion.release = release_force(b, rate);
-    for (std::size_t c = 0; c < b.channels.size() && c < most_channels; ++c)
-        motion.lambda[c] = channel_force(b.channels[c], dot(direction(b.channels[c]), rate), b.dt).lambda;
+    carry(b, rate, evaluate(b, rate), motion);
     return motion;
 }
 

@@ -56,7 +56,7 @@ inline constexpr int iteration_cap = 32;
 ///
 /// The left side is minus the gradient of a strictly convex function of u (every λ rises, the coupling is a Huber
 /// spring), so there is one answer. Newton with an exact line search finds it: a loose one does not.
-/// Pre: every channel is_sound.   [haptic, nonblocking]
+/// Pre: every channel is_sound, and there are at most `most_channels`.   [haptic, nonblocking]
 ///
 /// Source: docs/ARCHITECTURE.md, "The tick's solve".
 [[nodiscard]] Motion solve(const Balance& balance) noexcept;

@@ -82,13 +82,14 @@ Side side_forces(const Edges& e, const Tick& tick, double n, double feed_rate, d
         const double chip = std::max(t, 0.0);
         const double normal = width * force_per_width(chip, k.thrust, built_up);
         const double cutting = width * force_per_width(chip, k.cutting, built_up);
-        const Vec3 outwards = normalized(Vec3{e.point[i].x, e.point[i].y, 0.0});
-        const Vec3 running = cross(Vec3{0, 0, 1}, outwards);
-        const Vec3 lateral = -cutting * running - normal * el.normal_radial * outwards;
-        sum.thrust += normal * el.normal_axial;
+        // −cutting t̂ − normal n_r r̂, with r̂ outwards and t̂ = ẑ × r̂ the way it runs
+        const double x = e.point[i].x, y = e.point[i].y, from_axis = std::sqrt(x * x + y * y);
+        const double per_metre = from_axis > 0.0 ? 1.0 / from_axis : 0.0, radial = normal * el.normal_radial;
+        const Vec3 force{per_metre * (cutting * y - radial * x), -per_metre * (cutting * x + radial * y), -normal * el.normal_axial};
+        sum.thrust -= force.z;
         sum.torque += cutting * el.radius;
-        sum.lateral = sum.lateral + lateral;
-        sum.moment = sum.moment + cross(e.point[i], lateral - normal * el.normal_axial * Vec3{0, 0, 1});
+        sum.lateral = sum.lateral + Vec3{force.x, force.y, 0.0};
+        sum.moment = sum.moment + cross(e.point[i], force);
     }
     return sum;
 }

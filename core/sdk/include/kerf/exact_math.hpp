@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "kerf/units.hpp"
@@ -15,6 +17,36 @@ namespace detail {
 constexpr double power_of_two(int k) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
 }
+
+/// (±1)ⁱ / (first + step i)!
+template <std::size_t count>
+constexpr std::array<double, count> one_over_factorials(int first, int step, double sign) noexcept {
+    std::array<double, count> c{};
+    double factorial = 1.0, factor = 1.0;
+    for (int n = 1, i = 0; i < static_cast<int>(count); ++n) {
+        factorial *= n;
+        if (n != first + step * i) continue;
+        c[static_cast<std::size_t>(i++)] = factor / factorial;
+        factor *= sign;
+    }
+    return c;
+}
+
+/// Σ cᵢ xⁱ in pairs, pairs of pairs and so on, so that few sums wait for others; `power`: x, x², x⁴, x⁸.
+template <std::size_t first, std::size_t count, std::size_t all>
+constexpr double polynomial(const std::array<double, all>& c, const double (&power)[4]) noexcept {
+    if constexpr (count == 1) {
+        return c[first];
+    } else {
+        constexpr std::size_t half = std::bit_floor(count - 1);
+        return polynomial<first, half>(c, power) + polynomial<first + half, count - half>(c, power) * power[std::countr_zero(half)];
+    }
+}
+template <std::size_t all>
+constexpr double polynomial(const std::array<double, all>& c, double x) noexcept {
+    const double x2 = x * x, x4 = x2 * x2, power[4] = {x, x2, x4, x4 * x4};
+    return polynomial<0, all>(c, power);
+}
 }  // namespace detail
 
 /// e^x; 0 below −708, +largest above 709.   [any] pure, nonblocking.
@@ -25,11 +57,8 @@ constexpr double exp_exact(double x) noexcept {
     const double scaled = x * 1.44269504088896338700;
     const int k = static_cast<int>(scaled + (scaled >= 0.0 ? 0.5 : -0.5));
     const double r = (x - k * ln2_high) - k * ln2_low;  // |r| ≤ ln 2 / 2
-    constexpr double inverse[] = {0.0,     1.0,     1.0 / 2, 1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6, 1.0 / 7,
-                                  1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14};
-    double sum = 1.0;
-    for (int n = 14; n >= 1; --n) sum = 1.0 + r * inverse[n] * sum;
-    return sum * detail::power_of_two(k);
+    constexpr auto c = detail::one_over_factorials<13>(2, 1, 1.0);
+    return (1.0 + (r + r * r * detail::polynomial(c, r))) * detail::power_of_two(k);
 }
 
 struct SinCos {
@@ -44,12 +73,9 @@ constexpr SinCos sin_cos_exact(double x) noexcept {
     const double q = static_cast<double>(quarter);
     const double r = (x - q * half_pi_high) - q * half_pi_low;  // |r| ≤ π/4
     const double r2 = r * r;
-    double s = 1.0, c = 1.0;
-    for (int n = 9; n >= 1; --n) {
-        s = 1.0 - r2 / ((2 * n) * (2 * n + 1)) * s;
-        c = 1.0 - r2 / ((2 * n - 1) * (2 * n)) * c;
-    }
-    s *= r;
+    constexpr auto of_sine = detail::one_over_factorials<9>(3, 2, -1.0), of_cosine = detail::one_over_factorials<9>(2, 2, -1.0);
+    const double s = r - r * r2 * detail::polynomial(of_sine, r2);
+    const double c = 1.0 - r2 * detail::polynomial(of_cosine, r2);
     switch (static_cast<int>(((quarter % 4) + 4) % 4)) {
         case 0: return {s, c};
         case 1: return {c, -s};
