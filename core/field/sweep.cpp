@@ -58,30 +58,36 @@ bool Sweep::holds(Vec3 point, double tolerance) const noexcept {
 }
 
 void Sweep::may_hold(const PointBlock& points, double tolerance, std::array<bool, block_capacity>& may) const noexcept {
-    may.fill(true);
-    if (count_ > 1 || points.count == 0) return;
+    may.fill(false);
+    if (points.count == 0) return;
     constexpr double rounding = 1e-12;  // [m]
+    const double least = tolerance - rounding, way = step();
+    Pose last = from_;
     BlockValues before, after;
-    const double least = tolerance - rounding;
-    if (!solid_->is_convex()) {
-        const double way = slack * motion_;
-        solid_->depths(inverse(from_), points, before);
-        solid_->depths(inverse(to_), points, after);
-        for (std::size_t p = 0; p < points.count; ++p)
-            may[p] = before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
-        return;
-    }
-    // A point's way past the solid is all but straight, and none of it deeper than the plane that touches at its end.
     PointBlock at_start, at_end, gradient;
-    transform(inverse(from_), points, at_start);
-    transform(inverse(to_), points, at_end);
-    solid_->tangents(at_end, after, gradient);
-    const Quat turn = conjugate(from_.rotation) * to_.rotation;
-    const double bend = 2.0 * length({turn.x, turn.y, turn.z}) * motion_;
-    for (std::size_t p = 0; p < points.count; ++p) {
-        const double back = gradient.x[p] * (at_start.x[p] - at_end.x[p]) + gradient.y[p] * (at_start.y[p] - at_end.y[p]) +
-                            gradient.z[p] * (at_start.z[p] - at_end.z[p]);
-        may[p] = after[p] + (back > 0.0 ? back : 0.0) + bend > least;
+    if (solid_->is_convex()) transform(inverse(from_), points, at_start);
+    else solid_->depths(inverse(from_), points, before);
+    for (int i = 1; i <= count_; ++i) {
+        const Pose next = sub_pose(i);
+        if (!solid_->is_convex()) {
+            solid_->depths(inverse(next), points, after);
+            for (std::size_t p = 0; p < points.count; ++p)
+                may[p] = may[p] || before[p] > least || after[p] > least || 0.5 * (before[p] + after[p] + way) > least;
+            before = after;
+            continue;
+        }
+        // A point's way past the solid is all but straight, and none of it deeper than the plane that touches at its end.
+        transform(inverse(next), points, at_end);
+        solid_->tangents(at_end, after, gradient);
+        const Quat turn = conjugate(last.rotation) * next.rotation;
+        const double bend = 2.0 * length({turn.x, turn.y, turn.z}) * way;
+        for (std::size_t p = 0; p < points.count; ++p) {
+            const double back = gradient.x[p] * (at_start.x[p] - at_end.x[p]) + gradient.y[p] * (at_start.y[p] - at_end.y[p]) +
+                                gradient.z[p] * (at_start.z[p] - at_end.z[p]);
+            may[p] = may[p] || after[p] + (back > 0.0 ? back : 0.0) + bend > least;
+        }
+        at_start = at_end;
+        last = next;
     }
 }
 

@@ -44,6 +44,35 @@ TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
     EXPECT_GT(only_between, 0);
 }
 
+TEST(Sweep, WhatItHoldsItMayHoldAndLittleElse) {
+    const ToolSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}});
+    const ToolSolid solids[] = {burr, test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm), test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm)};
+    const Pose from = test::pointing({0.3_mm, 0, 0}, {0.1, 0.2, -1.0});
+    const Pose ends[] = {test::pointing({0.35_mm, 0.05_mm, -0.02_mm}, {0.1, 0.21, -1.0}), test::pointing({0.7_mm, 0.4_mm, -0.1_mm}, {0.15, 0.2, -1.0})};
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> x(-3.0_mm, 4.0_mm), z(-2.0_mm, 6.0_mm);
+    for (const ToolSolid& solid : solids)
+        for (const Pose& to : ends) {
+            const Sweep sweep(solid, from, to, 0.1_mm);
+            std::size_t held = 0, may_be_held = 0, missed = 0;
+            for (int block = 0; block < 300; ++block) {
+                PointBlock points;
+                while (points.count < block_capacity) points.add({x(random), x(random), z(random)});
+                std::array<bool, block_capacity> may;
+                sweep.may_hold(points, 0.0, may);
+                for (std::size_t p = 0; p < points.count; ++p) {
+                    const bool does = sweep.holds(points[p], 0.0);
+                    held += does;
+                    may_be_held += may[p];
+                    missed += does && !may[p];
+                }
+            }
+            EXPECT_EQ(missed, 0u);
+            EXPECT_GT(held, 500u);
+            EXPECT_LT(may_be_held, held + held / 3) << sweep.sub_poses() << " sub-poses";
+        }
+}
+
 TEST(Sweep, AStillSolidHoldsWhatItIsIn) {
     const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 10.0_mm);
     const Pose pose = test::pointing({0, 0, 0}, {0, 0, -1.0});
