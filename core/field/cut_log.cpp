@@ -126,22 +126,17 @@ void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
     }
 }
 
-void CutTracker::commit_passed(const Pose& now, bool is_at_front) {
+void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
     const double h = body_->grid().spacing;
-    const auto is_passed = [&](std::size_t i) {
-        return i < pending_count_ && is_at_front && largest_motion(*solid_, pending(i).to, now) >= h;
-    };
-    last_bricks_ = 0;
-    while (pending_count_ > pending_limit) {
-        if (!is_passed(0)) ++early_commits_;
-        last_bricks_ += commit_oldest();
-    }
+    const auto is_passed = [&](std::size_t i) { return is_at_front && largest_motion(*solid_, pending(i).to, now) >= h; };
+    const auto is_due = [&](std::size_t i) { return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i)); };
 
-    // A few bricks a tick for each record that waits, so that the tool does not leave the stamping behind.
-    int allowance = 0;
-    while (is_passed(static_cast<std::size_t>(allowance / bricks_per_tick))) allowance += bricks_per_tick;
-    if (allowance == 0 && progress_.has_begun()) allowance = bricks_per_tick;
-    while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_passed(0))) {
+    // A few bricks for each record that waits, so that the tool does not leave the stamping behind; all there may be beyond the limit.
+    int allowance = is_behind() ? most : progress_.has_begun() ? std::min(bricks_per_record, most) : 0;
+    for (std::size_t i = 0; allowance < most && is_due(i); ++i) allowance = std::min(static_cast<int>(i + 1) * bricks_per_record, most);
+    last_bricks_ = 0;
+    while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_due(0))) {
+        if (!progress_.has_begun() && !is_passed(0)) ++early_commits_;
         if (!committed_->stamp_on(pending(0), *solid_, allowance, progress_, last_bricks_)) break;
         drop_oldest();
     }

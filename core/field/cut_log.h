@@ -18,7 +18,8 @@ public:
     static constexpr std::size_t pending_capacity = 128;
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
-    static constexpr int bricks_per_tick = 16;  ///< stamped at most, for each record that waits; the rest stays pending
+    static constexpr int bricks_per_record = 16;  ///< stamped at a time, for each record that waits; the rest stays pending
+    static constexpr int most_bricks = 128;       ///< that a tick may stamp, of all bodies and in all of its parts
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
         : body_(&body), solid_(&solid), committed_(&committed) {}
@@ -40,8 +41,10 @@ public:
     /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps records that the front has left a voxel behind.   [haptic, nonblocking]
-    void commit_passed(const Pose& body_from_tool, bool is_at_front);
+    /// Stamps records that the front has left a voxel behind, about `most` bricks of them.   [haptic, nonblocking]
+    void commit_passed(const Pose& body_from_tool, bool is_at_front, int most = most_bricks);
+    /// More wait than should: the tool had better not go on so fast.
+    [[nodiscard]] bool is_behind() const noexcept { return pending_count_ > pending_limit; }
     /// Stamps everything pending: at a tool change, a split, the end.   [haptic, nonblocking]
     void flush();
 

@@ -137,6 +137,7 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
 TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     TickResult result;
     closed_.clear();
+    bricks_left_ = CutTracker::most_bricks;
     if (std::exchange(is_drawn_back_, false)) result.add_event("haptics.started_in_bone");
     const Pose last_handle = hand_.pose();
     const bool is_steady = hand_.take(sample, period_);
@@ -199,14 +200,16 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
                                     : between(last_handle, hand_.pose(), static_cast<double>(part) / result.parts);
     };
     const double moved = motion_in(period_);
+    const bool is_fast = moved > half_voxel && is_bone_in_reach(clamp_voxels * spacing_ + moved);
+    const bool is_behind = std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->tracker.is_behind(); });
     double step = period_;
-    if (moved > half_voxel && is_bone_in_reach(clamp_voxels * spacing_ + moved)) {
+    if (is_fast && !is_behind) {
         result.parts = static_cast<int>(std::min(std::ceil(moved / half_voxel), static_cast<double>(most_parts)));
         step = period_ / result.parts;
         if (!find_motion(handle_in(1), step, balance, motion)) return false;
     }
     for (int part = 1;; ++part) {
-        if (result.parts > 1) {
+        if (is_fast) {
             const bool is_resisted = std::any_of(motion.lambda.begin(), motion.lambda.begin() + channel_count_,
                                                  [](double lambda) { return lambda > 0.0; });
             const double most = is_resisted ? std::min(half_voxel, fastest * step) : half_voxel;
@@ -291,6 +294,7 @@ void Simulation::command(TickResult& result) noexcept {
 TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     TickResult result;
     closed_.clear();
+    bricks_left_ = CutTracker::most_bricks;
     const Pose last_handle = hand_.pose();
     if (hand_.take(sample, period_))
         guard_.observe(commanded_, make_vec6(hand_.pose().position - last_handle.position, {}), 0.0, 0.0);
@@ -363,13 +367,16 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     held_.move(bodies_, world_from_tool_);
     for (const auto& body : bodies_) {
         const Pose body_from_tool = body->body_from(world_from_tool_);
-        if (is_cutting && body->is_near && body->is_cuttable) {
-            take_closed(body->tracker, body->tracker.advance(body_from_tool, tick_));
-            body->tracker.commit_passed(body_from_tool, is_at_front);
+        CutTracker& tracker = body->tracker;
+        const bool is_cut = is_cutting && body->is_near && body->is_cuttable;
+        if (is_cut) {
+            take_closed(tracker, tracker.advance(body_from_tool, tick_));
         } else {
-            take_closed(body->tracker, body->tracker.close(tick_));  // what was cut until now is gone
-            body->tracker.restart(body_from_tool);
+            take_closed(tracker, tracker.close(tick_));  // what was cut until now is gone
+            tracker.restart(body_from_tool);
         }
+        tracker.commit_passed(body_from_tool, is_cut && is_at_front, bricks_left_);
+        bricks_left_ -= tracker.last_bricks();
     }
     look_around();
 }

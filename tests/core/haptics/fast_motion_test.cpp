@@ -71,6 +71,41 @@ TEST(FastMotion, AToolThatBoneResistsIsNoFasterThanAMetreASecond) {
     EXPECT_GT(last.position.z, -0.2_mm) << "and it met the bone";
 }
 
+TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
+    // Given bone that gives way to anything, on a grid so fine that half a metre a second sideways is more than can be stamped
+    constexpr double h = 0.12_mm;
+    Body body = test::block({-4.0_mm, -3.0_mm, -4.0_mm}, {14.0_mm, 3.0_mm, 0}, h, {0.1, 0.4, 0.8});
+    body.materials[0].density = 5.0;
+    const ToolSetup setup = test::twist_drill({{"run_up", 0.0}});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+    double depth = -0.5_mm, x = 0.0;
+    const auto go = [&] {
+        const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {x, 0, 0})});
+        simulation.after_tick();
+        return r;
+    };
+    for (; depth < 3.0_mm; depth += 0.01_mm) (void)go();
+
+    int behind = 0;
+    for (; x < 10.0_mm; x += 0.5_mm) {
+        const bool was_behind = simulation.tracker().is_behind();
+        const Pose from = simulation.world_from_tool();
+        const TickResult r = go();
+        if (!was_behind) continue;
+        ++behind;
+        EXPECT_EQ(r.parts, 1);
+        EXPECT_LE(largest_motion(simulation.outline().whole, from, simulation.world_from_tool()), 0.5 * h * 1.001);
+    }
+    EXPECT_GT(behind, 5);
+
+    // Then it comes after, and all of it is gone
+    for (int i = 0; i < 400; ++i) (void)go();
+    EXPECT_FALSE(simulation.tracker().is_behind());
+    EXPECT_GT(simulation.world_from_tool().position.x, 9.0_mm);
+    simulation.finish();
+    EXPECT_TRUE(simulation.committed().same_bits(simulation.exact()));
+}
+
 // The tool outruns the field's resolution, yet what it swept is gone.
 TEST(FastMotion, APushThroughSoftBoneLeavesNothingStanding) {
     Body body = test::block({-5.0_mm, -5.0_mm, -6.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm, {0.1, 0.4, 0.8});
