@@ -7,20 +7,27 @@
 namespace kerf {
 
 double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept {
-    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder.
-    const double r = solid.largest_radius();
+    // The distance moved is convex in the point, so its maximum is at the ends of the bounding cylinder, or of the box.
+    const Frame a = frame_of(from), b = frame_of(to);
+    const Vec3 origin = b.origin - a.origin, along_x = solid.largest_radius() * (b.x - a.x), along_z = b.z - a.z;
+    const Vec3 along_y = (solid.is_prism() ? 0.5 * solid.thickness() : solid.largest_radius()) * (b.y - a.y);
     double largest = 0.0;
-    if (solid.is_prism()) {
-        const double y = 0.5 * solid.thickness();
-        for (const double z : {solid.tip_z(), solid.end_z()})
-            for (const Vec3 corner : {Vec3{r, y, z}, Vec3{-r, y, z}, Vec3{r, -y, z}, Vec3{-r, -y, z}})
-                largest = std::max(largest, length(to * corner - from * corner));
-        return largest;
+    const auto look_at = [&](Vec3 moved) { largest = std::max(largest, dot(moved, moved)); };
+    for (const double z : {solid.tip_z(), solid.end_z()}) {
+        const Vec3 on_axis = origin + z * along_z;
+        if (solid.is_prism()) {
+            for (const Vec3 side : {along_x + along_y, along_x - along_y}) {
+                look_at(on_axis + side);
+                look_at(on_axis - side);
+            }
+            continue;
+        }
+        for (const Vec3 side : {along_x, along_y}) {
+            look_at(on_axis + side);
+            look_at(on_axis - side);
+        }
     }
-    for (const double z : {solid.tip_z(), solid.end_z()})
-        for (const Vec3 rim : {Vec3{r, 0, z}, Vec3{-r, 0, z}, Vec3{0, r, z}, Vec3{0, -r, z}, Vec3{0, 0, z}})
-            largest = std::max(largest, length(to * rim - from * rim));
-    return largest;
+    return std::sqrt(largest);
 }
 
 Pose between(const Pose& from, const Pose& to, double t) noexcept {

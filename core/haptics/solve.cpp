@@ -8,15 +8,16 @@ namespace kerf {
 
 namespace {
 
-/// Lower Cholesky factor of a symmetric positive definite matrix. False where a pivot is not positive.
+/// Lower Cholesky factor of a symmetric positive definite matrix, with one over what belongs on its diagonal there. False where a
+/// pivot is not positive.
 bool factorise(Mat6& a) noexcept {
     for (std::size_t j = 0; j < 6; ++j) {
         for (std::size_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
         if (!(a[j][j] > 0.0)) return false;
-        a[j][j] = std::sqrt(a[j][j]);
+        a[j][j] = 1.0 / std::sqrt(a[j][j]);
         for (std::size_t i = j + 1; i < 6; ++i) {
             for (std::size_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
-            a[i][j] /= a[j][j];
+            a[i][j] *= a[j][j];
         }
     }
     return true;
@@ -25,7 +26,7 @@ bool factorise(Mat6& a) noexcept {
 Vec6 forward(const Mat6& l, Vec6 b) noexcept {
     for (std::size_t i = 0; i < 6; ++i) {
         for (std::size_t k = 0; k < i; ++k) b[i] -= l[i][k] * b[k];
-        b[i] /= l[i][i];
+        b[i] *= l[i][i];
     }
     return b;
 }
@@ -33,7 +34,7 @@ Vec6 forward(const Mat6& l, Vec6 b) noexcept {
 Vec6 backward(const Mat6& l, Vec6 b) noexcept {
     for (std::size_t i = 6; i-- > 0;) {
         for (std::size_t k = i + 1; k < 6; ++k) b[i] -= l[k][i] * b[k];
-        b[i] /= l[i][i];
+        b[i] *= l[i][i];
     }
     return b;
 }
