@@ -11,6 +11,10 @@ namespace {
 /// Beside a blade most cells change with every record: to ask first would take longer than it saves.
 bool pays_to_remember(const ToolSolid& solid) noexcept { return solid.is_convex() && !solid.is_prism(); }
 
+constexpr int rounding = 2;  // [quanta]
+/// So little is used up by rounding: what rose with the last stamp most likely rises with this, and is not asked about.
+bool pays_to_ask(std::int16_t spare) noexcept { return spare > rounding; }
+
 }  // namespace
 
 PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
@@ -76,7 +80,6 @@ const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept 
 }
 
 double PoseStamp::most_gained(const Motion& motion, Vec3 middle, Vec3 half) const noexcept {
-    constexpr double rounding = 2.0;  // [quanta]
     const double size = length(half), spread = motion.turned * size + motion.error * (length(middle) + size);
     const double gained = solid_->most_gained(middle, half, motion.shift + cross(motion.turn, middle), spread, grid_->clamp() + grid_->quantum());
     return gained / grid_->quantum() + rounding;
@@ -90,9 +93,10 @@ Vec3 PoseStamp::extent(double along_x, double across) const noexcept {
 
 bool PoseStamp::is_as_before(const CellRanges& ranges, int i, int j, int k) noexcept {
     const Motion* since = motion_since(ranges.compared);
+    if (since == nullptr) return false;
+    const std::int16_t least = *std::min_element(ranges.spare.begin(), ranges.spare.end());
     constexpr double half = 0.5 * brick_edge;
-    return since != nullptr && most_gained(*since, place_in(cell_at(i, j, k), half, half, half), extent(half, half)) <=
-                                   static_cast<double>(*std::min_element(ranges.spare.begin(), ranges.spare.end()));
+    return pays_to_ask(least) && most_gained(*since, place_in(cell_at(i, j, k), half, half, half), extent(half, half)) <= static_cast<double>(least);
 }
 
 bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) noexcept {
@@ -137,7 +141,7 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
             keep(spare);
             continue;
         }
-        if (since != nullptr) {
+        if (since != nullptr && pays_to_ask(ranges.spare[n])) {
             if (const double spare = ranges.spare[n] - most_gained(*since, middles[n], half); spare >= 0.0) {
                 keep(spare);
                 continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/field/reach.h"
 #include "core/haptics/free_pose.h"
@@ -202,6 +203,8 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     const double moved = motion_in(period_);
     const bool is_fast = moved > half_voxel && is_bone_in_reach(clamp_voxels * spacing_ + moved);
     const bool is_behind = std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->tracker.is_behind(); });
+    if (is_fast && is_behind && !std::exchange(is_held_back_, true)) result.add_event("haptics.held_back");
+    if (!is_behind) is_held_back_ = false;
     double step = period_;
     if (is_fast && !is_behind) {
         result.parts = static_cast<int>(std::min(std::ceil(moved / half_voxel), static_cast<double>(most_parts)));

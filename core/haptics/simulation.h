@@ -70,9 +70,10 @@ public:
     /// One millisecond.
     ///
     /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick is done in up to 16
-    /// equal parts, each with its own law and its part of the hand's way; beyond that, at more than 1 m/s, or while too much that
-    /// was cut waits to be committed, the tool is slower than the hand (R1, B9). A sample that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force
-    /// gate: the tool rests, the force fades, and hand and tool go on from where they are.   [haptic, nonblocking]
+    /// equal parts, each with its own law and its part of the hand's way; beyond that, at more than 1 m/s, or while too much
+    /// that was cut waits to be committed (the event `haptics.held_back`), the tool is slower than the hand (R1, B9). A sample
+    /// that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force gate: the tool rests, the force
+    /// fades, and hand and tool go on from where they are.   [haptic, nonblocking]
     TickResult tick(const DeviceSample& sample) noexcept;
 
     /// `coupling: direct`: the tool is where the device says, the law is evaluated at the device's rate, and nothing
@@ -219,7 +220,7 @@ private:
     Vec6 commanded_{};       ///< the last command: on the hand, device newtons
     Vec6 before_fault_{};    ///< what the gate fades
     double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
-    bool is_drawn_back_ = false;
+    bool is_drawn_back_ = false, is_held_back_ = false;
     std::uint64_t tick_ = 0;
     int bricks_left_ = 0;              ///< that this tick may stamp yet
     std::vector<CutRecord> closed_;    ///< of the last tick; has room

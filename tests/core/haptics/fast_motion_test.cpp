@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string_view>
 
 #include "tests/support/drill_rig.h"
 #include "tests/support/probe.h"
@@ -86,17 +87,20 @@ TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
     };
     for (; depth < 3.0_mm; depth += 0.01_mm) (void)go();
 
-    int behind = 0;
+    int behind = 0, said = 0;
     for (; x < 10.0_mm; x += 0.5_mm) {
         const bool was_behind = simulation.tracker().is_behind();
         const Pose from = simulation.world_from_tool();
         const TickResult r = go();
+        for (std::size_t e = 0; e < r.event_count; ++e) said += std::string_view(r.events[e]) == "haptics.held_back";
         if (!was_behind) continue;
         ++behind;
         EXPECT_EQ(r.parts, 1);
         EXPECT_LE(largest_motion(simulation.outline().whole, from, simulation.world_from_tool()), 0.5 * h * 1.001);
     }
     EXPECT_GT(behind, 5);
+    EXPECT_GE(said, 1);
+    EXPECT_LT(said, behind) << "once each time";
 
     // Then it comes after, and all of it is gone
     for (int i = 0; i < 400; ++i) (void)go();
