@@ -64,7 +64,7 @@ void CutField::prepare() {
     for (std::size_t b = 0; b < g.brick_count(); ++b) most_ += !body_->surface.is_all_air(b);
     if (most_ > most_stored_bricks) throw std::length_error("more bricks of bone than can be cut");
     samples_.reserve((most_ + 2) * stored_samples);
-    ranges_.reserve(most_);
+    cells_.reserve(most_);
     samples_.assign(first_stored, -32767);
     std::fill(samples_.begin() + gone, samples_.end(), std::int16_t{32767});
     for (std::size_t axis = 0; axis < 3; ++axis) last_[axis] = g.samples(axis);
@@ -91,7 +91,7 @@ CutField::CutField(const CutField& other)
       is_full_(other.is_full_) {
     prepare();
     samples_.assign(other.samples_.begin(), other.samples_.end());
-    ranges_.assign(other.ranges_.begin(), other.ranges_.end());
+    cells_.assign(other.cells_.begin(), other.cells_.end());
     memory_ = other.memory_;
     used_ = other.used_;
     capacity_ = other.capacity_;
@@ -141,7 +141,7 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
 std::int16_t* CutField::open_brick(std::size_t index) {
     if (free_bricks() == 0) reserve(1);
     start_[index] = first_stored + static_cast<std::int32_t>(used_++) * stored_samples;
-    ranges_of(index).fill(-32767);
+    cells_of(index).fill(-32767);
     return brick(start_[index]);
 }
 
@@ -158,8 +158,8 @@ void CutField::begin_with(const LevelSet& hollow) {
 
 void CutField::find_ranges(std::size_t index) noexcept {
     const std::int16_t* samples = brick(start_[index]);
-    CellRanges& ranges = ranges_of(index);
-    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+    BrickCells& cells = cells_of(index);
+    for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
         const std::int16_t* first = samples + CellPlace::of(cell).first_sample();
         std::int16_t lowest = 32767, highest = -32767;
         for (int z = 0; z < 3; ++z)
@@ -169,12 +169,12 @@ void CutField::find_ranges(std::size_t index) noexcept {
                     lowest = std::min(lowest, value);
                     highest = std::max(highest, value);
                 }
-        ranges.lowest[cell] = lowest;
-        ranges.highest[cell] = highest;
+        cells.lowest[cell] = lowest;
+        cells.highest[cell] = highest;
     }
-    ranges.compared = 0;
+    cells.compared = 0;
     is_full_[index] =
-        std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
+        std::all_of(cells.lowest.begin(), cells.lowest.end(), [](std::int16_t s) { return s == 32767; });
 }
 
 void CutField::reserve(std::size_t count) {
@@ -183,7 +183,7 @@ void CutField::reserve(std::size_t count) {
     constexpr std::size_t some = 256;  // at a time
     capacity_ = std::min((wanted + some - 1) / some * some, most_);
     samples_.resize((capacity_ + 2) * stored_samples, -32767);
-    ranges_.resize(capacity_);
+    cells_.resize(capacity_);
 }
 
 int CutField::stamp(const CutRecord& record, const ToolSolid& solid) {
@@ -286,9 +286,9 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         if (start_[index] == uncut || is_full_[index] != 0) continue;
         if (++quarters % 4 == 0) ++touched;
         const std::int16_t* samples = brick(start_[index]);
-        const CellRanges& ranges = ranges_of(index);
-        for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
-            if (ranges.lowest[cell] > 0 || ranges.highest[cell] < lowest) continue;
+        const BrickCells& cells = cells_of(index);
+        for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
+            if (cells.lowest[cell] > 0 || cells.highest[cell] < lowest) continue;
             const CellPlace at = CellPlace::of(cell);
             std::uint32_t found[3];
             block_kernel().find(samples + at.first_sample(), lowest, 0, found);
@@ -328,11 +328,11 @@ std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, 
                     // before
         if (is_full_[index] != 0) continue;
         std::int16_t* samples = brick(start_[index]);
-        CellRanges& ranges = ranges_of(index);
-        if (!stamp.raise(samples, ranges, i, j, k, first_, last_)) continue;
+        BrickCells& cells = cells_of(index);
+        if (!stamp.raise(samples, cells, i, j, k, first_, last_)) continue;
         changed_[index] = 1;
         is_full_[index] =
-            std::all_of(ranges.lowest.begin(), ranges.lowest.end(), [](std::int16_t s) { return s == 32767; });
+            std::all_of(cells.lowest.begin(), cells.lowest.end(), [](std::int16_t s) { return s == 32767; });
     }
     return centres.count;
 }

@@ -104,8 +104,8 @@ private:
     static constexpr std::int32_t uncut = 0, gone = stored_samples, first_stored = 2 * stored_samples;
     [[nodiscard]] std::int16_t* brick(std::int32_t start) noexcept { return samples_.data() + start; }
     [[nodiscard]] const std::int16_t* brick(std::int32_t start) const noexcept { return samples_.data() + start; }
-    [[nodiscard]] CellRanges& ranges_of(std::size_t brick_index) noexcept {
-        return ranges_[static_cast<std::size_t>((start_[brick_index] - first_stored) / stored_samples)];
+    [[nodiscard]] BrickCells& cells_of(std::size_t brick_index) noexcept {
+        return cells_[static_cast<std::size_t>((start_[brick_index] - first_stored) / stored_samples)];
     }
     struct BrickBox {
         std::array<int, 3> first, last;
@@ -159,7 +159,7 @@ private:
     std::vector<std::uint8_t> changed_;
     std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
     BrickSamples<std::int16_t> samples_;  ///< has room for every brick that can be cut, so stamping never moves it
-    std::vector<CellRanges> ranges_;  ///< of the bricks in use
+    std::vector<BrickCells> cells_;  ///< of the bricks in use
     StampMemory memory_;
     std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is how many hold bone
 };

@@ -91,24 +91,24 @@ Vec3 PoseStamp::extent(double along_x, double across) const noexcept {
     return {reach(x.x, y.x, z.x), reach(x.y, y.y, z.y), reach(x.z, y.z, z.z)};
 }
 
-bool PoseStamp::is_as_before(const CellRanges& ranges, int i, int j, int k) noexcept {
-    const Motion* since = motion_since(ranges.compared);
+bool PoseStamp::is_as_before(const BrickCells& cells, int i, int j, int k) noexcept {
+    const Motion* since = motion_since(cells.compared);
     if (since == nullptr) return false;
-    const std::int16_t least = *std::min_element(ranges.spare.begin(), ranges.spare.end());
+    const std::int16_t least = *std::min_element(cells.spare.begin(), cells.spare.end());
     constexpr double half = 0.5 * brick_edge;
     return pays_to_ask(least) && most_gained(*since, place_in(cell_at(i, j, k), half, half, half), extent(half, half)) <= static_cast<double>(least);
 }
 
-bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) noexcept {
-    if (is_as_before(ranges, i, j, k)) return false;
+bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int j, int k) noexcept {
+    if (is_as_before(cells, i, j, k)) return false;
     if (memory_ != nullptr && number_ == 0) number_ = memory_->add(*solid_, tool_from_body_);
-    const Motion* since = motion_since(ranges.compared);
+    const Motion* since = motion_since(cells.compared);
     SampleCell cell = cell_at(i, j, k);
 
     // How deep can any sample of a cell be? No deeper than a plane that touches the solid; or, since the distance is
     // 1-Lipschitz, than the middle by as much as it lies from there.
     PointBlock middles;
-    for (std::size_t n = 0; n < CellRanges::count; ++n) {
+    for (std::size_t n = 0; n < BrickCells::count; ++n) {
         const CellPlace at = CellPlace::of(n);
         middles.add(place_in(cell, 4.0, at.first_y + 1.0, at.first_z + 1.0));
     }
@@ -125,9 +125,9 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
     const float first[2] = {cell.first[1], cell.first[2]};
     bool is_changed = false;
     const Vec3 half = extent(4.0, 1.0);
-    for (std::size_t n = 0; n < CellRanges::count; ++n) {
-        const auto keep = [&](double spare) { ranges.spare[n] = static_cast<std::int16_t>(std::min(spare, 32767.0)); };
-        if (ranges.lowest[n] == 32767) {
+    for (std::size_t n = 0; n < BrickCells::count; ++n) {
+        const auto keep = [&](double spare) { cells.spare[n] = static_cast<std::int16_t>(std::min(spare, 32767.0)); };
+        if (cells.lowest[n] == 32767) {
             keep(32767.0);
             continue;
         }
@@ -137,12 +137,12 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
             deepest = depth[n] + 4.0 * along(0) + along(1) + along(2);
         }
         deepest *= per_quantum;
-        if (const double spare = std::max<double>(lowest_kept, ranges.lowest[n] - 2.0) - deepest; spare >= 0.0) {
+        if (const double spare = std::max<double>(lowest_kept, cells.lowest[n] - 2.0) - deepest; spare >= 0.0) {
             keep(spare);
             continue;
         }
-        if (since != nullptr && pays_to_ask(ranges.spare[n])) {
-            if (const double spare = ranges.spare[n] - most_gained(*since, middles[n], half); spare >= 0.0) {
+        if (since != nullptr && pays_to_ask(cells.spare[n])) {
+            if (const double spare = cells.spare[n] - most_gained(*since, middles[n], half); spare >= 0.0) {
                 keep(spare);
                 continue;
             }
@@ -153,27 +153,27 @@ bool PoseStamp::raise_cells(std::int16_t* samples, CellRanges& ranges, int i, in
         const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
         cell.has_edges = solid_->has_edge_within(middles[n], half, 2.0 * band_ + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
-                                 samples + at.first_sample(), ranges.lowest[n], ranges.highest[n], memory_ != nullptr ? &ranges.spare[n] : nullptr))
+                                 samples + at.first_sample(), cells.lowest[n], cells.highest[n], memory_ != nullptr ? &cells.spare[n] : nullptr))
             is_changed = true;
     }
-    ranges.compared = number_;
+    cells.compared = number_;
     return is_changed;
 }
 
-bool PoseStamp::raise(std::int16_t* samples, CellRanges& ranges, int i, int j, int k, const std::array<int, 3>& first,
+bool PoseStamp::raise(std::int16_t* samples, BrickCells& cells, int i, int j, int k, const std::array<int, 3>& first,
                       const std::array<int, 3>& last) noexcept {
     const int low[] = {i * brick_edge, j * brick_edge, k * brick_edge};
     bool is_all_within = true;
     for (std::size_t axis = 0; axis < 3; ++axis)
         is_all_within = is_all_within && low[axis] >= first[axis] && low[axis] + brick_edge <= last[axis];
-    if (is_all_within) return raise_cells(samples, ranges, i, j, k);
+    if (is_all_within) return raise_cells(samples, cells, i, j, k);
 
     // Some samples must stay: raise all, elsewhere, and take over the others.
     std::array<std::int16_t, stored_samples> raised;
     std::copy_n(samples, stored_samples, raised.data());
-    if (!raise_cells(raised.data(), ranges, i, j, k)) return false;
+    if (!raise_cells(raised.data(), cells, i, j, k)) return false;
     bool is_changed = false;
-    for (std::size_t cell = 0; cell < CellRanges::count; ++cell) {
+    for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
         const CellPlace at = CellPlace::of(cell);
         int lowest = 32767, highest = -32767;
         for (int z = at.first_z; z < at.first_z + 3; ++z)
@@ -188,8 +188,8 @@ bool PoseStamp::raise(std::int16_t* samples, CellRanges& ranges, int i, int j, i
                     lowest = std::min<int>(lowest, samples[place]);
                     highest = std::max<int>(highest, samples[place]);
                 }
-        ranges.lowest[cell] = static_cast<std::int16_t>(lowest);
-        ranges.highest[cell] = static_cast<std::int16_t>(highest);
+        cells.lowest[cell] = static_cast<std::int16_t>(lowest);
+        cells.highest[cell] = static_cast<std::int16_t>(highest);
     }
     return is_changed;
 }

@@ -10,7 +10,7 @@
 namespace kerf {
 
 /// A brick's samples in nine cells, 9 × 3 × 3 of them, and what is known of each: what a stamp leaves out at once.
-struct CellRanges {
+struct BrickCells {
     static constexpr std::size_t count = 9;
     std::array<std::int16_t, count> lowest, highest;  ///< [quanta]
     /// The stamp, by its number, that raises nothing any more, nor would if it were deeper everywhere by `spare` [quanta]; 0: none.
@@ -51,8 +51,8 @@ public:
     /// good; beside a blade, which is thinner than a brick, half of the bricks that near are not reached.
     [[nodiscard]] bool may_reach(int i, int j, int k) const noexcept;
     /// Raises the 9³ samples of brick (i, j, k) [quanta] to the solid's depth, within `first` … `last` (samples of the
-    /// grid), and keeps their ranges true. True if any was.   [haptic, nonblocking]
-    bool raise(std::int16_t* samples, CellRanges& ranges, int i, int j, int k, const std::array<int, 3>& first,
+    /// grid), and keeps their cells true. True if any was.   [haptic, nonblocking]
+    bool raise(std::int16_t* samples, BrickCells& cells, int i, int j, int k, const std::array<int, 3>& first,
                const std::array<int, 3>& last) noexcept;
 
     /// Sample (0, 0, 0) of a brick in single precision: its cell's `first` counts on from there.
@@ -68,8 +68,8 @@ private:
     };
 
     /// Whether, by what a brick was compared with before, no sample of it can rise; errs towards no.
-    [[nodiscard]] bool is_as_before(const CellRanges& ranges, int i, int j, int k) noexcept;
-    bool raise_cells(std::int16_t* samples, CellRanges& ranges, int i, int j, int k) noexcept;
+    [[nodiscard]] bool is_as_before(const BrickCells& cells, int i, int j, int k) noexcept;
+    bool raise_cells(std::int16_t* samples, BrickCells& cells, int i, int j, int k) noexcept;
     /// Null: unknown.
     [[nodiscard]] const Motion* motion_since(std::uint32_t number) noexcept;
     /// A place in a brick, in samples from its first; tool frame [m].

@@ -2,6 +2,7 @@
 #include "core/field/sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace kerf {
@@ -11,22 +12,11 @@ double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) 
     const Frame a = frame_of(from), b = frame_of(to);
     const Vec3 origin = b.origin - a.origin, along_x = solid.largest_radius() * (b.x - a.x), along_z = b.z - a.z;
     const Vec3 along_y = (solid.is_prism() ? 0.5 * solid.thickness() : solid.largest_radius()) * (b.y - a.y);
+    const std::array<Vec3, 2> sides = solid.is_prism() ? std::array{along_x + along_y, along_x - along_y} : std::array{along_x, along_y};
     double largest = 0.0;
-    const auto look_at = [&](Vec3 moved) { largest = std::max(largest, dot(moved, moved)); };
-    for (const double z : {solid.tip_z(), solid.end_z()}) {
-        const Vec3 on_axis = origin + z * along_z;
-        if (solid.is_prism()) {
-            for (const Vec3 side : {along_x + along_y, along_x - along_y}) {
-                look_at(on_axis + side);
-                look_at(on_axis - side);
-            }
-            continue;
-        }
-        for (const Vec3 side : {along_x, along_y}) {
-            look_at(on_axis + side);
-            look_at(on_axis - side);
-        }
-    }
+    for (const double z : {solid.tip_z(), solid.end_z()})
+        for (const Vec3 side : sides)
+            for (const Vec3 moved : {origin + z * along_z + side, origin + z * along_z - side}) largest = std::max(largest, dot(moved, moved));
     return std::sqrt(largest);
 }
 

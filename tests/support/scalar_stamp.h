@@ -22,7 +22,7 @@ struct ScalarStamp {
             for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
                 std::array<std::int16_t, stored_samples> raised;
                 std::copy_n(samples, stored_samples, raised.data());
-                for (std::size_t c = 0; c < CellRanges::count; ++c) {
+                for (std::size_t c = 0; c < BrickCells::count; ++c) {
                     const CellPlace at = CellPlace::of(c);
                     SampleCell cell = pose.cell_at(i, j, k);
                     cell.first[1] += static_cast<float>(at.first_y);
