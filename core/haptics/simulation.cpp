@@ -162,7 +162,7 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     }
     gate_.step(is_steady && !result.is_quarantined, period_);
     result.is_barred = gate_.is_barred();
-    if (!result.is_barred) coupling_.allow(gate_.gain());
+    if (!result.is_barred) coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_));
     if (result.is_barred && !was_barred) {
         before_fault_ = commanded_;
         result.add_event(is_steady ? "haptics.quarantined" : "haptics.hand_lost");

@@ -2,6 +2,7 @@
 // What may go wrong between two ticks: a hand that leaps, a device that is gone, a law that is unsound.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -79,6 +80,23 @@ TEST(Fault, WhileTheDeviceIsGoneThereIsNoForce) {
     for (int i = 0; i < 200; ++i) last = felt(rig.tick(test::at_depth(1.3_mm)));
     EXPECT_LT(last, 1e-3) << "the hand came back elsewhere, and nothing was stored";
     EXPECT_EQ(rig.events, (std::vector<std::string>{"haptics.hand_lost", "haptics.anchored_again"}));
+}
+
+TEST(Fault, WhileForceComesBackAHandThatFliesIntoTheWallMeetsItByALittleMoreEachTick) {
+    Pressed rig;
+    double depth = 1.0_mm, last = 0.0, steepest = 0.0;
+    (void)rig.simulation.tick({test::at_depth(depth), 100});
+    rig.simulation.after_tick();
+    for (int i = 0; i < 30; ++i) last = felt(rig.tick(test::at_depth(depth -= 0.01_mm)));  // 24 ms of the 50: 4 N would be allowed
+    for (int i = 0; i < 20; ++i) {
+        const double now = felt(rig.tick(test::at_depth(depth += 2.0_mm)));
+        steepest = std::max(steepest, std::abs(now - last));
+        last = now;
+    }
+    EXPECT_LE(steepest, 0.4 + 1e-9);
+    EXPECT_GT(steepest, 0.39) << "without a bound 2 m/s would do 1 N of spring and 3 N of damper in a tick";
+    for (int i = 0; i < 20; ++i) last = felt(rig.tick(test::at_depth(depth += 0.5_mm)));
+    EXPECT_GT(last, 8.0) << "all of it is there when the 50 ms are over";
 }
 
 TEST(Fault, TwoMissedTicksAreHeldAndThreeFadeTheForce) {
