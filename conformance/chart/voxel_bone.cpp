@@ -28,7 +28,7 @@ VoxelBone::VoxelBone(const ExactBone& bone, double spacing, Vec3 offset, Reading
     query_.tissue_count = static_cast<std::uint32_t>(densities_.size());
     query_.reach = 4.0 * spacing;
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
-    query_.sample = [](const kerf_bone* self, const kerf_vec3* points, std::uint32_t count, kerf_vec3,
+    query_.sample = [](const kerf_bone* self, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*, std::uint32_t,
                        kerf_bone_sample* out) { reinterpret_cast<const VoxelBone*>(self)->sample(points, count, out); };
     query_.nearest = [](const kerf_bone* self, const kerf_vec3*, std::uint32_t count, kerf_surface_point* out) {
         const double reach = reinterpret_cast<const VoxelBone*>(self)->query_.reach;

@@ -31,16 +31,15 @@ bool can_be_cut(const Lattice& grid, Vec3 p) noexcept {
 
 }  // namespace
 
-void BoneView::sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
-    const GridFrame grid(body_->grid(), body_->region, frame_of(body_from_tool_));
-    in_blocks(count, [&](std::size_t first, std::size_t n) { sample_block(grid, points + first, n, direction, out + first); });
+void BoneView::sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept {
+    in_blocks(count, [&](std::size_t first, std::size_t n) { sample_block(points + first, n, directions.from(first), out + first); });
 }
 
-void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size_t count, Vec3 direction,
+void BoneView::sample_block(const Vec3* points, std::size_t count, Directions directions,
                             kerf_bone_sample* out) const noexcept {
     PlaceBlock places;
     FloatBlock uncut, cut, engagement;
-    grid.locate(points, count, places);
+    grid_.locate(points, count, places);
     body_->surface.quanta_at(places, uncut);
     committed_->quanta_at(places, cut);
     std::size_t engaged_count = 0;
@@ -52,12 +51,16 @@ void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size
     }
 
     // The way to the front is told one by one and only of those in bone; tissues of all, in the same steps.
-    std::array<Vec3, block_capacity> engaged;
+    std::array<Vec3, block_capacity> engaged, way_of_engaged;
     BlockValues gap_of_engaged;
     std::size_t engaged_so_far = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        if (engagement[i] > 0.0f) engaged[engaged_so_far++] = points[i];
-    tracker_->gap(body_from_tool_, engaged.data(), engaged_count, direction, gap_of_engaged);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (engagement[i] <= 0.0f) continue;
+        way_of_engaged[engaged_so_far] = directions[i];
+        engaged[engaged_so_far++] = points[i];
+    }
+    if (!directions.is_one()) directions = Directions(way_of_engaged.data(), 0);
+    tracker_->gap(body_from_tool_, engaged.data(), engaged_count, directions, gap_of_engaged);
 
     std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
     const std::size_t tissues = body_->materials.size();
@@ -72,16 +75,19 @@ void BoneView::sample_block(const GridFrame& grid, const Vec3* points, std::size
     engaged_so_far = 0;
     for (std::size_t i = 0; i < count; ++i) {
         kerf_bone_sample& s = out[i];
-        put_air(s);
-        if (engagement[i] <= 0.0f) continue;
+        if (engagement[i] <= 0.0f) {
+            put_air(s);
+            continue;
+        }
         const double gap = gap_of_engaged[engaged_so_far++];
         s.engagement = static_cast<double>(engagement[i]);
-        s.gap = grid.lattice().is_bounded && !can_be_cut(grid.lattice(), grid * points[i]) ? 0.0 : gap;
-        for (std::size_t m = 0; m < tissues; ++m) {
-            s.weight[m] = static_cast<double>(weight[m][i]);
-            s.density[m] = static_cast<double>(density[m][i]);
+        s.gap = grid_.lattice().is_bounded && !can_be_cut(grid_.lattice(), grid_ * points[i]) ? 0.0 : gap;
+        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
+            s.weight[m] = m < tissues ? static_cast<double>(weight[m][i]) : 0.0;
+            s.density[m] = m < tissues ? static_cast<double>(density[m][i]) : 0.0;
         }
         s.body = body_id_;
+        s.reserved = 0;
     }
 }
 
@@ -93,30 +99,29 @@ double BoneView::present_distance(Vec3 p) const noexcept {
 }
 
 void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
-    const Frame f = frame_of(body_from_tool_);
-    const GridFrame grid(body_->grid(), body_->region, f);
+    const Frame& f = frame_;
     PendingSurface pending(*tracker_, body_from_tool_);
     Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
     const double rows[3][3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t n = 0; n < 3; ++n) surface.in_tool[axis][n] = static_cast<float>(rows[axis][n]);
-    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(grid, pending, surface, points + first, n, out + first); });
+    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(pending, surface, points + first, n, out + first); });
 }
 
-void BoneView::nearest_block(const GridFrame& grid, PendingSurface& pending, const Surface& surface, const Vec3* points,
+void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points,
                              std::size_t count, kerf_surface_point* out) const noexcept {
     PlaceBlock places;
     SlopeBlock slopes;
-    const PointBox box = grid.locate(points, count, places);
+    const PointBox box = grid_.locate(points, count, places);
     const float least = block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
-    const bool is_bounded = grid.lattice().is_bounded;
+    const bool is_bounded = grid_.lattice().is_bounded;
     std::array<bool, block_capacity> can_rise;
     for (std::size_t i = 0; is_bounded && i < count; ++i) {  // beyond a face everything is as at the face
-        const Vec3 at = grid * points[i];
-        can_rise[i] = can_be_cut(grid.lattice(), at);
-        if (is_beyond(grid.lattice(), 0, at.x)) slopes.x[i] = 0.0f;
-        if (is_beyond(grid.lattice(), 1, at.y)) slopes.y[i] = 0.0f;
-        if (is_beyond(grid.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
+        const Vec3 at = grid_ * points[i];
+        can_rise[i] = can_be_cut(grid_.lattice(), at);
+        if (is_beyond(grid_.lattice(), 0, at.x)) slopes.x[i] = 0.0f;
+        if (is_beyond(grid_.lattice(), 1, at.y)) slopes.y[i] = 0.0f;
+        if (is_beyond(grid_.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
     }
     block_kernel().answer(surface, count, slopes.slopes(), out);
     pending.raise(points, count, box, surface.quantum * static_cast<double>(least), is_bounded ? can_rise.data() : nullptr, out);

@@ -257,7 +257,17 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.
     const Grid& g = grid();
-    const auto lowest = static_cast<std::int16_t>(-std::min(static_cast<int>(sweep.step() / quantum_) + 2, 32767));
+    const auto below = [&](double depth) { return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767)); };
+    const std::int16_t lowest_anywhere = below(sweep.step());
+    // Of those before the solid's back end few were deeper on the way than in the end: where a face drew back.
+    const Pose end_from_body = inverse(record.to);
+    const double reach = brick_edge * g.spacing * std::sqrt(3.0);
+    const std::int16_t lowest_before_end =
+        !solid.is_convex() ? lowest_anywhere : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to, reach)));
+    const Vec3 forwards = rotate(conjugate(end_from_body.rotation), {0, 0, 1});  // of the tool, body frame
+    const double half_cell = (4.0 * std::abs(forwards.x) + std::abs(forwards.y) + std::abs(forwards.z)) * g.spacing;
+    const double end = solid.end_z() - end_from_body.position.z + sweep.step() * sweep.sub_poses() + half_cell;
+    const auto lowest_in = [&](Vec3 middle_of_cell) { return dot(forwards, middle_of_cell) > end ? lowest_before_end : lowest_anywhere; };
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
@@ -273,9 +283,9 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         box.last[axis] = std::max(a.last[axis], b.last[axis]);
     }
     int quarters = 0;
-    const std::size_t end = box.count();
-    std::array<int, 3> place = next < end ? box[next] : box.first;
-    for (std::size_t n = next; n < end; ++n) {
+    const std::size_t count = box.count();
+    std::array<int, 3> place = next < count ? box[next] : box.first;
+    for (std::size_t n = next; n < count; ++n) {
         if (touched >= most) {
             clear_block();
             return n;
@@ -288,8 +298,10 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         const std::int16_t* samples = brick(start_[index]);
         const BrickCells& cells = cells_of(index);
         for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
-            if (cells.lowest[cell] > 0 || cells.highest[cell] < lowest) continue;
+            if (cells.lowest[cell] > 0 || cells.highest[cell] < lowest_anywhere) continue;
             const CellPlace at = CellPlace::of(cell);
+            const std::int16_t lowest = lowest_in(g.sample_position(i * brick_edge + 4, j * brick_edge + at.first_y + 1, k * brick_edge + at.first_z + 1));
+            if (cells.highest[cell] < lowest) continue;
             std::uint32_t found[3];
             block_kernel().find(samples + at.first_sample(), lowest, 0, found);
             for (int layer = 0; layer < 3; ++layer)

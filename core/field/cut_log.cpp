@@ -180,7 +180,7 @@ double CutTracker::depth_in_pending(Vec3 point) const noexcept {
     return depth;
 }
 
-void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Vec3 direction,
+void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Directions directions,
                      BlockValues& gaps) const noexcept {
     std::fill_n(gaps.begin(), count, 0.0);
     // A point that is outside a convex solid after the gap found so far leaves it earlier, by far more than rounding.
@@ -188,21 +188,23 @@ void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t
     BlockValues depth;
     for (std::size_t i = solid_count(), first = first_that_matters(); i-- > first;) {
         const Frame solid_from = solid_from_tool(i, body_from_tool);
-        const Vec3 along = turned(solid_from, direction);
+        std::array<Vec3, block_capacity> along;
+        for (std::size_t p = 0; p < (directions.is_one() ? 1 : count); ++p) along[p] = turned(solid_from, directions[p]);
+        const auto way = [&](std::size_t p) -> const Vec3& { return along[directions.is_one() ? 0 : p]; };
         transform(solid_from, points, count, in_solid);
         const bool knows_more = solid_->is_convex() && i + 1 < solid_count();
         if (knows_more) {
             ahead.count = count;
             for (std::size_t p = 0; p < count; ++p) {
-                ahead.x[p] = in_solid.x[p] + gaps[p] * along.x;
-                ahead.y[p] = in_solid.y[p] + gaps[p] * along.y;
-                ahead.z[p] = in_solid.z[p] + gaps[p] * along.z;
+                ahead.x[p] = in_solid.x[p] + gaps[p] * way(p).x;
+                ahead.y[p] = in_solid.y[p] + gaps[p] * way(p).y;
+                ahead.z[p] = in_solid.z[p] + gaps[p] * way(p).z;
             }
         }
         solid_->depths(knows_more ? ahead : in_solid, depth);
         const double inside = knows_more ? -rounding : rounding;
         for (std::size_t p = 0; p < count; ++p)
-            if (depth[p] > inside) gaps[p] = std::max(gaps[p], solid_->travel_to_leave(in_solid[p], along, rounding));
+            if (depth[p] > inside) gaps[p] = std::max(gaps[p], solid_->travel_to_leave(in_solid[p], way(p), rounding));
     }
 }
 

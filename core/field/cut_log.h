@@ -71,9 +71,8 @@ public:
         return -solid_->distance(tool_from_body(i) * point_in_body);
     }
 
-    /// The same for `count` ≤ `block_capacity` points of the tool at a pose, and a direction in its frame.
-    /// [haptic, nonblocking]
-    void gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Vec3 direction, BlockValues& gaps) const noexcept;
+    /// The same for `count` ≤ `block_capacity` points of the tool at a pose, and directions in its frame.   [haptic, nonblocking]
+    void gap(const Pose& body_from_tool, const Vec3* points, std::size_t count, Directions directions, BlockValues& gaps) const noexcept;
     /// From the tool at a pose to the frame of one of the solids.
     [[nodiscard]] Frame solid_from_tool(std::size_t i, const Pose& body_from_tool) const noexcept {
         return frame_of(tool_from_body(i) * body_from_tool);

@@ -31,6 +31,21 @@ struct PointBlock {
     [[nodiscard]] Coordinates writable() noexcept { return {x.data(), y.data(), z.data()}; }
 };
 
+/// Unit directions of points that are asked about together: one for all of them, or one each.
+class Directions {
+public:
+    Directions(const Vec3* directions, std::uint32_t count) noexcept : direction_(directions), is_one_(count == 1) {}
+    [[nodiscard]] bool is_one() const noexcept { return is_one_; }
+    [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return direction_[is_one_ ? 0 : i]; }
+    /// Of the points from `first` on.
+    [[nodiscard]] Directions from(std::size_t first) const noexcept { return is_one_ ? *this : Directions(direction_ + first, 0); }
+    [[nodiscard]] const Vec3* data() const noexcept { return direction_; }
+
+private:
+    const Vec3* direction_;
+    bool is_one_;
+};
+
 /// Taken from frame b to frame a.   [any] pure, nonblocking.
 void transform(const Pose& a_from_b, const PointBlock& points_in_b, PointBlock& points_in_a) noexcept;
 /// The same of `count` ≤ `block_capacity` points.

@@ -32,7 +32,7 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
         if (body->is_near && !body->is_cuttable) near_[near_count_++] = body.get();
 }
 
-void BodiesView::sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
+void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept {
     if (cuttable_count_ == 0) {
         for (std::uint32_t i = 0; i < count; ++i) {
             out[i] = kerf_bone_sample{};
@@ -40,12 +40,12 @@ void BodiesView::sample(const Vec3* points, std::uint32_t count, Vec3 direction,
         }
         return;
     }
-    near_[0]->view.sample(points, count, direction, out);
+    near_[0]->view.sample(points, count, directions, out);
     std::array<kerf_bone_sample, block_capacity> other;
     for (std::size_t n = 1; n < cuttable_count_; ++n)
         for (std::uint32_t first = 0; first < count; first += block_capacity) {
             const auto some = std::min(static_cast<std::uint32_t>(block_capacity), count - first);
-            near_[n]->view.sample(points + first, some, direction, other.data());
+            near_[n]->view.sample(points + first, some, directions.from(first), other.data());
             for (std::uint32_t i = 0; i < some; ++i)
                 if (other[i].engagement > out[first + i].engagement) out[first + i] = other[i];
         }

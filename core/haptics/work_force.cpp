@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 /// No bone anywhere.
-void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_bone_sample{};
         out[i].body = -1;
@@ -22,7 +22,7 @@ struct EndlessBone {
     double density;
 };
 
-void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
     const auto* endless = reinterpret_cast<const EndlessBone*>(bone);
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_bone_sample{};

@@ -48,7 +48,7 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
     if (!turning.removes()) {
-        const PointAngle p = half_point_angle(drill);
+        const SinCos p = drill.half_point;
         for (std::size_t level = 0; level < tip_levels; ++level) {
             const double r = drill.radius() * (0.1 + 0.25 * static_cast<double>(level));  // short of the wall of its hole
             points.add_ring(r, -r * p.cos / p.sin, p.cos, p.sin, stiffness);
@@ -98,7 +98,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     std::array<double, none> deepest;
     deepest.fill(-near_contact);
     // The cone stands on bone ahead of it; it does not climb the wall of its hole.
-    const double tip_facing = std::min(0.6, half_point_angle(drill).sin - 0.1);
+    const double tip_facing = std::min(0.6, drill.half_point.sin - 0.1);
     const double rear = -drill.cone_end() - drill.diameter * (drill.corner + 0.5 * shank_levels);
     std::array<Facing, most_points> face;
     std::array<double, most_points> depth;  // [m] less where the bone does not face the tool: as it pushes, so it counts

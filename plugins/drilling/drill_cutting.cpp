@@ -57,7 +57,7 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     struct Level {
         double radius, z, width, normal_radial;
     };
-    const PointAngle p = half_point_angle(drill);
+    const SinCos p = drill.half_point;
     const double r = drill.radius() - tick.force[force_clearance], flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
     const auto on_cone = [&](double share) {
         const double at = share * drill.radius();
@@ -67,32 +67,37 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
                             {r, -drill.point_depth() - 0.5 * land, land, 1.0}, {r, -drill.point_depth() - 1.5 * land, land, 1.0}};
     constexpr double c = 0.70710678118654752440;
     constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
-    constexpr std::size_t count = std::size(levels) * std::size(azimuth);
+    constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+    constexpr std::size_t per_way = std::size(levels) * std::size(azimuth), count = std::size(ways) * per_way;
     constexpr double share_of_turn = 1.0 / 8.0;
 
-    const Coefficients k = coefficients(tick.force);
-    std::uint32_t id = id_side;
-    for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) {
+    // All ways in one question.
+    std::array<Vec3, count> point, direction;
+    std::array<kerf_bone_sample, count> sample;
+    std::size_t i = 0;
+    for (const Vec3 way : ways) {
         const Vec3 across = cross(Vec3{0, 0, 1}, way);
-        std::array<Vec3, count> point;
-        std::array<kerf_bone_sample, count> sample;
-        std::size_t i = 0;
         for (const Level& level : levels)
             for (const auto& at : azimuth) {
                 const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
+                direction[i] = way;
                 point[i++] = {radial.x, radial.y, level.z};
             }
-        bone.sample(point, way, sample);
+    }
+    bone.sample(point, direction, sample);
+
+    const Coefficients k = coefficients(tick.force);
+    const kerf_bone_sample* next = sample.data();
+    for (std::size_t n = 0; n < std::size(ways); ++n) {
         double least = 1e300;
-        for (const auto& one : sample)
-            if (one.engagement > 0.0) least = std::min(least, one.gap);
+        for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
+            if (one->engagement > 0.0) least = std::min(least, one->gap);
 
         ChannelSum sum;
         double z = 0.0, total = 0.0;
-        i = 0;
         for (const Level& level : levels)
             for (const auto& at : azimuth) {
-                const kerf_bone_sample& here = sample[i++];
+                const kerf_bone_sample& here = *next++;
                 const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
                 if (m <= 0.0 || here.gap > least + left_behind) continue;
                 const double width = m * lip_count * level.width * share_of_turn;
@@ -101,8 +106,8 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
                 z += width * level.z;
                 total += width;
             }
-        if (total > 0.0) sum.write(rate_at({0, 0, z / total}, way), turning.cut_share, least, channels.add(KERF_CUT, id));
-        ++id;
+        if (total > 0.0)
+            sum.write(rate_at({0, 0, z / total}, ways[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
     }
 }
 

@@ -32,7 +32,7 @@ struct Edges {
     std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
 
     /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
-    void ask(const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    void ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
     [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[i % lip.count]; }
 
     [[nodiscard]] std::size_t lip_of(std::size_t i) const noexcept { return i < lip_points && i >= lip.count ? 1 : 0; }

@@ -61,7 +61,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
     const TwistDrill drill = drill_of(tick.tool);
     if (turning.drags()) {
         Edges edges;
-        edges.ask(tick, bone, state.angle);
+        edges.ask(drill, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
         add_feed_cutting(edges, tick, turning, state.feed_rate, channels);
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, channels);
@@ -73,12 +73,13 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
 void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
                           std::span<double> signals, Actions& actions) noexcept {
     const Turning turning = turning_of(state);
+    const TwistDrill drill = drill_of(tick.tool);
     state.feed_rate = std::max(0.0, advance.rate[2]);
     state.shank_force = shank_force_of(advance);
 
     // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engagement];
-    double load = tick.force[force_friction] * state.shank_force * drill_of(tick.tool).radius(), feed_thrust = 0.0;
+    double load = tick.force[force_friction] * state.shank_force * drill.radius(), feed_thrust = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
         if (advance.channel[c].id != id_feed) continue;
         feed_thrust = advance.lambda[c];
@@ -86,14 +87,14 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     }
     if (!turning.removes()) {
         Edges edges;
-        edges.ask(tick, bone, state.angle);
+        edges.ask(drill, tick, bone, state.angle);
         engaged = edges.engagement();
         load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
     const double feed = state.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
-    signals[signal_chip_thickness] = is_cutting ? feed / lip_count * half_point_angle(drill_of(tick.tool)).sin : 0.0;
+    signals[signal_chip_thickness] = is_cutting ? feed / lip_count * drill.half_point.sin : 0.0;
     signals[signal_engagement] = engaged;
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;

@@ -16,9 +16,4 @@ double force_per_width(double t, const EdgeCoefficients& bone) noexcept {
     return t <= 0.0 ? 0.0 : force_per_width(t, bone, built_up);
 }
 
-double resistance_of_density(double rho, double reference) noexcept {
-    const double share = rho / reference;
-    return share * share;
-}
-
 }  // namespace kerf::drilling

@@ -37,6 +37,9 @@ struct EdgeCoefficients {
 /// Compressive strength of bone grows with the square of its apparent density.   [any] pure.
 ///
 /// Source: exponent [carter-hayes-1977]; that cutting forces follow strength is assumed.
-[[nodiscard]] double resistance_of_density(double rho, double reference) noexcept;
+[[nodiscard]] inline double resistance_of_density(double rho, double reference) noexcept {
+    const double share = rho / reference;
+    return share * share;
+}
 
 }  // namespace kerf::drilling

@@ -4,24 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kerf/exact_math.hpp"
-
 namespace kerf::drilling {
-
-PointAngle half_point_angle(const TwistDrill& drill) noexcept {
-    const SinCos p = sin_cos_exact(0.5 * drill.point_angle);
-    return {p.sin, p.cos};
-}
-
-double TwistDrill::point_depth() const noexcept {
-    const PointAngle p = half_point_angle(*this);
-    return radius() * p.cos / p.sin;
-}
-
-double TwistDrill::lag_of_second_lip() const noexcept {
-    const PointAngle p = half_point_angle(*this);
-    return 2.0 * runout * p.cos / p.sin;
-}
 
 double TwistDrill::rake_at(double at, SinCos h) const noexcept {
     const double slope = at / radius() * h.sin / h.cos;
@@ -38,7 +21,7 @@ namespace {
 
 /// Appends the pieces of an edge at the half web `b` on a cone of half angle `p`, from one radius to another. The cone has
 /// `inner` at `z`.
-void add_edge(Lip& lip, PointAngle p, double b, double from, double to, double inner, double z, double pitch) noexcept {
+void add_edge(Lip& lip, SinCos p, double b, double from, double to, double inner, double z, double pitch) noexcept {
     const double first = std::sqrt(from * from - b * b), last = std::sqrt(to * to - b * b);
     const double room = static_cast<double>(largest_element_count - lip.count);
     const auto count = static_cast<std::size_t>(std::clamp(std::ceil((last - first) / pitch - 1e-9), 1.0, room));
@@ -65,10 +48,10 @@ Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
         const double most = 2.0 / static_cast<double>(largest_element_count);
         pitch = std::max(pitch, most * drill.widest_radius());
     }
-    add_edge(lip, half_point_angle(drill), b, drill.chisel_radius(), drill.radius(), 0.0, 0.0, pitch);
+    add_edge(lip, drill.half_point, b, drill.chisel_radius(), drill.radius(), 0.0, 0.0, pitch);
     if (drill.has_shoulder()) {
         const SinCos p = sin_cos_exact(0.5 * drill.shoulder_angle);
-        add_edge(lip, {p.sin, p.cos}, b, drill.radius(), drill.widest_radius(), drill.radius(), -drill.shoulder_depth, pitch);
+        add_edge(lip, p, b, drill.radius(), drill.widest_radius(), drill.radius(), -drill.shoulder_depth, pitch);
     }
     return lip;
 }

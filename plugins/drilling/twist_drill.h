@@ -24,19 +24,20 @@ struct TwistDrill {
     double shoulder_depth = 0.0;     ///< [m] from the tip to where it begins
     double runout = 0.0;       ///< [m] how far the tip runs off the axis it turns about, towards the first lip
     double helix_angle = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the flutes at the diameter
+    SinCos half_point = sin_cos_exact(0.5 * point_angle);  ///< of the point's half angle p: asked for often, worked out once
 
     [[nodiscard]] double radius() const noexcept { return 0.5 * diameter; }
     [[nodiscard]] double half_web() const noexcept { return 0.5 * web * diameter; }
     /// Where the chisel edge ends and the lips begin [m]: half web over sin 55° (chisel angle 125°, standard grind).
     [[nodiscard]] double chisel_radius() const noexcept { return half_web() / 0.81915204428899180; }
     /// Depth of the point: R cot p [m].
-    [[nodiscard]] double point_depth() const noexcept;
+    [[nodiscard]] double point_depth() const noexcept { return radius() * half_point.cos / half_point.sin; }
     [[nodiscard]] bool has_shoulder() const noexcept { return shoulder_diameter > diameter; }
     [[nodiscard]] double widest_radius() const noexcept { return has_shoulder() ? 0.5 * shoulder_diameter : radius(); }
     /// Where its last cone ends [m] from the tip: from there on it only touches, after a land.
     [[nodiscard]] double cone_end() const noexcept;
     /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
-    [[nodiscard]] double lag_of_second_lip() const noexcept;
+    [[nodiscard]] double lag_of_second_lip() const noexcept { return 2.0 * runout * half_point.cos / half_point.sin; }
     /// Rake of the lips at `radius` [rad] with flutes of this helix: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
     [[nodiscard]] double rake_at(double radius, SinCos helix) const noexcept;
 };
@@ -50,12 +51,6 @@ struct LipElement {
     double normal_axial;   ///< [–] n̂·ẑ, n̂ the unit normal of the cut surface, into the bone
     double normal_radial;  ///< [–] n̂·r̂
 };
-
-/// sin and cos of the point's half angle: see `point`.
-struct PointAngle {
-    double sin, cos;
-};
-[[nodiscard]] PointAngle half_point_angle(const TwistDrill& drill) noexcept;
 
 inline constexpr std::size_t largest_element_count = 160;
 

@@ -13,7 +13,7 @@ using namespace literals;
 TEST(TouchCount, SomeTwoThousandPointsForTheLargestDrill) {  // 00-04
     const double tool[] = {5.4_mm, 118.0_deg, 0.15, 120.0_mm};
     kerf_bone_query query{};
-    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
         for (std::uint32_t i = 0; i < count; ++i) out[i] = {};
     };
     int points = 0;

@@ -50,7 +50,7 @@ TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
 TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equal lips cancels
     kerf_bone_query whole_bone{};
     whole_bone.tissue_count = 1;
-    whole_bone.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, kerf_vec3, kerf_bone_sample* out) {
+    whole_bone.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
         for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
     };
     const double tool[] = {5.4_mm, 118.0_deg, 0.15, 100.0_mm}, drive[] = {1000.0_rpm};

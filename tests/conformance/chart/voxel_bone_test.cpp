@@ -19,7 +19,8 @@ ExactBone two_layers() {
 
 kerf_bone_sample ask(VoxelBone& bone, Vec3 point) {
     kerf_bone_sample sample{};
-    bone.query().sample(bone.query().bone, &point, 1, {0, 0, 1}, &sample);
+    const Vec3 direction{0, 0, 1};
+    bone.query().sample(bone.query().bone, &point, 1, &direction, 1, &sample);
     return sample;
 }
 

@@ -96,15 +96,22 @@ void compare_with(const BlockKernel& kernel, const test::DrilledBlock& hole, std
     const test::ScalarBoneQuery scalar{hole.body, hole.committed, hole.tracker, hole.at};
     const std::vector<Vec3> points = questions(hole, count);
     const Vec3 direction = normalized(Vec3{0.1, 0.2, 1.0});
-    std::vector<kerf_bone_sample> samples(count);
+    std::vector<kerf_bone_sample> samples(count), each_its_way(count);
     std::vector<kerf_surface_point> nearest(count);
     hole.view.sample(points.data(), static_cast<std::uint32_t>(count), direction, samples.data());
     hole.view.nearest(points.data(), static_cast<std::uint32_t>(count), nearest.data());
+    std::vector<Vec3> directions;
+    for (std::size_t i = 0; i < count; ++i) directions.push_back(normalized(Vec3{i % 3 == 0 ? 1.0 : 0.1, i % 5 == 0 ? -1.0 : 0.2, i % 2 == 0 ? 1.0 : -1.0}));
+    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), Directions(directions.data(), static_cast<std::uint32_t>(count)),
+                     each_its_way.data());
     for (std::size_t i = 0; i < count; ++i) {
         const kerf_bone_sample sample = scalar.sample(points[i], direction);
         ASSERT_EQ(std::memcmp(&sample, &samples[i], sizeof sample), 0)
             << kernel.name << ' ' << i << ": engagement " << sample.engagement << " and " << samples[i].engagement
             << ", gap " << sample.gap << " and " << samples[i].gap;
+        const kerf_bone_sample its_way = scalar.sample(points[i], directions[i]);
+        ASSERT_EQ(std::memcmp(&its_way, &each_its_way[i], sizeof its_way), 0)
+            << kernel.name << ' ' << i << ": its own way " << its_way.gap << " and " << each_its_way[i].gap;
         compare_surface(scalar, points[i], nearest[i], seen);
         if (::testing::Test::HasFatalFailure()) FAIL() << kernel.name << ' ' << i;
         kerf_surface_point alone;

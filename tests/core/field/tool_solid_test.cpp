@@ -48,6 +48,36 @@ TEST(ToolSolid, EndsExactlyOnItsSurfaceAfterThatTravel) {
     }
 }
 
+TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const ToolSolid blade = ToolSolid::prism({{0.0, 6.0_mm}, {-2.0_mm, 8.0_mm}, {-12.0_mm, 8.0_mm}}, 1.0_mm);
+    const ToolSolid taper({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-8.0_mm, 4.0_mm}});
+    for (const ToolSolid* solid : {&tool, &blade, &taper}) {
+        const double reach = 1.0_mm;
+        int gained = 0, near_it = 0;
+        for (int n = 0; n < 200000; ++n) {
+            const Vec3 p = {9.0_mm * unit(random), 9.0_mm * unit(random), solid->end_z() + 7.0_mm * (1.0 + unit(random))};
+            const double before = -solid->distance(p);
+            if (before > 0.0 || before < -reach) continue;
+            // Mostly along the axis, as tools go, and to and fro.
+            const double lateral = n % 3 == 0 ? 0.1_mm : 0.001_mm, turn = n % 2 == 0 ? 0.0 : 0.002;
+            const Pose moved{{lateral * unit(random), lateral * unit(random), 0.1_mm * unit(random)},
+                             quat_from_rotation_vector({turn * unit(random), turn * unit(random), turn * unit(random)})};
+            const double gain = -solid->distance(moved * p) - before, most = solid->most_gained_outside(moved, reach);
+            ASSERT_LE(gain, most + 1e-15) << n;
+            ++near_it;
+            gained += gain > 0.5 * most;
+        }
+        EXPECT_GT(near_it, 2000);
+        EXPECT_GT(gained, 100) << "and not much too large";
+    }
+    const Pose on{{0, 0, 0.1_mm}, {1, 0, 0, 0}};
+    EXPECT_EQ(tool.most_gained_outside(on, 1.0_mm), 0.0) << "the tool advances: where it stands is as deep as it gets";
+    const ToolSolid drop({{0.0, 0.0}, {-2.0_mm, 2.0_mm}, {-4.0_mm, 1.0_mm}});
+    EXPECT_NEAR(drop.most_gained_outside(on, 1.0_mm), 0.1_mm, 1e-15) << "its back looks backwards";
+}
+
 TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {
     const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm), ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}, {-4.0_mm, 1.2_mm}}),
                                 ToolSolid({{0.0, 2.0_mm}, {-4.0_mm, 2.0_mm}}), ToolSolid({{0.0, 0.3_mm}, {-1.0_mm, 1.5_mm}, {-4.0_mm, 1.5_mm}})};

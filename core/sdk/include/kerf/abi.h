@@ -136,9 +136,10 @@ typedef struct kerf_bone_query {
     uint32_t size;
     uint32_t tissue_count;
     double reach; /* [m] distances are known as far as this on either side of a surface */
-    /* Edges ask here. `points`, `direction` (unit) in the tool frame at the pose of this tick.  [haptic, nonblocking] */
-    void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_vec3 direction,
-                   kerf_bone_sample *out);
+    /* Edges ask here. `points`, `directions` (unit) in the tool frame at the pose of this tick; `direction_count` is 1,
+       for all points the same, or `count`. One question of many points is cheaper than many.  [haptic, nonblocking] */
+    void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, const kerf_vec3 *directions,
+                   uint32_t direction_count, kerf_bone_sample *out);
     /* Contact asks here: the present geometry.  [haptic, nonblocking] */
     void (*nearest)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_surface_point *out);
     const kerf_bone *bone;

@@ -28,7 +28,12 @@ public:
     explicit BoneQuery(const kerf_bone_query& query) : query_(&query) {}
     /// @param direction  unit; the gap is measured along it
     void sample(std::span<const Vec3> points, Vec3 direction, std::span<kerf_bone_sample> out) const noexcept {
-        query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), direction, out.data());
+        sample(points, std::span<const Vec3>(&direction, 1), out);
+    }
+    /// @param directions  one for each point. One question of many points is cheaper than many
+    void sample(std::span<const Vec3> points, std::span<const Vec3> directions, std::span<kerf_bone_sample> out) const noexcept {
+        query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), directions.data(),
+                       static_cast<std::uint32_t>(directions.size()), out.data());
     }
     void nearest(std::span<const Vec3> points, std::span<kerf_surface_point> out) const noexcept {
         query_->nearest(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), out.data());
