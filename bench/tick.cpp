@@ -4,9 +4,11 @@
 //
 //     loop        all of a tick with the points that the law itself asks about: as many laws as it needs, contact with
 //                 normals, the solve, commit, committed cut
-//     + points    the loop, and the papers' points besides: 500 edges with their gap, 2000 contact points with normals
+//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with normals; of
+//                 contact points those that may come within 10 um of bone since they were asked last (core/field/clearances.h)
+//     + every one the same with every contact point asked in every tick
 //     no lag      the second field, which the worker stamps: not part of the loop
-//     all         everything above
+//     all         loop, points and no lag
 //     papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
 //                 (plain_papers.h)
 //     dense       the same points in a dense grid of distances, raised to the tool's depth (dense_field.h)
@@ -20,6 +22,7 @@
 #include "bench/plain_papers.h"
 #include "conformance/times.h"
 #include "core/field/block_kernel.h"
+#include "core/field/clearances.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
 
@@ -35,13 +38,46 @@ const Vec3 low{-8.0_mm, -8.0_mm, -22.0_mm}, high{8.0_mm, 8.0_mm, 0};
 
 double sink = 0.0;
 
-/// The papers' points, asked of our bone.
+/// How many points a law asks about.
+struct Count {
+    std::size_t edges = 0, contact = 0;
+};
+Count points_of_law(Simulation& simulation, const ToolSetup& setup) {
+    static const kerf_bone_query* bone;
+    static Count count;
+    bone = &simulation.bone().query();
+    count = {};
+    kerf_bone_query counting = *bone;
+    counting.sample = [](const kerf_bone* of, const kerf_vec3* p, std::uint32_t n, const kerf_vec3* d, std::uint32_t directions, kerf_bone_sample* out) {
+        count.edges += n;
+        bone->sample(of, p, n, d, directions, out);
+    };
+    counting.nearest = [](const kerf_bone* of, const kerf_vec3* p, std::uint32_t n, kerf_surface_point* out) {
+        count.contact += n;
+        bone->nearest(of, p, n, out);
+    };
+    const kerf_tick_in in = tick_in_of(setup, counting, Simulation::dt);
+    kerf_channel channels[KERF_MAX_CHANNELS]{};
+    kerf_law law{};
+    law.size = sizeof law;
+    law.channel = channels;
+    setup.force->force->resist(&in, simulation.state(), &law);
+    return count;
+}
+
+/// The papers' points, asked of our bone, but for as many as the law asks about itself.
 struct ManyPoints {
-    std::vector<Vec3> edges, contact;
+    static constexpr double margin = 10.0_um;  // what a tool at 10 mm/s goes in a tick
+    std::vector<Vec3> edges, contact, near_points;
     std::vector<kerf_bone_sample> samples;
     std::vector<kerf_surface_point> surface;
+    std::vector<double> committed;
+    Clearances clearances{bench::PlainPapers::contact_points};
+    ToolSolid around;  // the contact points
+    Pose last = identity_pose();
+    double asked = 0.0, times = 0.0;
 
-    ManyPoints() {
+    explicit ManyPoints(const Count& own) {
         for (std::size_t n = 0; n < bench::PlainPapers::elements; ++n) {
             const double r = radius * (static_cast<double>(n / 2) + 0.5) / 250.0;
             edges.push_back({n % 2 == 0 ? r : -r, 0.0, -r * point_depth / radius});
@@ -52,23 +88,44 @@ struct ManyPoints {
             contact.push_back({(radius - 0.05_mm) * std::cos(angle), (radius - 0.05_mm) * std::sin(angle),
                                -point_depth - along * (depth - point_depth)});
         }
-        samples.resize(edges.size());
+        around = ToolSolid({{-point_depth, radius}, {-depth, radius}});
+        samples.resize(edges.size());  // also for all of them, which kernels are compared with
         surface.resize(contact.size());
+        near_points.resize(contact.size());
+        committed.resize(contact.size());
+        own_ = own;
+        clearances.begin(contact.size() - own.contact);
     }
+    [[nodiscard]] std::size_t edge_count() const { return edges.size() - own_.edges; }
     void ask_edges(const BodiesView& bone, std::size_t count) {
         bone.sample(edges.data(), static_cast<std::uint32_t>(count), {0, 0, 1}, samples.data());
         sink += samples[7].engagement;
     }
     void ask_contact(const BodiesView& bone) {
-        bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size()), surface.data());
+        bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size() - own_.contact), surface.data());
+        sink += surface[7].distance;
+    }
+    void ask_contact_that_may_touch(const Simulation& simulation) {
+        const Pose& now = simulation.world_from_tool();
+        clearances.move(simulation.bodies().front()->steepness() * largest_motion(around, last, now));
+        last = now;
+        const auto due = clearances.within(margin);
+        for (std::size_t n = 0; n < due.size(); ++n) near_points[n] = contact[due[n]];
+        simulation.bone().nearest(near_points.data(), static_cast<std::uint32_t>(due.size()), surface.data(), committed.data());
+        for (std::size_t n = 0; n < due.size(); ++n) clearances.note(due[n], committed[n]);
+        asked += static_cast<double>(due.size());
+        times += 1.0;
         sink += surface[7].distance;
     }
     /// Those asked last with a border within `reach` [m].
     [[nodiscard]] std::size_t near(double reach) const {
         std::size_t count = 0;
-        for (const auto& s : surface) count += s.body >= 0 && std::abs(s.distance) <= reach;
+        for (std::size_t n = 0; n < contact.size() - own_.contact; ++n) count += surface[n].body >= 0 && std::abs(surface[n].distance) <= reach;
         return count;
     }
+
+private:
+    Count own_;
 };
 
 struct Baselines {
@@ -76,7 +133,7 @@ struct Baselines {
 };
 void print(const char* what, const std::vector<double>& microseconds, const Baselines* baselines = nullptr) {
     const Times t = times_of(microseconds);
-    std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
+    std::printf("  %-11s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
     if (baselines != nullptr)
         for (const Times& b : {baselines->papers, baselines->dense})
             std::printf("   %7.1f (%.1f)", b.mean / t.mean, b.median / t.median);
@@ -128,9 +185,10 @@ void measure(double h) {
         field.remove(test::at_depth(z));
     }
 
-    std::vector<double> loop, no_lag, with_points, all, papers, dense;
+    std::vector<double> loop, no_lag, with_points, with_every_one, all, papers, dense;
     std::vector<double> papers_force, papers_removal;
-    ManyPoints points;
+    const Count own = points_of_law(simulation, setup);
+    ManyPoints points(own);
     const double from = at();
     for (int t = 0; t < ticks; t += turn) {
         std::vector<Pose> poses;
@@ -140,12 +198,17 @@ void measure(double h) {
             const double in_loop = processor_time_of([&] { sink += simulation.tick(sample).thrust; });
             const double by_worker = processor_time_of([&] { simulation.after_tick(); });
             const double more = processor_time_of([&] {
-                points.ask_edges(simulation.bone(), points.edges.size());
+                points.ask_edges(simulation.bone(), points.edge_count());
+                points.ask_contact_that_may_touch(simulation);
+            });
+            const double every_one = processor_time_of([&] {
+                points.ask_edges(simulation.bone(), points.edge_count());
                 points.ask_contact(simulation.bone());
             });
             loop.push_back(in_loop);
             no_lag.push_back(by_worker);
             with_points.push_back(in_loop + more);
+            with_every_one.push_back(in_loop + every_one);
             all.push_back(in_loop + by_worker + more);
             poses.push_back(simulation.world_from_tool());
         }
@@ -165,10 +228,12 @@ void measure(double h) {
         }
     }
     const Baselines baselines{times_of(papers), times_of(dense)};
-    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s; a border within a voxel of %zu of the 2000 contact points\n",
-                h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name, points.near(h));
+    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name);
+    std::printf("  the law asks about %zu edge and %zu contact points; of %zu others a border is within a voxel of %zu, and %.0f are asked in a tick\n",
+                own.edges, own.contact, bench::PlainPapers::contact_points - own.contact, points.near(h), points.asked / points.times);
     print("loop", loop, &baselines);
     print("+ points", with_points, &baselines);
+    print("+ every one", with_every_one, &baselines);
     print("no lag", no_lag);
     print("all", all, &baselines);
     print("papers", papers);
@@ -182,7 +247,7 @@ void measure(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::printf("[us]             mean    median     p99.9       max     papers/row       dense/row\n");
+    std::printf("[us]               mean    median     p99.9       max     papers/row       dense/row\n");
     for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
         if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);
     return sink == 0.125 ? 1 : 0;  // so that no answer is left out

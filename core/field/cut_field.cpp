@@ -95,6 +95,7 @@ CutField::CutField(const CutField& other)
     memory_ = other.memory_;
     used_ = other.used_;
     capacity_ = other.capacity_;
+    is_of_piece_ = other.is_of_piece_;
 }
 
 CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve_bricks)
@@ -103,7 +104,8 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
       quantum_(whole.quantum_),
       start_(whole.start_.size(), uncut),
       changed_(whole.changed_.size(), 0),
-      is_full_(whole.is_full_.size(), 0) {
+      is_full_(whole.is_full_.size(), 0),
+      is_of_piece_(true) {
     prepare();
     const Grid& g = grid();
     for (std::size_t index = 0; index < g.brick_count(); ++index) {

@@ -26,7 +26,7 @@ public:
     void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
         sample(points, count, Directions(&direction, 1), out);
     }
-    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out, double* committed = nullptr) const noexcept;
 
 private:
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3* directions,
