@@ -4,9 +4,7 @@
 //
 //     loop        all of a tick with the points that the law itself asks about: as many laws as it needs, contact with
 //                 normals, the solve, commit, committed cut
-//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with normals; of
-//                 contact points those that may come within 10 um of bone since they were asked last (core/field/clearances.h)
-//     + every one the same with every contact point asked in every tick
+//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with normals
 //     no lag      the second field, which the worker stamps: not part of the loop
 //     all         loop, points and no lag
 //     papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
@@ -22,7 +20,6 @@
 #include "bench/plain_papers.h"
 #include "conformance/times.h"
 #include "core/field/block_kernel.h"
-#include "core/field/clearances.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
 
@@ -67,17 +64,11 @@ Count points_of_law(Simulation& simulation, const ToolSetup& setup) {
 
 /// The papers' points, asked of our bone, but for as many as the law asks about itself.
 struct ManyPoints {
-    static constexpr double margin = 10.0_um;  // what a tool at 10 mm/s goes in a tick
-    std::vector<Vec3> edges, contact, near_points;
+    std::vector<Vec3> edges, contact;
     std::vector<kerf_bone_sample> samples;
     std::vector<kerf_surface_point> surface;
-    std::vector<double> committed;
-    Clearances clearances{bench::PlainPapers::contact_points};
-    ToolSolid around;  // the contact points
-    Pose last = identity_pose();
-    double asked = 0.0, times = 0.0;
 
-    explicit ManyPoints(const Count& own) {
+    explicit ManyPoints(const Count& own) : own_(own) {
         for (std::size_t n = 0; n < bench::PlainPapers::elements; ++n) {
             const double r = radius * (static_cast<double>(n / 2) + 0.5) / 250.0;
             edges.push_back({n % 2 == 0 ? r : -r, 0.0, -r * point_depth / radius});
@@ -88,13 +79,8 @@ struct ManyPoints {
             contact.push_back({(radius - 0.05_mm) * std::cos(angle), (radius - 0.05_mm) * std::sin(angle),
                                -point_depth - along * (depth - point_depth)});
         }
-        around = ToolSolid({{-point_depth, radius}, {-depth, radius}});
         samples.resize(edges.size());  // also for all of them, which kernels are compared with
         surface.resize(contact.size());
-        near_points.resize(contact.size());
-        committed.resize(contact.size());
-        own_ = own;
-        clearances.begin(contact.size() - own.contact);
     }
     [[nodiscard]] std::size_t edge_count() const { return edges.size() - own_.edges; }
     void ask_edges(const BodiesView& bone, std::size_t count) {
@@ -103,18 +89,6 @@ struct ManyPoints {
     }
     void ask_contact(const BodiesView& bone) {
         bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size() - own_.contact), surface.data());
-        sink += surface[7].distance;
-    }
-    void ask_contact_that_may_touch(const Simulation& simulation) {
-        const Pose& now = simulation.world_from_tool();
-        clearances.move(simulation.bodies().front()->steepness() * largest_motion(around, last, now));
-        last = now;
-        const auto due = clearances.within(margin);
-        for (std::size_t n = 0; n < due.size(); ++n) near_points[n] = contact[due[n]];
-        simulation.bone().nearest(near_points.data(), static_cast<std::uint32_t>(due.size()), surface.data(), committed.data());
-        for (std::size_t n = 0; n < due.size(); ++n) clearances.note(due[n], committed[n]);
-        asked += static_cast<double>(due.size());
-        times += 1.0;
         sink += surface[7].distance;
     }
     /// Those asked last with a border within `reach` [m].
@@ -133,7 +107,7 @@ struct Baselines {
 };
 void print(const char* what, const std::vector<double>& microseconds, const Baselines* baselines = nullptr) {
     const Times t = times_of(microseconds);
-    std::printf("  %-11s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
+    std::printf("  %-9s %9.2f %9.2f %9.2f %9.2f", what, t.mean, t.median, t.p999, t.longest);
     if (baselines != nullptr)
         for (const Times& b : {baselines->papers, baselines->dense})
             std::printf("   %7.1f (%.1f)", b.mean / t.mean, b.median / t.median);
@@ -185,7 +159,7 @@ void measure(double h) {
         field.remove(test::at_depth(z));
     }
 
-    std::vector<double> loop, no_lag, with_points, with_every_one, all, papers, dense;
+    std::vector<double> loop, no_lag, with_points, all, papers, dense;
     std::vector<double> papers_force, papers_removal;
     const Count own = points_of_law(simulation, setup);
     ManyPoints points(own);
@@ -199,16 +173,11 @@ void measure(double h) {
             const double by_worker = processor_time_of([&] { simulation.after_tick(); });
             const double more = processor_time_of([&] {
                 points.ask_edges(simulation.bone(), points.edge_count());
-                points.ask_contact_that_may_touch(simulation);
-            });
-            const double every_one = processor_time_of([&] {
-                points.ask_edges(simulation.bone(), points.edge_count());
                 points.ask_contact(simulation.bone());
             });
             loop.push_back(in_loop);
             no_lag.push_back(by_worker);
             with_points.push_back(in_loop + more);
-            with_every_one.push_back(in_loop + every_one);
             all.push_back(in_loop + by_worker + more);
             poses.push_back(simulation.world_from_tool());
         }
@@ -229,11 +198,10 @@ void measure(double h) {
     }
     const Baselines baselines{times_of(papers), times_of(dense)};
     std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name);
-    std::printf("  the law asks about %zu edge and %zu contact points; of %zu others a border is within a voxel of %zu, and %.0f are asked in a tick\n",
-                own.edges, own.contact, bench::PlainPapers::contact_points - own.contact, points.near(h), points.asked / points.times);
+    std::printf("  the law asks about %zu edge and %zu contact points; of %zu other contact points a border is within a voxel of %zu\n",
+                own.edges, own.contact, bench::PlainPapers::contact_points - own.contact, points.near(h));
     print("loop", loop, &baselines);
     print("+ points", with_points, &baselines);
-    print("+ every one", with_every_one, &baselines);
     print("no lag", no_lag);
     print("all", all, &baselines);
     print("papers", papers);
@@ -247,7 +215,7 @@ void measure(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::printf("[us]               mean    median     p99.9       max     papers/row       dense/row\n");
+    std::printf("[us]             mean    median     p99.9       max     papers/row       dense/row\n");
     for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
         if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);
     return sink == 0.125 ? 1 : 0;  // so that no answer is left out

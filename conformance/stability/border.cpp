@@ -22,9 +22,9 @@ struct Crossing {
 Crossing cross(const Body& body, const ToolUnderTest& tool, const CouplingGains& gains, double feed, double tilt,
                KerfLoop::Way way, double period = Simulation::dt) {
     constexpr double above = -0.5e-3, approach = 2e-3, margin = 0.2e-3;
-    const int ticks_of_nominal = static_cast<int>(std::lround(Simulation::dt / period)), longest = 20000 * ticks_of_nominal;
+    const int ticks_per_nominal = static_cast<int>(std::lround(Simulation::dt / period)), longest = 20000 * ticks_per_nominal;
     KerfLoop loop(body, tool.setup, gains, above, way, tilt, period);
-    loop.wait(above, run_up * ticks_of_nominal);
+    loop.wait(above, run_up * ticks_per_nominal);
     double hand = above;
     const double spread = tool.radius * std::tan(tilt);
     const double from = shell / std::cos(tilt) - spread - margin;

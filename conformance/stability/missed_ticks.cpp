@@ -27,7 +27,8 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
     constexpr double above = -0.1e-3, hertz = 3.0;
     constexpr int stall_from = 500, ticks = 1000;  // at half a second the push falls fastest
     const int back = stall_from + missed;
-    const int faded = back + 5 + settings.delay, given_back = faded + 50;
+    const int faded = back + 5 + settings.delay;
+    int given_back = faded + 50;  // at the earliest
     Port port(settings, above);
     KerfLoop loop(body, touch_probe(1, rigid), gains, above);
     Stalled stalled;
@@ -43,6 +44,7 @@ Stalled press_with_stall(const Body& body, const PortSettings& settings, const C
             port.step(loop.answer(port.reported(), i == back ? static_cast<std::uint32_t>(missed) : 0u), now);
         energy.see(port.held(), port.depth() - before, loop.stored(port.depth()));
         has_faulted = has_faulted || loop.last().is_barred;
+        if (loop.last().is_coming_back) given_back = std::max(given_back, i + settings.delay + 3);  // the step it ends with included
         if (i >= faded && i < given_back) stalled.step = std::max(stalled.step, std::abs(port.held() - last));
         last = port.held();
         if (i == faded - 1) {

@@ -59,7 +59,7 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         way_of_engaged[engaged_so_far] = directions[i];
         engaged[engaged_so_far++] = points[i];
     }
-    if (!directions.is_one()) directions = Directions(way_of_engaged.data(), 0);
+    if (!directions.is_one()) directions = Directions::each(way_of_engaged.data());
     tracker_->gap(body_from_tool_, engaged.data(), engaged_count, directions, gap_of_engaged);
 
     std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
@@ -98,18 +98,17 @@ double BoneView::present_distance(Vec3 p) const noexcept {
     return std::max(bone, body_->region.contains(p) ? tracker_->depth_in_pending(p) : -body_->grid().clamp());
 }
 
-void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out, double* committed) const noexcept {
-    const Frame& f = frame_;
+void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
     PendingSurface pending(*tracker_, body_from_tool_);
     Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
-    const double rows[3][3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
+    const double rows[3][3] = {{frame_.x.x, frame_.y.x, frame_.z.x}, {frame_.x.y, frame_.y.y, frame_.z.y}, {frame_.x.z, frame_.y.z, frame_.z.z}};
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t n = 0; n < 3; ++n) surface.in_tool[axis][n] = static_cast<float>(rows[axis][n]);
-    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(pending, surface, points + first, n, out + first, committed != nullptr ? committed + first : nullptr); });
+    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(pending, surface, points + first, n, out + first); });
 }
 
 void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points,
-                             std::size_t count, kerf_surface_point* out, double* committed) const noexcept {
+                             std::size_t count, kerf_surface_point* out) const noexcept {
     PlaceBlock places;
     SlopeBlock slopes;
     const PointBox box = grid_.locate(points, count, places);
@@ -124,7 +123,6 @@ void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, co
         if (is_beyond(grid_.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
     }
     block_kernel().answer(surface, count, slopes.slopes(), out);
-    for (std::size_t i = 0; committed != nullptr && i < count; ++i) committed[i] = out[i].distance;
     pending.raise(points, count, box, surface.quantum * static_cast<double>(least), is_bounded ? can_rise.data() : nullptr, out);
     if (body_id_ != 0)
         for (std::size_t i = 0; i < count; ++i)

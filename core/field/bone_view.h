@@ -36,22 +36,21 @@ public:
     /// Edges: the committed cut, the gap to the front, tissues.   [haptic, nonblocking]
     void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
     void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
-        sample(points, count, Directions(&direction, 1), out);
+        sample(points, count, Directions::one(direction), out);
     }
-    /// Contact: the present surface. `committed`, where given: the distance [m] without what waits to be committed, which is less or
-    /// the same.   [haptic, nonblocking]
-    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out, double* committed = nullptr) const noexcept;
+    /// Contact: the present surface.   [haptic, nonblocking]
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
     /// Signed distance to the present surface at a point of the body frame [m].   [haptic, nonblocking]
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:
     void sample_block(const Vec3* points, std::size_t count, Directions directions, kerf_bone_sample* out) const noexcept;
     void nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points,
-                       std::size_t count, kerf_surface_point* out, double* committed) const noexcept;
+                       std::size_t count, kerf_surface_point* out) const noexcept;
 
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3* directions,
                              std::uint32_t direction_count, kerf_bone_sample* out) {
-        reinterpret_cast<const BoneView*>(bone)->sample(points, count, Directions(directions, direction_count), out);
+        reinterpret_cast<const BoneView*>(bone)->sample(points, count, Directions::given(directions, direction_count, count), out);
     }
     static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
                               kerf_surface_point* out) {

@@ -95,7 +95,6 @@ CutField::CutField(const CutField& other)
     memory_ = other.memory_;
     used_ = other.used_;
     capacity_ = other.capacity_;
-    is_of_piece_ = other.is_of_piece_;
 }
 
 CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve_bricks)
@@ -104,8 +103,7 @@ CutField::CutField(const CutField& whole, const PieceMask& mask, std::size_t res
       quantum_(whole.quantum_),
       start_(whole.start_.size(), uncut),
       changed_(whole.changed_.size(), 0),
-      is_full_(whole.is_full_.size(), 0),
-      is_of_piece_(true) {
+      is_full_(whole.is_full_.size(), 0) {
     prepare();
     const Grid& g = grid();
     for (std::size_t index = 0; index < g.brick_count(); ++index) {
@@ -261,11 +259,10 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     const Grid& g = grid();
     const auto below = [&](double depth) { return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767)); };
     const std::int16_t lowest_anywhere = below(sweep.step());
-    // Of those before the solid's back end few were deeper on the way than in the end: where a face drew back.
+    // Of those before the solid's back end few were deeper at any instant of the way than in the end: where a face drew back.
     const Pose end_from_body = inverse(record.to);
-    const double reach = brick_edge * g.spacing * std::sqrt(3.0);
     const std::int16_t lowest_before_end =
-        !solid.is_convex() ? lowest_anywhere : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to, reach)));
+        !solid.is_convex() ? lowest_anywhere : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to)));
     const Vec3 forwards = rotate(conjugate(end_from_body.rotation), {0, 0, 1});  // of the tool, body frame
     const double half_cell = (4.0 * std::abs(forwards.x) + std::abs(forwards.y) + std::abs(forwards.z)) * g.spacing;
     const double end = solid.end_z() - end_from_body.position.z + sweep.step() * sweep.sub_poses() + half_cell;

@@ -82,8 +82,6 @@ public:
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);
     }
-    /// Whether it is the cut of a piece: where the others were, samples are as high as can be, beside some that are not.
-    [[nodiscard]] bool is_of_piece() const noexcept { return is_of_piece_; }
     /// Whether all of a brick is another piece's: nothing in it can ever change.
     [[nodiscard]] bool is_gone(std::size_t brick_index) const noexcept { return start_[brick_index] == gone; }
     /// The samples that may be cut, along each axis: those strictly within the body's region.
@@ -164,7 +162,6 @@ private:
     std::vector<BrickCells> cells_;  ///< of the bricks in use
     StampMemory memory_;
     std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is how many hold bone
-    bool is_of_piece_ = false;
 };
 
 }  // namespace kerf

@@ -34,14 +34,20 @@ struct PointBlock {
 /// Unit directions of points that are asked about together: one for all of them, or one each.
 class Directions {
 public:
-    Directions(const Vec3* directions, std::uint32_t count) noexcept : direction_(directions), is_one_(count == 1) {}
+    [[nodiscard]] static Directions one(const Vec3& direction) noexcept { return {&direction, true}; }
+    [[nodiscard]] static Directions each(const Vec3* directions) noexcept { return {directions, false}; }
+    /// As a plugin gives them for `points` points: one each where there are as many, else the first of them for all.
+    [[nodiscard]] static Directions given(const Vec3* directions, std::uint32_t count, std::uint32_t points) noexcept {
+        static constexpr Vec3 along_the_shaft{0, 0, 1};
+        return count == 0 ? one(along_the_shaft) : count == points ? each(directions) : one(*directions);
+    }
     [[nodiscard]] bool is_one() const noexcept { return is_one_; }
     [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return direction_[is_one_ ? 0 : i]; }
     /// Of the points from `first` on.
-    [[nodiscard]] Directions from(std::size_t first) const noexcept { return is_one_ ? *this : Directions(direction_ + first, 0); }
-    [[nodiscard]] const Vec3* data() const noexcept { return direction_; }
+    [[nodiscard]] Directions from(std::size_t first) const noexcept { return is_one_ ? *this : each(direction_ + first); }
 
 private:
+    Directions(const Vec3* directions, bool is_one) noexcept : direction_(directions), is_one_(is_one) {}
     const Vec3* direction_;
     bool is_one_;
 };

@@ -145,13 +145,14 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
     return is_blunt_ ? std::min(2.0 * gain, size) : size;  // two faces that meet at 60° or more
 }
 
-double ToolSolid::most_gained_outside(const Pose& moved, double reach) const noexcept {
+double ToolSolid::most_gained_outside(const Pose& moved) const noexcept {
     // Depth is concave: it grows by no more than the motion into the solid, along the way from where the solid is nearest. Before the
-    // back end that way leads forwards, or to the side, unless a face looks backwards.
+    // back end that way leads forwards, or to the side, unless a face looks backwards. A turn moves what ends inside by its chord at most,
+    // about the origin, and turns the way itself.
     const Vec3 shift = moved.position;
     const bool looks_back = std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
     const double into = looks_back ? length(shift) : std::sqrt(squared(shift.x) + squared(shift.y)) + std::max(0.0, -shift.z);
-    const double farthest = std::max(std::abs(tip_z()), std::abs(end_z())) + std::max(largest_radius_, half_thickness_) + reach + length(shift);
+    const double farthest = std::max(std::abs(tip_z()), std::abs(end_z())) + largest_radius_ + half_thickness_ + length(shift);
     return into + 2.0 * length({moved.rotation.x, moved.rotation.y, moved.rotation.z}) * farthest;
 }
 

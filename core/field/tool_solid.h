@@ -64,9 +64,10 @@ public:
     /// [any] pure, nonblocking.
     [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread, double deepest) const noexcept;
 
-    /// No point outside the solid, before its back end and within `reach` [m] of it, becomes deeper by more than this [m] while it goes
-    /// straight to `moved` times its place. Pre: convex.   [any] pure, nonblocking.
-    [[nodiscard]] double most_gained_outside(const Pose& moved, double reach) const noexcept;
+    /// A point that is outside, before the solid's back end, and inside after it has gone to `moved` times its place, or at any instant
+    /// of a straight way there that turns evenly, was outside by no more than this, less what it is inside then [m]. Pre: convex.
+    /// [any] pure, nonblocking.
+    [[nodiscard]] double most_gained_outside(const Pose& moved) const noexcept;
 
     /// Whether an edge of the outline, or of the solid's ends, may be so near to a point of a box. If none is, then what of the box
     /// lies outside a convex solid, by half of `distance` at most, lies beside a face.   [any] pure.

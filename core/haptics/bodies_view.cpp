@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/bodies_view.h"
 
-#include <algorithm>
-
 namespace kerf {
 
 BodiesView::BodiesView(const Body& first) {
@@ -53,9 +51,8 @@ void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions dire
         }
 }
 
-void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out, double* committed) const noexcept {
+void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
     if (near_count_ == 0) {
-        if (committed != nullptr) std::fill_n(committed, count, query_.reach);
         for (std::uint32_t i = 0; i < count; ++i) {
             out[i] = kerf_surface_point{};
             out[i].distance = query_.reach;
@@ -63,17 +60,14 @@ void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_p
         }
         return;
     }
-    near_[0]->view.nearest(points, count, out, committed);
+    near_[0]->view.nearest(points, count, out);
     std::array<kerf_surface_point, block_capacity> other;
-    BlockValues other_committed;
     for (std::size_t n = 1; n < near_count_; ++n)
         for (std::uint32_t first = 0; first < count; first += block_capacity) {
             const auto some = std::min(static_cast<std::uint32_t>(block_capacity), count - first);
-            near_[n]->view.nearest(points + first, some, other.data(), committed != nullptr ? other_committed.data() : nullptr);
-            for (std::uint32_t i = 0; i < some; ++i) {
+            near_[n]->view.nearest(points + first, some, other.data());
+            for (std::uint32_t i = 0; i < some; ++i)
                 if (other[i].distance < out[first + i].distance) out[first + i] = other[i];
-                if (committed != nullptr) committed[first + i] = std::min(committed[first + i], other_committed[i]);
-            }
         }
 }
 

@@ -24,14 +24,14 @@ public:
 
     void sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept;
     void sample(const Vec3* points, std::uint32_t count, Vec3 direction, kerf_bone_sample* out) const noexcept {
-        sample(points, count, Directions(&direction, 1), out);
+        sample(points, count, Directions::one(direction), out);
     }
-    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out, double* committed = nullptr) const noexcept;
+    void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
 
 private:
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3* directions,
                              std::uint32_t direction_count, kerf_bone_sample* out) {
-        reinterpret_cast<const BodiesView*>(bone)->sample(points, count, Directions(directions, direction_count), out);
+        reinterpret_cast<const BodiesView*>(bone)->sample(points, count, Directions::given(directions, direction_count, count), out);
     }
     static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_surface_point* out) {
         reinterpret_cast<const BodiesView*>(bone)->nearest(points, count, out);

@@ -38,10 +38,13 @@ class Coupling {
 public:
     Coupling(const CouplingGains& gains, Vec3 grip) : gains_(gains), grip_(grip) {}
 
-    /// Of its limits, this share is allowed from now on (0 … 1]: the anchor slides so much the sooner. Force comes back after
+    /// Of its limits of force and torque, these shares are allowed from now on (0 … 1]: the anchor slides so much the sooner. Force comes back after
     /// a fault by allowing more, not by scaling what it would be: what is scaled up gives more than it took (A10).
     /// [haptic, nonblocking]
-    void allow(double share) noexcept { share_ = share; }
+    void allow(double of_force, double of_torque) noexcept {
+        force_share_ = of_force;
+        torque_share_ = of_torque;
+    }
 
     /// What the solve must balance for a step of `dt`: all of `out` but the channels and what follows them.
     /// [haptic, nonblocking]
@@ -59,8 +62,8 @@ public:
         return world_from_tool * grip_ + slip_;
     }
     [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
-    [[nodiscard]] double force_limit() const noexcept { return share_ * gains_.force_limit; }     ///< [N]
-    [[nodiscard]] double torque_limit() const noexcept { return share_ * gains_.torque_limit; }  ///< [N·m]
+    [[nodiscard]] double force_limit() const noexcept { return force_share_ * gains_.force_limit; }     ///< [N]
+    [[nodiscard]] double torque_limit() const noexcept { return torque_share_ * gains_.torque_limit; }  ///< [N·m]
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
 
 private:
@@ -75,7 +78,7 @@ private:
 
     CouplingGains gains_;
     Vec3 grip_;
-    double share_ = 1.0;
+    double force_share_ = 1.0, torque_share_ = 1.0;
     Vec3 slip_{};  ///< how far the anchor has slid, world frame [m]
     Quat rotation_slip_{1, 0, 0, 0};
 };

@@ -25,9 +25,10 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     return corners;
 }
 
-/// How far apart a box and a body's are, along the axis where that is the most [m]; negative: they meet.
-double between(const LiveBody& other, Vec3 low, Vec3 high) noexcept {
-    return std::max({other.low.x - high.x, low.x - other.high.x, other.low.y - high.y, low.y - other.high.y, other.low.z - high.z, low.z - other.high.z});
+bool comes_near(const LiveBody& other, Vec3 low, Vec3 high, double margin) noexcept {
+    const auto meets = [&](double l, double h, double other_l, double other_h) { return l - margin <= other_h && h + margin >= other_l; };
+    return meets(low.x, high.x, other.low.x, other.high.x) && meets(low.y, high.y, other.low.y, other.high.y) &&
+           meets(low.z, high.z, other.low.z, other.high.z);
 }
 
 /// Whether a box comes within `margin` of a body's; errs towards yes.
@@ -38,7 +39,7 @@ bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, c
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    return between(other, low, high) <= margin;
+    return comes_near(other, low, high, margin);
 }
 
 /// The first vertex in each cube of a lattice, as many cubes as there is room for.
@@ -56,9 +57,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, d
 
 }  // namespace
 
-HeldBody::HeldBody()
-    : points_(most_points), octant_(most_points), clearances_(most_points), asked_(most_points), asked_of_due_(most_points), clear_(most_points),
-      committed_(most_points), answers_(most_points) {}
+HeldBody::HeldBody() : points_(most_points), octant_(most_points), asked_(most_points), octant_of_asked_(most_points), answers_(most_points) {}
 
 void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept {
     body_ = body;
@@ -92,7 +91,6 @@ void HeldBody::find_points(Bodies bodies) {
         const Vec3 p = points_[i] = points[i];
         octant_[i] = static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
     }
-    clearances_.begin(count_);
 }
 
 void HeldBody::move(Bodies bodies, const Pose& world_from_tool) const noexcept {
@@ -118,43 +116,29 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
         Vec6 d{};
     };
     if (count_ == 0) return 0;
-    double steepness = 1.0;
-    for (const auto& other : bodies)
-        if (!holds(other->id) && other->is_present) steepness = std::max(steepness, other->steepness());
-    clearances_.move(steepness * largest_motion(last_asked_, world_from_tool));
-    last_asked_ = world_from_tool;
-    const std::span<const std::uint32_t> due = clearances_.within(near_contact);
-    std::fill_n(clear_.begin(), due.size(), HUGE_VAL);
-
     std::array<Touch, most_held_channels> touch{};
     for (const auto& other : bodies) {
         if (holds(other->id) || !other->is_present) continue;
         const Pose other_from_tool = other->body_from(world_from_tool);
+        if (!box_comes_near(*other, corners_of(low_, high_), other_from_tool, near_contact)) continue;
         std::size_t asked = 0;
-        for (std::size_t n = 0; n < due.size(); ++n) {
-            const Vec3 point = points_[due[n]], p = other_from_tool * point;
-            const double apart = between(*other, p, p);
-            if (apart > near_contact) {
-                clear_[n] = std::min(clear_[n], apart);
-                continue;
-            }
-            asked_[asked] = point;
-            asked_of_due_[asked++] = static_cast<std::uint32_t>(n);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec3 p = other_from_tool * points_[i];
+            if (!comes_near(*other, p, p, near_contact)) continue;
+            asked_[asked] = points_[i];
+            octant_of_asked_[asked++] = octant_[i];
         }
         if (asked == 0) continue;
         other->view.place(other_from_tool);
-        other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data(), committed_.data());
-        const auto touch_of = [&](std::size_t i) -> Touch& { return touch[octant_[due[asked_of_due_[i]]]]; };
+        other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
         for (std::size_t i = 0; i < asked; ++i) {
-            double& clear = clear_[asked_of_due_[i]];
-            clear = std::min(clear, committed_[i]);
-            Touch& t = touch_of(i);
+            Touch& t = touch[octant_of_asked_[i]];
             if (answers_[i].body >= 0 && answers_[i].normal != Vec3{}) t.deepest = std::max(t.deepest, -answers_[i].distance);
         }
         // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
         for (std::size_t i = 0; i < asked; ++i) {
             const kerf_surface_point& answer = answers_[i];
-            Touch& t = touch_of(i);
+            Touch& t = touch[octant_of_asked_[i]];
             const double depth = -answer.distance, ahead = depth - t.deepest + std::max(nearly, 0.5 * t.deepest);
             if (answer.body < 0 || answer.normal == Vec3{} || ahead <= 0.0 || depth <= -near_contact) continue;
             const double weight = ahead * ahead;
@@ -164,7 +148,6 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
             for (std::size_t k = 0; k < 6; ++k) t.d[k] += weight * d[k];
         }
     }
-    for (std::size_t n = 0; n < due.size(); ++n) clearances_.note(due[n], clear_[n]);
     std::size_t count = 0;
     for (std::size_t octant = 0; octant < touch.size(); ++octant) {
         const Touch& t = touch[octant];

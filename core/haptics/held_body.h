@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "core/field/clearances.h"
 #include "core/haptics/live_body.h"
 #include "core/haptics/solve.h"
 
@@ -32,8 +31,6 @@ public:
     void let_go() noexcept { members_ = 0; }
     /// Its shape has changed.   [haptic, nonblocking]
     void forget_points() noexcept { count_ = 0; }
-    /// Other bodies have moved, come or changed, by more than a cut.   [haptic, nonblocking]
-    void look_again() noexcept { clearances_.forget(); }
 
     /// Where it may touch: on its surface as it is committed, after `take` or a change of its shape.   [main] between ticks
     void find_points(Bodies bodies);
@@ -57,12 +54,8 @@ private:
     std::vector<std::uint8_t> octant_;
     std::size_t count_ = 0;
     Vec3 low_{}, high_{};  ///< a box around them
-    Clearances clearances_;
-    Pose last_asked_ = identity_pose();  ///< world from tool
     std::vector<Vec3> asked_;
-    std::vector<std::uint32_t> asked_of_due_;  ///< which of those that may touch
-    std::vector<double> clear_;                ///< [m] of those that may touch: of all bone
-    std::vector<double> committed_;
+    std::vector<std::uint8_t> octant_of_asked_;
     std::vector<kerf_surface_point> answers_;
 };
 

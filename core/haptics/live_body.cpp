@@ -38,12 +38,6 @@ void LiveBody::find_box() {
     reach(low.z, high.z, bone->region.low.z, bone->region.high.z);
 }
 
-double LiveBody::steepness() const noexcept {
-    constexpr double along_three_axes = 1.7320508075688772, rounding = 1.0 / 4096.0;  // of samples to quanta
-    const bool has_steps = committed.is_of_piece() || bone->region.is_bounded();
-    return along_three_axes * (has_steps ? 2.0 * clamp_voxels : 1.0 + rounding);
-}
-
 std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut, const ToolSolid& solid) {
     CutField field = cut;
     field.reserve(live_reserve);

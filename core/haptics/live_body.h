@@ -21,9 +21,6 @@ struct LiveBody {
 
     /// Looks for the box again that holds its bone.   [main, worker]
     void find_box();
-    /// The distance to its committed surface changes by no more than this times the way of a point [–]: samples differ by a voxel from
-    /// one to the next, but where a region ends or another piece was.   [any] nonblocking
-    [[nodiscard]] double steepness() const noexcept;
     [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept { return inverse(world_from_body) * world_from_tool; }
 
     std::uint16_t id;

@@ -162,7 +162,6 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     }
     gate_.step(is_steady && !result.is_quarantined, period_);
     result.is_barred = gate_.is_barred();
-    if (!result.is_barred) coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_));
     if (result.is_barred && !was_barred) {
         before_fault_ = commanded_;
         result.add_event(is_steady ? "haptics.quarantined" : "haptics.hand_lost");
@@ -180,6 +179,8 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     if (result.is_at_metal && !std::exchange(has_met_metal_, true)) result.add_event("haptics.met_metal");
     if (metal_channel_ < 0) has_met_metal_ = false;  // well away from it
     command(result);
+    if (!result.is_barred) coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_), gate_.gain());
+    result.is_coming_back = gate_.state() == ForceGate::State::opening;
     result.world_from_tool = world_from_tool_;
     ++tick_;
     return result;

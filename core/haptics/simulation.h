@@ -44,6 +44,7 @@ struct TickResult {
     bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
     bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
+    bool is_coming_back = false;  ///< after that: less force is allowed than the device can make
     std::size_t event_count = 0;
     const char* events[most_events]{};
 

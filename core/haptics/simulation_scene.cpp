@@ -137,7 +137,6 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
     }
     std::swap(bodies_[adoption.parent], adoption.renewed);
     if (held_.holds(adoption.parent)) held_.forget_points();
-    held_.look_again();
     look_around();
     return true;
 }
@@ -150,7 +149,6 @@ void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexc
     LiveBody& moved = *bodies_[body];
     moved.world_from_body = world_from_body;
     if (held_.holds(body)) held_.take(bodies_, held_.body(), world_from_tool_);
-    held_.look_again();
     moved.tracker.restart(moved.body_from(world_from_tool_));
     look_around();
 }
@@ -169,7 +167,6 @@ std::string Simulation::insert(const Body& body, const Pose& world_from_body, bo
     live.is_cuttable = is_cuttable;
     live.tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool_));
     live.tracker.restart(live.body_from(world_from_tool_));
-    held_.look_again();
     look_around();
     return {};
 }
@@ -230,7 +227,6 @@ std::string Simulation::fuse() {
 void Simulation::show_body(std::size_t body, bool is_present) noexcept {
     bodies_[body]->is_present = is_present;
     if (held_.holds(body) && !is_present) held_.let_go();
-    held_.look_again();
     look_around();
 }
 

@@ -26,7 +26,7 @@ void add_feed_cutting(const Edges& e, const Tick& tick, const Turning& turning, 
         }
         const LipElement& el = e.element(i);
         const double chip = share.chip[e.lip_of(i)], edge = share.edge[e.lip_of(i)];
-        const double width = e.rake_factor[i % e.lip.count] * m * el.width, nz = el.normal_axial;
+        const double width = e.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
         axial.add(edge * width * k.thrust.edge * nz, edge * chip * width * k.thrust.chip * nz * nz * per_rate,
                   k.thrust.edge_depth / (std::max(chip, 0.1) * per_rate * nz));
         engaged_width += m * el.width;

@@ -76,7 +76,7 @@ Side side_forces(const Edges& e, const Tick& tick, double n, double feed_rate, d
             thrust += m * e.chisel_width() * on_chisel;
             continue;
         }
-        const std::size_t nth = i < e.lip.count ? i : i - e.lip.count;
+        const std::size_t nth = e.place_on_lip(i);
         const LipElement& el = e.lip.element[nth];
         const double t = share.chip[e.lip_of(i)] * per_lip * el.normal_axial;
         const double width = share.edge[e.lip_of(i)] * e.rake_factor[nth] * m * el.width;

@@ -33,7 +33,9 @@ struct Edges {
 
     /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
     void ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
-    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[i % lip.count]; }
+    /// Of a piece of a lip, its place along it.
+    [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }
+    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[place_on_lip(i)]; }
 
     [[nodiscard]] std::size_t lip_of(std::size_t i) const noexcept { return i < lip_points && i >= lip.count ? 1 : 0; }
     /// How far a piece is behind the front, less what its lip always is.

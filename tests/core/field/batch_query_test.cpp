@@ -102,8 +102,7 @@ void compare_with(const BlockKernel& kernel, const test::DrilledBlock& hole, std
     hole.view.nearest(points.data(), static_cast<std::uint32_t>(count), nearest.data());
     std::vector<Vec3> directions;
     for (std::size_t i = 0; i < count; ++i) directions.push_back(normalized(Vec3{i % 3 == 0 ? 1.0 : 0.1, i % 5 == 0 ? -1.0 : 0.2, i % 2 == 0 ? 1.0 : -1.0}));
-    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), Directions(directions.data(), static_cast<std::uint32_t>(count)),
-                     each_its_way.data());
+    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), Directions::each(directions.data()), each_its_way.data());
     for (std::size_t i = 0; i < count; ++i) {
         const kerf_bone_sample sample = scalar.sample(points[i], direction);
         ASSERT_EQ(std::memcmp(&sample, &samples[i], sizeof sample), 0)

@@ -132,6 +132,48 @@ TEST(CutField, AFastSweepMissesNoVoxelAndTakesNoneBeside) {
         }
 }
 
+// A ridge is what lies between two sub-poses and in neither: most of them where a face draws back, as behind a short tool that advances
+// askew, or before one that is withdrawn.
+TEST(CutField, NoRidgeStaysWhereAToolGoesToAndFroAndTurns) {
+    constexpr double h = 0.25_mm;
+    const Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 5.0_mm}, h);
+    const Grid& g = body.grid();
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const ToolSolid disc({{0.0, 1.5_mm}, {-0.3_mm, 2.0_mm}, {-0.5_mm, 2.0_mm}}), drop({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.5_mm, 0.5_mm}});
+    const ToolSolid drill = test::drill_outline(1.0_mm, 45.0_deg, 1.4_mm), blade = ToolSolid::prism({{0.0, 1.5_mm}, {-1.0_mm, 1.8_mm}}, 0.6_mm);
+    for (const ToolSolid* solid : {&disc, &drop, &drill, &blade}) {
+        int ridges = 0, missed = 0, of_to_alone = 0;
+        for (int n = 0; n < 120; ++n) {
+            CutRecord record;
+            const Vec3 axis = normalized(Vec3{unit(random), unit(random), unit(random)});
+            record.from = test::pointing({unit(random) * 1.0_mm, unit(random) * 1.0_mm, unit(random) * 1.0_mm}, axis);
+            const double along = (n % 2 == 0 ? 1.0 : -1.0) * 0.05_mm * (1 + n % 7), turn = n % 3 == 0 ? 0.05 : 0.0;
+            record.to = {record.from.position + along * axis + 0.05_mm * (n % 4) * Vec3{unit(random), unit(random), unit(random)},
+                         normalized(quat_from_rotation_vector(turn * Vec3{unit(random), unit(random), unit(random)}) * record.from.rotation)};
+            CutField cut(body, 256);
+            CutRecord begun = record;
+            begun.to = begun.from;
+            cut.stamp(begun, *solid);
+            cut.stamp(record, *solid);
+            const Sweep sweep(*solid, record.from, record.to, 0.25 * h);
+            for (int k = 0; k < g.samples(2); ++k)
+                for (int j = 0; j < g.samples(1); ++j)
+                    for (int i = 0; i < g.samples(0); ++i) {
+                        const Vec3 p = g.sample_position(i, j, k);
+                        if (body.surface.sample(i, j, k) >= 0 || length(p - record.to.position) > 4.0_mm) continue;
+                        const bool is_held = sweep.holds(p, g.quantum());
+                        missed += is_held && cut.sample(i, j, k) <= 0;
+                        ridges += is_held && cut.sample(i, j, k) == 1;
+                        of_to_alone += is_held && solid->distance(inverse(record.to) * p) > g.quantum();
+                    }
+        }
+        EXPECT_EQ(missed, 0);
+        EXPECT_GT(of_to_alone, 100) << "what was left behind is looked at";
+        EXPECT_GT(ridges, 10);
+    }
+}
+
 // Every line along the motion meets a convex solid in one piece, which the motion lengthens by the way s. So
 //
 //     V = V₀ + s A,    V₀ = πR²(L − c) + πR²c/3,    c = R cot p

@@ -54,9 +54,9 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
     const ToolSolid blade = ToolSolid::prism({{0.0, 6.0_mm}, {-2.0_mm, 8.0_mm}, {-12.0_mm, 8.0_mm}}, 1.0_mm);
     const ToolSolid taper({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-8.0_mm, 4.0_mm}});
     for (const ToolSolid* solid : {&tool, &blade, &taper}) {
-        const double reach = 1.0_mm;
+        constexpr double reach = 0.12_mm;  // farther out, none ends inside
         int gained = 0, near_it = 0;
-        for (int n = 0; n < 200000; ++n) {
+        for (int n = 0; n < 1000000; ++n) {
             const Vec3 p = {9.0_mm * unit(random), 9.0_mm * unit(random), solid->end_z() + 7.0_mm * (1.0 + unit(random))};
             const double before = -solid->distance(p);
             if (before > 0.0 || before < -reach) continue;
@@ -64,18 +64,19 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
             const double lateral = n % 3 == 0 ? 0.1_mm : 0.001_mm, turn = n % 2 == 0 ? 0.0 : 0.002;
             const Pose moved{{lateral * unit(random), lateral * unit(random), 0.1_mm * unit(random)},
                              quat_from_rotation_vector({turn * unit(random), turn * unit(random), turn * unit(random)})};
-            const double gain = -solid->distance(moved * p) - before, most = solid->most_gained_outside(moved, reach);
+            const double after = -solid->distance(moved * p), gain = after - before, most = solid->most_gained_outside(moved);
+            if (after < 0.0) continue;
             ASSERT_LE(gain, most + 1e-15) << n;
             ++near_it;
             gained += gain > 0.5 * most;
         }
-        EXPECT_GT(near_it, 2000);
-        EXPECT_GT(gained, 100) << "and not much too large";
+        EXPECT_GT(near_it, 200);
+        EXPECT_GT(gained, 50) << "and not much too large";
     }
     const Pose on{{0, 0, 0.1_mm}, {1, 0, 0, 0}};
-    EXPECT_EQ(tool.most_gained_outside(on, 1.0_mm), 0.0) << "the tool advances: where it stands is as deep as it gets";
+    EXPECT_EQ(tool.most_gained_outside(on), 0.0) << "the tool advances: where it stands is as deep as it gets";
     const ToolSolid drop({{0.0, 0.0}, {-2.0_mm, 2.0_mm}, {-4.0_mm, 1.0_mm}});
-    EXPECT_NEAR(drop.most_gained_outside(on, 1.0_mm), 0.1_mm, 1e-15) << "its back looks backwards";
+    EXPECT_NEAR(drop.most_gained_outside(on), 0.1_mm, 1e-15) << "its back looks backwards";
 }
 
 TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
-#include <random>
 
 #include "core/plugin/core_instruments.h"
 #include "tests/support/loop_guard.h"
@@ -131,39 +129,6 @@ TEST(HeldBody, IsStoppedByItsCornersWhenTurned) {
     bench.wait(50);
     EXPECT_NEAR(bench.place_of(1).y + 1.2_mm, 0.0, 0.15_mm);
     EXPECT_GT(linear(bench.last.coupled_on_hand).y, 1.0);
-}
-
-TEST(HeldBody, FeelsWhatItWouldIfAllItsPointsWereAsked) {
-    // Given the end, held beside the stump it came from
-    Bench bench;
-    bench.sever(2.0_mm);
-    ASSERT_EQ(bench.simulation.bodies().size(), 2u);
-    const auto bodies = bench.simulation.bodies();
-    Pose tool = identity_pose();
-    HeldBody few, all;
-    for (HeldBody* held : {&few, &all}) {
-        held->take(bodies, 1, tool);
-        held->find_points(bodies);
-    }
-    // When it goes about there, now slowly, now at 50 mm/s
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    Vec3 to{};
-    int touching = 0;
-    for (int i = 0; i < 4000; ++i) {
-        if (i % 100 == 0) to = {0.3 * unit(random), tool.position.y > -1.1_mm ? -1.0 : 1.0, 0.3 * unit(random)};
-        tool.position = tool.position + (i / 500 % 2 == 0 ? 2.0_um : 50.0_um) * to;
-        tool.rotation = normalized(quat_from_rotation_vector({1e-5 * unit(random), 1e-5 * unit(random), 1e-5 * unit(random)}) * tool.rotation);
-        kerf_channel of_few[most_held_channels]{}, of_all[most_held_channels]{};
-        const std::size_t count = few.add_contact(bodies, tool, of_few);
-        all.look_again();
-        // Then the law is the same, bit for bit
-        ASSERT_EQ(all.add_contact(bodies, tool, of_all), count) << i;
-        ASSERT_EQ(std::memcmp(of_few, of_all, sizeof of_all), 0) << i;
-        touching += count > 0;
-    }
-    EXPECT_GT(touching, 500);
-    EXPECT_LT(touching, 3500);
 }
 
 TEST(HeldBody, NothingIsHeldWhereThereIsNoBone) {

@@ -118,7 +118,7 @@ typedef struct kerf_bone kerf_bone;
 
 typedef struct kerf_bone_sample {
     double engagement; /* [-] 0 in air … 1 in bone not yet cut (the cut as committed about one voxel behind)     */
-    double gap;        /* [m] how far the point must travel along `direction` to reach uncut bone; ≥ 0             */
+    double gap;        /* [m] how far the point must travel along its direction to reach uncut bone; ≥ 0           */
     double weight[KERF_MAX_TISSUES]; /* [-] share of each tissue; sums to 1 where there is bone                    */
     double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                        */
     int32_t body;      /* which body answered, -1 for none                                                          */
@@ -137,7 +137,7 @@ typedef struct kerf_bone_query {
     uint32_t tissue_count;
     double reach; /* [m] distances are known as far as this on either side of a surface */
     /* Edges ask here. `points`, `directions` (unit) in the tool frame at the pose of this tick; `direction_count` is 1,
-       for all points the same, or `count`. One question of many points is cheaper than many.  [haptic, nonblocking] */
+       for all points the same, or `count`; of any other number the first holds for all. One question of many points is cheaper than many.  [haptic, nonblocking] */
     void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, const kerf_vec3 *directions,
                    uint32_t direction_count, kerf_bone_sample *out);
     /* Contact asks here: the present geometry.  [haptic, nonblocking] */

@@ -30,7 +30,7 @@ public:
     void sample(std::span<const Vec3> points, Vec3 direction, std::span<kerf_bone_sample> out) const noexcept {
         sample(points, std::span<const Vec3>(&direction, 1), out);
     }
-    /// @param directions  one for each point. One question of many points is cheaper than many
+    /// @param directions  one for all points, or one for each. One question of many points is cheaper than many
     void sample(std::span<const Vec3> points, std::span<const Vec3> directions, std::span<kerf_bone_sample> out) const noexcept {
         query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), directions.data(),
                        static_cast<std::uint32_t>(directions.size()), out.data());
