@@ -10,7 +10,8 @@
 ///
 /// Both do the same operations on every point in the same order, so both give the same bits; which one a machine runs
 /// changes how long it takes and nothing else. Here are only plain types and pointers: an inline function shared with a
-/// file that is compiled for AVX2 could end up in a program for a machine without it.
+/// file that is compiled for AVX2 could end up in a program for a machine without it. Pointers that belong together go by
+/// reference: a copy of them, made with wider loads than they were stored with, would wait for those stores.
 namespace kerf {
 
 /// A change of coordinates as nine factors and an offset; `frame.h` applies it to one point.
@@ -46,6 +47,7 @@ struct Lattice {
     std::int32_t row, layer;     ///< bricks along x, in a plane
     std::int32_t brick_count;    ///< also the number of the brick outside the grid
 };
+/// Outside the grid nothing but `brick` counts.
 struct Places {
     std::int32_t *brick, *offset;
     float *x, *y, *z;  ///< [–] 0 … 1 from the low corner
@@ -56,7 +58,8 @@ struct ConstPlaces {
 };
 
 /// A field of distances as a kernel reads it: where each brick's 9³ samples begin, one entry more for what lies outside
-/// the grid. Bricks that begin before `first_stored` hold one value everywhere.
+/// the grid. Bricks that begin before `first_stored` hold one value everywhere: they begin at 0, or where those samples end.
+/// Behind the last sample 16 bytes more may be read.
 struct FieldShape {
     const std::int32_t* start;
     const std::int16_t* samples;
@@ -143,33 +146,34 @@ struct BlockKernel {
     const char* name;
 
     /// As pose · point.
-    void (*transform)(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept;
+    void (*transform)(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept;
     /// As frame · point.
-    void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, Coordinates in_a) noexcept;
-    /// As `locate_fixed` of frame · point. Tells the box the points lie in, as they were given; that of a NaN is anything.
+    void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, const Coordinates& in_a) noexcept;
+    /// As `locate_fixed` of frame · point. Tells, where it is asked for, the box the points lie in, as they were given; that
+    /// of a NaN is anything.
     void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
-                  Places places, PointBox& box) noexcept;
+                  const Places& places, PointBox* box) noexcept;
     /// As `trilinear` [quanta].
-    void (*values)(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept;
+    void (*values)(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept;
     /// The same in metres, those of uniform bricks ± `clamp` exactly.
-    void (*metres)(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp, double* values) noexcept;
+    void (*metres)(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept;
     /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
-    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
                       float* values) noexcept;
     /// The larger of two fields, with its gradient. Returns the least of them.
-    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept;
+    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept;
     /// What a contact is told: distance, and where a surface is in reach its normal.
-    void (*answer)(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept;
+    void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept;
     /// As minus `ToolSolid::distance` [m], points in the tool frame.
-    void (*depths)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept;
+    void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths) noexcept;
     /// A plane each that a convex solid does not cross: near a point nothing is deeper than
     /// depth + gradient · (from the point) [m], [–].
-    void (*tangents)(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
-                     Coordinates gradients) noexcept;
+    void (*tangents)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths,
+                     const Coordinates& gradients) noexcept;
     /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them than
     /// `walls.depth` has it, in which, and which way is in.
     void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
-                    const kerf_vec3* points, Walls walls) noexcept;
+                    const kerf_vec3* points, const Walls& walls) noexcept;
     /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
     /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta], if it is asked for:
     /// were the solid deeper by less everywhere, still none would be raised that was not; kernels need not agree in it.

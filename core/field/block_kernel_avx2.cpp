@@ -35,7 +35,7 @@ inline Four3 cross(const Four3& a, const Four3& b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-void transform(const kerf_pose& a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+void transform(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept {
     const Four3 position{all(a_from_b.position.x), all(a_from_b.position.y), all(a_from_b.position.z)};
     const Four3 u{all(a_from_b.rotation.x), all(a_from_b.rotation.y), all(a_from_b.rotation.z)};
     const Four w = all(a_from_b.rotation.w), two = all(2.0);
@@ -92,7 +92,7 @@ private:
     kerf_vec3 tail_[step];
 };
 
-void move(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, Coordinates in_a) noexcept {
+void move(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, const Coordinates& in_a) noexcept {
     const FourFrame frame(a_from_b);
     const Steps<lanes> points(in_b, count);
     for (std::size_t i = 0; i < count; i += lanes) {
@@ -107,14 +107,25 @@ using Eight = __m256;
 using EightInts = __m256i;
 constexpr std::size_t wide = 8;
 
+inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
+inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
+inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
+inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
+inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
+inline Eight minus(Eight a) noexcept { return _mm256_xor_ps(a, eight(-0.0f)); }
+inline Eight magnitude(Eight a) noexcept { return _mm256_andnot_ps(eight(-0.0f), a); }
+inline bool any(Eight mask) noexcept { return _mm256_movemask_ps(mask) != 0; }
+
 inline EightInts together(__m128i low, __m128i high) noexcept {
     return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
 }
 inline EightInts all_ints(std::int32_t v) noexcept { return _mm256_set1_epi32(v); }
 
-template <bool is_bounded, bool is_turned>
+template <bool is_bounded, bool is_turned, bool wants_box>
 void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
-              Places places, PointBox& box) noexcept {
+              const Places& to, PointBox* box) noexcept {
+    const Places places = to;
     const FourFrame frame(fixed_from_points);
     const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])}, high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
     // A number that is NaN, too large or negative ends beyond the last one that is inside, taken as unsigned.
@@ -132,8 +143,10 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     };
     const auto fixed = [&](const double* from) -> Fixed {
         const Four3 p = load_points(from);
-        least_point = {least(p.x, least_point.x), least(p.y, least_point.y), least(p.z, least_point.z)};
-        most_point = {most(p.x, most_point.x), most(p.y, most_point.y), most(p.z, most_point.z)};
+        if constexpr (wants_box) {
+            least_point = {least(p.x, least_point.x), least(p.y, least_point.y), least(p.z, least_point.z)};
+            most_point = {most(p.x, most_point.x), most(p.y, most_point.y), most(p.z, most_point.z)};
+        }
         Four3 g;
         if constexpr (is_turned)
             g = frame * p;
@@ -150,9 +163,6 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         EightInts x = together(a.x, b.x), y = together(a.y, b.y), z = together(a.z, b.z);
         const auto is_within = [](EightInts v, EightInts most) { return _mm256_cmpeq_epi32(_mm256_min_epu32(v, most), v); };
         const EightInts is_inside = _mm256_and_si256(is_within(x, last_x), _mm256_and_si256(is_within(y, last_y), is_within(z, last_z)));
-        x = _mm256_and_si256(x, is_inside);
-        y = _mm256_and_si256(y, is_inside);
-        z = _mm256_and_si256(z, is_inside);
         const EightInts bi = _mm256_srl_epi32(x, brick_of), bj = _mm256_srl_epi32(y, brick_of), bk = _mm256_srl_epi32(z, brick_of);
         const EightInts brick = _mm256_add_epi32(_mm256_add_epi32(_mm256_mullo_epi32(bk, layer), _mm256_mullo_epi32(bj, row)), bi);
         _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.brick + n), _mm256_blendv_epi8(outside, brick, is_inside));
@@ -167,6 +177,7 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         _mm256_storeu_ps(places.z + n, fraction(z));
     }
 
+    if constexpr (!wants_box) return;
     const auto across = [](Four v, auto better) {
         double each[lanes];
         _mm256_storeu_pd(each, v);
@@ -174,38 +185,87 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
     };
     const auto smaller = [](double a, double b) { return a < b ? a : b; };
     const auto larger = [](double a, double b) { return a > b ? a : b; };
-    box = {{across(least_point.x, smaller), across(least_point.y, smaller), across(least_point.z, smaller)},
-           {across(most_point.x, larger), across(most_point.y, larger), across(most_point.z, larger)}};
+    *box = {{across(least_point.x, smaller), across(least_point.y, smaller), across(least_point.z, smaller)},
+            {across(most_point.x, larger), across(most_point.y, larger), across(most_point.z, larger)}};
 }
 
-void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points, Places places,
-           PointBox& box) noexcept {
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points, const Places& places,
+           PointBox* box) noexcept {
     const Frame& f = fixed_from_points;
     const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
-    // Taken to the region, an infinite coordinate would not be one any more: there the products with zero count.
-    const auto place_there = grid.is_bounded ? place_in<true, true> : is_turned ? place_in<false, true> : place_in<false, false>;
-    place_there(f, grid, count, points, places, box);
+    const auto place_there = [&]<bool wants_box>() {
+        // Taken to the region, an infinite coordinate would not be one any more: there the products with zero count.
+        const auto there = grid.is_bounded ? place_in<true, true, wants_box>
+                           : is_turned     ? place_in<false, true, wants_box>
+                                           : place_in<false, false, wants_box>;
+        there(f, grid, count, points, places, box);
+    };
+    if (box != nullptr)
+        place_there.template operator()<true>();
+    else
+        place_there.template operator()<false>();
 }
 
-/// A gather keeps what its mask leaves out, so it waits for whatever was in its register before: a zero is put there. The
-/// compiler would see that the mask leaves nothing out, and save the zero.
-template <int scale>
-inline EightInts gathered(const void* from, EightInts at) noexcept {
-    EightInts everything = all_ints(-1);
-    __asm__("" : "+x"(everything));
-    return _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), static_cast<const int*>(from), at, everything, scale);
-}
+/// Where the bricks of eight points begin among the samples.
+struct Starts {
+    std::int32_t of[wide];
+    std::int32_t any = 0, common = -1;  ///< each bit that one of them has, that all of them have
 
-/// Two neighbours along x, for each of eight points: both in one step of a gather.
+    [[gnu::always_inline]] Starts(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
+        for (std::size_t n = 0; n < wide; ++n) {
+            of[n] = start[places.brick[i + n]];
+            any |= of[n];
+            common &= of[n];
+        }
+    }
+    /// Whether all of them begin before `first_stored`: at 0, or where one brick's samples end.
+    [[nodiscard]] bool are_uniform(std::int32_t first_stored) const noexcept { return any < first_stored; }
+    [[nodiscard]] bool is_any_missing() const noexcept { return any < 0; }
+    [[nodiscard]] bool are_all_missing() const noexcept { return common < 0; }
+};
+
+/// The low corners of eight cells. What is at their corners is loaded cell by cell: eight by a gather take longer.
+template <class Sample>
+class Cells {
+public:
+    [[gnu::always_inline]] Cells(const Sample* samples, const Starts& starts, const ConstPlaces& places, std::size_t i) noexcept {
+        for (std::size_t n = 0; n < wide; ++n) corner_[n] = samples + static_cast<std::uint32_t>(starts.of[n] + places.offset[i + n]);
+    }
+    [[nodiscard]] const Sample* operator[](std::size_t n) const noexcept { return corner_[n]; }
+
+private:
+    const Sample* corner_[wide];
+};
+
+/// Two neighbours along x, for each of eight points.
 struct Pairs {
     Eight low, high;
 };
-inline Pairs gather(const std::int16_t* samples, EightInts at) noexcept {
-    const EightInts both = gathered<2>(samples, at);
+/// The two rows of each cell along y.
+struct Rows {
+    Pairs first, second;
+};
+inline Pairs pairs_of(EightInts both) noexcept {
     return {_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(both, 16), 16)), _mm256_cvtepi32_ps(_mm256_srai_epi32(both, 16))};
 }
-inline Pairs gather(const float* samples, EightInts at) noexcept {
-    return {_mm256_castsi256_ps(gathered<4>(samples, at)), _mm256_castsi256_ps(gathered<4>(samples + 1, at))};
+/// A load of sixteen samples has both rows: one in its low half, from the first sample on, the other, nine farther, in its high
+/// half from the second on.
+[[gnu::always_inline]] inline Rows load_rows(const Cells<std::int16_t>& cells, int offset) noexcept {
+    const EightInts to_pairs = _mm256_setr_epi8(0, 1, 4, 5, 2, 3, 6, 7, -1, -1, -1, -1, -1, -1, -1, -1,  //
+                                                4, 5, 8, 9, 6, 7, 10, 11, -1, -1, -1, -1, -1, -1, -1, -1);
+    const auto load = [&](std::size_t n) { return _mm256_loadu_si256(reinterpret_cast<const EightInts*>(cells[n] + offset)); };
+    const auto two = [&](std::size_t n) { return _mm256_shuffle_epi8(_mm256_unpacklo_epi16(load(n), load(n + 1)), to_pairs); };
+    const EightInts low = _mm256_unpacklo_epi64(two(0), two(2)), high = _mm256_unpacklo_epi64(two(4), two(6));
+    return {pairs_of(_mm256_permute2x128_si256(low, high, 0x20)), pairs_of(_mm256_permute2x128_si256(low, high, 0x31))};
+}
+[[gnu::always_inline]] inline Pairs load_pairs(const Cells<float>& cells, int offset) noexcept {
+    const auto pair = [&](std::size_t n) { return reinterpret_cast<const __m64*>(cells[n] + offset); };
+    const auto two = [&](std::size_t n) { return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), pair(n)), pair(n + 1)); };
+    const Eight a = _mm256_set_m128(two(lanes), two(0)), b = _mm256_set_m128(two(lanes + 2), two(2));
+    return {_mm256_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)), _mm256_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))};
+}
+[[gnu::always_inline]] inline Rows load_rows(const Cells<float>& cells, int offset) noexcept {
+    return {load_pairs(cells, offset), load_pairs(cells, offset + stored)};
 }
 
 inline Eight lerp(Eight a, Eight b, Eight t) noexcept { return a + (b - a) * t; }
@@ -217,32 +277,26 @@ struct EightFractions {
         : x(_mm256_loadu_ps(places.x + i)), y(_mm256_loadu_ps(places.y + i)), z(_mm256_loadu_ps(places.z + i)) {}
 };
 template <class Sample>
-inline Eight interpolated(const Sample* samples, EightInts at, const EightFractions& f) noexcept {
-    constexpr int y = stored, z = stored * stored;
-    const Pairs v00 = gather(samples, at), v10 = gather(samples + y, at), v01 = gather(samples + z, at), v11 = gather(samples + z + y, at);
-    const Eight c00 = lerp(v00.low, v00.high, f.x), c10 = lerp(v10.low, v10.high, f.x);
-    const Eight c01 = lerp(v01.low, v01.high, f.x), c11 = lerp(v11.low, v11.high, f.x);
-    return lerp(lerp(c00, c10, f.y), lerp(c01, c11, f.y), f.z);
+[[gnu::always_inline]] inline Eight interpolated(const Cells<Sample>& cells, const EightFractions& f) noexcept {
+    const Rows below = load_rows(cells, 0), above = load_rows(cells, stored * stored);
+    const auto along_x = [&](const Pairs& p) { return lerp(p.low, p.high, f.x); };
+    return lerp(lerp(along_x(below.first), along_x(below.second), f.y), lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
-inline EightInts load_ints(const std::int32_t* from) noexcept { return _mm256_loadu_si256(reinterpret_cast<const EightInts*>(from)); }
-/// Where the bricks of eight points begin.
-inline EightInts starts_of(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
-    return gathered<4>(start, load_ints(places.brick + i));
-}
-inline bool are_uniform(const FieldShape& field, EightInts start) noexcept {
-    return _mm256_movemask_epi8(_mm256_cmpgt_epi32(all_ints(field.first_stored), start)) == -1;
-}
-/// The first sample of each of these bricks.
-inline Eight firsts_of(const FieldShape& field, EightInts start) noexcept { return gather(field.samples, start).low; }
-
-inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
-    const EightInts start = starts_of(field.start, places, i);
-    if (are_uniform(field, start)) return firsts_of(field, start);
-    return interpolated(field.samples, _mm256_add_epi32(start, load_ints(places.offset + i)), EightFractions(places, i));
+/// The first sample of each brick. On its own, so that nothing of it is done before it is known which way to go.
+[[gnu::noinline]] Eight uniform_values(const FieldShape& field, const std::int32_t* bricks) noexcept {
+    const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[field.start[bricks[n]]]); };
+    return _mm256_setr_ps(first(0), first(1), first(2), first(3), first(4), first(5), first(6), first(7));
 }
 
-void values(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept {
+[[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
+    const Starts starts(field.start, places, i);
+    if (starts.are_uniform(field.first_stored)) return uniform_values(field, places.brick + i);
+    return interpolated(Cells(field.samples, starts, places, i), EightFractions(places, i));
+}
+
+void values(const FieldShape& shape, std::size_t count, const ConstPlaces& places, float* values) noexcept {
+    const FieldShape field = shape;  // a copy: what is stored through `values` cannot change it
     for (std::size_t i = 0; i < count; i += wide) _mm256_storeu_ps(values + i, values_of(field, places, i));
 }
 
@@ -251,17 +305,22 @@ struct Metres {
     Four low, high;
 
     Metres(Eight quanta, Four quantum, Four clamp) noexcept
-        : low(of(_mm256_castps256_ps128(quanta), quantum, clamp)), high(of(_mm256_extractf128_ps(quanta, 1), quantum, clamp)) {}
+        : low(quantum * _mm256_cvtps_pd(_mm256_castps256_ps128(quanta))), high(quantum * _mm256_cvtps_pd(_mm256_extractf128_ps(quanta, 1))) {
+        if (!any(not_less(magnitude(quanta), _mm256_set1_ps(32767.0f)))) return;
+        low = with_ends(low, _mm256_castps256_ps128(quanta), clamp);
+        high = with_ends(high, _mm256_extractf128_ps(quanta, 1), clamp);
+    }
 
 private:
-    static Four of(__m128 quanta, Four quantum, Four clamp) noexcept {
+    static Four with_ends(Four metres, __m128 quanta, Four clamp) noexcept {
         const Four q = _mm256_cvtps_pd(quanta), sign = _mm256_and_pd(q, all(-0.0));
         const Four is_end = not_less(_mm256_andnot_pd(all(-0.0), q), all(32767.0));
-        return _mm256_blendv_pd(quantum * q, _mm256_or_pd(clamp, sign), is_end);
+        return _mm256_blendv_pd(metres, _mm256_or_pd(clamp, sign), is_end);
     }
 };
 
-void metres(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp, double* values) noexcept {
+void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept {
+    const FieldShape field = shape;
     for (std::size_t i = 0; i < count; i += wide) {
         const Metres m(values_of(field, places, i), all(quantum), all(clamp));
         _mm256_storeu_pd(values + i, m.low);
@@ -269,28 +328,35 @@ void metres(const FieldShape& field, std::size_t count, ConstPlaces places, doub
     }
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
                float* values) noexcept {
     for (std::size_t i = 0; i < count; i += wide) {
-        const EightInts from = starts_of(start, places, i), stored_from = _mm256_max_epi32(from, _mm256_setzero_si256());
-        const Eight v = interpolated(samples, _mm256_add_epi32(stored_from, load_ints(places.offset + i)), EightFractions(places, i));
-        _mm256_storeu_ps(values + i, _mm256_blendv_ps(v, _mm256_set1_ps(elsewhere), _mm256_castsi256_ps(from)));
+        Starts starts(start, places, i);
+        if (starts.are_all_missing()) {
+            _mm256_storeu_ps(values + i, eight(elsewhere));
+            continue;
+        }
+        const bool is_any_missing = starts.is_any_missing();
+        if (is_any_missing)
+            for (std::int32_t& from : starts.of) from = from < 0 ? 0 : from;
+        _mm256_storeu_ps(values + i, interpolated(Cells(samples, starts, places, i), EightFractions(places, i)));
+        if (!is_any_missing) continue;
+        for (std::size_t n = i; n < i + wide; ++n) values[n] = start[places.brick[n]] < 0 ? elsewhere : values[n];
     }
 }
 
 struct EightSlopes {
     Eight value, x, y, z;
 };
-inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
-    constexpr int y = stored, z = stored * stored;
-    const EightInts start = starts_of(field.start, places, i);
-    if (are_uniform(field, start)) {
+[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
+    const Starts starts(field.start, places, i);
+    if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
-        return {firsts_of(field, start), zero, zero, zero};
+        return {uniform_values(field, places.brick + i), zero, zero, zero};
     }
-    const EightInts at = _mm256_add_epi32(start, load_ints(places.offset + i));
-    const Pairs v00 = gather(field.samples, at), v10 = gather(field.samples + y, at), v01 = gather(field.samples + z, at),
-                v11 = gather(field.samples + z + y, at);
+    const Cells cells(field.samples, starts, places, i);
+    const auto [v00, v10] = load_rows(cells, 0);
+    const auto [v01, v11] = load_rows(cells, stored * stored);
     const Eight x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
     const Eight c00 = v00.low + x00 * f.x, c10 = v10.low + x10 * f.x, c01 = v01.low + x01 * f.x, c11 = v11.low + x11 * f.x;
     const Eight y0 = c10 - c00, y1 = c11 - c01;
@@ -298,7 +364,8 @@ inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places,
     return {c0 + (c1 - c0) * f.z, lerp(lerp(x00, x10, f.y), lerp(x01, x11, f.y), f.z), lerp(y0, y1, f.z), c1 - c0};
 }
 
-float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept {
+float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept {
+    const FieldShape bone = bone_shape, cut = cut_shape;
     Eight least = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
         const EightFractions f(places, i);
@@ -336,7 +403,7 @@ inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_nea
     _mm_storeh_pd(at + 19, second);
 }
 
-void answer(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept {
+void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept {
     Eight in_tool[3][3];
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < 3; ++n) in_tool[axis][n] = _mm256_set1_ps(surface.in_tool[axis][n]);
@@ -457,7 +524,7 @@ inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noe
     return _mm256_blendv_pd(within, outside, _mm256_or_pd(less(flat, zero), less(zero, side)));
 }
 
-void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths) noexcept {
+void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths) noexcept {
     if (outline.half_thickness > 0.0) {
         for (std::size_t i = 0; i < count; i += lanes)
             _mm256_storeu_pd(depths + i, prism_depth(outline, _mm256_loadu_pd(in_tool.x + i), _mm256_loadu_pd(in_tool.y + i),
@@ -470,8 +537,8 @@ void depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_
     }
 }
 
-void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* depths,
-              Coordinates gradients) noexcept {
+void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths,
+              const Coordinates& gradients) noexcept {
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     const bool is_prism = outline.half_thickness > 0.0;
     for (std::size_t i = 0; i < count; i += lanes) {
@@ -503,15 +570,6 @@ void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates i
     }
 }
 
-inline Eight eight(float v) noexcept { return _mm256_set1_ps(v); }
-inline Eight least(Eight a, Eight b) noexcept { return _mm256_min_ps(a, b); }
-inline Eight most(Eight a, Eight b) noexcept { return _mm256_max_ps(a, b); }
-inline Eight less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
-inline Eight not_less(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_GE_OQ); }
-inline Eight same(Eight a, Eight b) noexcept { return _mm256_cmp_ps(a, b, _CMP_EQ_OQ); }
-inline Eight minus(Eight a) noexcept { return _mm256_xor_ps(a, eight(-0.0f)); }
-inline Eight magnitude(Eight a) noexcept { return _mm256_andnot_ps(eight(-0.0f), a); }
-inline bool any(Eight mask) noexcept { return _mm256_movemask_ps(mask) != 0; }
 
 inline Eight to_face(const OutlineFace& f, Eight r, Eight z) noexcept {
     return eight(f.offset) - (eight(f.normal_r) * r + eight(f.normal_z) * z);
@@ -615,7 +673,7 @@ inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r)
 }
 
 void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
-             const kerf_vec3* points, Walls walls) noexcept {
+             const kerf_vec3* points, const Walls& walls) noexcept {
     const Steps<wide> steps(points, count);
     for (std::size_t i = 0; i < count; i += wide) {
         const Four3 a = load_points(steps[i]), b = load_points(steps[i] + 3 * lanes);

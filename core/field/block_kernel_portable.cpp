@@ -12,7 +12,7 @@ namespace kerf {
 
 namespace {
 
-void transform(const Pose &a_from_b, std::size_t count, ConstCoordinates in_b, Coordinates in_a) noexcept {
+void transform(const Pose &a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept {
     const Pose pose = a_from_b;
     const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
     double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
@@ -24,7 +24,7 @@ void transform(const Pose &a_from_b, std::size_t count, ConstCoordinates in_b, C
     }
 }
 
-void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, Coordinates in_a) noexcept {
+void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, const Coordinates& in_a) noexcept {
     const Frame frame = a_from_b;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 p = frame * in_b[i];
@@ -34,20 +34,20 @@ void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, Coordinate
     }
 }
 
-void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points, Places places,
-           PointBox& box) noexcept {
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points, const Places& places,
+           PointBox* box) noexcept {
     const Frame frame = fixed_from_points;
     const double one = static_cast<double>(std::int64_t{1} << grid.bits);
     const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
     const std::int32_t behind = (1 << grid.bits) - 1;
     const float unit = static_cast<float>(1.0 / one);
     constexpr double far = std::numeric_limits<double>::infinity();
-    box = {{far, far, far}, {-far, -far, -far}};
+    PointBox all{{far, far, far}, {-far, -far, -far}};
     for (std::size_t n = 0; n < count; ++n) {
         const double p[3] = {points[n].x, points[n].y, points[n].z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            box.low[axis] = p[axis] < box.low[axis] ? p[axis] : box.low[axis];
-            box.high[axis] = p[axis] > box.high[axis] ? p[axis] : box.high[axis];
+            all.low[axis] = p[axis] < all.low[axis] ? p[axis] : all.low[axis];
+            all.high[axis] = p[axis] > all.high[axis] ? p[axis] : all.high[axis];
         }
         Vec3 g = frame * points[n];
         if (grid.is_bounded) {
@@ -66,6 +66,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         places.y[n] = static_cast<float>(y & behind) * unit;
         places.z[n] = static_cast<float>(z & behind) * unit;
     }
+    if (box != nullptr) *box = all;
 }
 
 /// The samples at the eight corners of each point's cell, x fastest.
@@ -92,18 +93,18 @@ public:
 private:
     std::array<FloatBlock, 8> at_;
 };
-Corners corners_in(const FieldShape& field, std::size_t count, ConstPlaces places) noexcept {
+Corners corners_in(const FieldShape& field, std::size_t count, const ConstPlaces& places) noexcept {
     return Corners(count, [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
 }
 
 /// Where nothing is stored, of whatever is stored first.
-Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places) noexcept {
+Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places) noexcept {
     return Corners(count, [&](std::size_t i) { return samples + std::max(start[places.brick[i]], 0) + places.offset[i]; });
 }
 
 inline float lerp(float a, float b, float t) noexcept { return a + (b - a) * t; }
 
-void interpolate(const Corners& c, std::size_t count, ConstPlaces places, float* __restrict values) noexcept {
+void interpolate(const Corners& c, std::size_t count, const ConstPlaces& places, float* __restrict values) noexcept {
     const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
         const float c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
@@ -112,7 +113,7 @@ void interpolate(const Corners& c, std::size_t count, ConstPlaces places, float*
     }
 }
 
-void values(const FieldShape& field, std::size_t count, ConstPlaces places, float* values) noexcept {
+void values(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept {
     interpolate(corners_in(field, count, places), count, places, values);
 }
 
@@ -121,20 +122,20 @@ inline double metres_of(float value, double quantum, double clamp) noexcept {
     return value >= 32767.0f ? clamp : (value <= -32767.0f ? -clamp : quantum * static_cast<double>(value));
 }
 
-void metres(const FieldShape& field, std::size_t count, ConstPlaces places, double quantum, double clamp,
+void metres(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
             double* __restrict values) noexcept {
     FloatBlock quanta;
     kerf::portable_kernel().values(field, count, places, quanta.data());
     for (std::size_t i = 0; i < count; ++i) values[i] = metres_of(quanta[i], quantum, clamp);
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, ConstPlaces places, float elsewhere,
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
                float* values) noexcept {
     interpolate(corners_in(start, samples, count, places), count, places, values);
     for (std::size_t i = 0; i < count; ++i) values[i] = start[places.brick[i]] < 0 ? elsewhere : values[i];
 }
 
-void slopes_of(const FieldShape& field, std::size_t count, ConstPlaces places, SlopeBlock& slopes) noexcept {
+void slopes_of(const FieldShape& field, std::size_t count, const ConstPlaces& places, SlopeBlock& slopes) noexcept {
     const Corners c = corners_in(field, count, places);
     const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
@@ -151,7 +152,7 @@ void slopes_of(const FieldShape& field, std::size_t count, ConstPlaces places, S
     }
 }
 
-float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, ConstPlaces places, Slopes larger) noexcept {
+float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept {
     SlopeBlock a, b;
     slopes_of(bone, count, places, a);
     slopes_of(cut, count, places, b);
@@ -167,7 +168,7 @@ float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, C
     return least;
 }
 
-void answer(const Surface& surface, std::size_t count, ConstSlopes slopes, kerf_surface_point* answers) noexcept {
+void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept {
     const auto& in_tool = surface.in_tool;
     for (std::size_t i = 0; i < count; ++i) {
         const float v = slopes.value[i], x = slopes.x[i], y = slopes.y[i], z = slopes.z[i];
@@ -254,7 +255,7 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
 }
 
 /// A prism's: what its outline has in the plane, within two flat sides.
-void prism_depths(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* __restrict depths) noexcept {
+void prism_depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* __restrict depths) noexcept {
     BlockValues r{};
     const double *__restrict x = in_tool.x, *__restrict y = in_tool.y;
     for (std::size_t i = 0; i < count; ++i) r[i] = std::abs(x[i]);
@@ -266,7 +267,7 @@ void prism_depths(const OutlineShape& outline, std::size_t count, ConstCoordinat
     }
 }
 
-void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_tool,
+void depths(const OutlineShape &outline, std::size_t count, const ConstCoordinates& in_tool,
             double *__restrict depths) noexcept {
     if (outline.half_thickness > 0.0) return prism_depths(outline, count, in_tool, depths);
     BlockValues r{}, nearest2, wall;
@@ -298,8 +299,8 @@ void depths(const OutlineShape &outline, std::size_t count, ConstCoordinates in_
     }
 }
 
-void tangents(const OutlineShape& outline, std::size_t count, ConstCoordinates in_tool, double* __restrict depths,
-              Coordinates gradients) noexcept {
+void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* __restrict depths,
+              const Coordinates& gradients) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
     const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
     double *__restrict gx = gradients.x, *__restrict gy = gradients.y, *__restrict gz = gradients.z;
@@ -436,7 +437,7 @@ SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
 }
 
 void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
-             const Vec3* points, Walls walls) noexcept {
+             const Vec3* points, const Walls& walls) noexcept {
     for (std::size_t n = 0; n < solids; ++n) {
         const SingleFrame& frame = solid_from_points[n];
         for (std::size_t i = 0; i < count; ++i) {

@@ -111,7 +111,7 @@ void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, co
                              std::size_t count, kerf_surface_point* out) const noexcept {
     PlaceBlock places;
     SlopeBlock slopes;
-    const PointBox box = grid_.locate(points, count, places);
+    const PointBox box = grid_.locate_box(points, count, places);
     const float least = block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
     const bool is_bounded = grid_.lattice().is_bounded;
     std::array<bool, block_capacity> can_rise;

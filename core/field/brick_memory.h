@@ -14,6 +14,9 @@ void unmap_brick_memory(void* memory, std::size_t bytes) noexcept;
 /// Asks for huge pages in memory from elsewhere, of which much will soon be touched for the first time.   [main, worker]
 void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 
+/// Behind the last sample there is so much more that may be read [bytes]: a kernel loads more than it needs.
+inline constexpr std::size_t brick_slack = 32;
+
 /// For std::vector: what it reserves costs nothing before it is used, so a vector that reserves all it can ever need grows
 /// without moving.
 template <class Sample>
@@ -23,8 +26,8 @@ struct BrickAllocator {
     template <class Other>
     explicit BrickAllocator(const BrickAllocator<Other>&) noexcept {}
 
-    [[nodiscard]] Sample* allocate(std::size_t n) { return static_cast<Sample*>(map_brick_memory(n * sizeof(Sample))); }
-    void deallocate(Sample* p, std::size_t n) noexcept { unmap_brick_memory(p, n * sizeof(Sample)); }
+    [[nodiscard]] Sample* allocate(std::size_t n) { return static_cast<Sample*>(map_brick_memory(n * sizeof(Sample) + brick_slack)); }
+    void deallocate(Sample* p, std::size_t n) noexcept { unmap_brick_memory(p, n * sizeof(Sample) + brick_slack); }
     friend bool operator==(const BrickAllocator&, const BrickAllocator&) noexcept { return true; }
 };
 

@@ -24,12 +24,10 @@ GridFrame::GridFrame(const Grid& grid, const Region& region, const Frame& body_f
         lattice_.end[axis] = static_cast<std::uint32_t>(grid.samples(axis)) << bits;
 }
 
-PointBox GridFrame::locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
-    PointBox box;
+void GridFrame::place(const Vec3* points, std::size_t count, PlaceBlock& places, PointBox* box) const noexcept {
     places.count = count;
     block_kernel().place(fixed_from_points_, lattice_, count, points,
                          {places.brick.data(), places.offset.data(), places.fx.data(), places.fy.data(), places.fz.data()}, box);
-    return box;
 }
 
 }  // namespace kerf

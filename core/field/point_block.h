@@ -11,7 +11,7 @@
 /// Each stage does for every point what its scalar namesake does for one, operation by operation: the same bits.
 namespace kerf {
 
-inline constexpr std::size_t block_capacity = 64;
+inline constexpr std::size_t block_capacity = 128;
 using BlockValues = std::array<double, block_capacity>;
 using FloatBlock = std::array<float, block_capacity>;
 
@@ -60,7 +60,7 @@ void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count
 /// As `BrickPlace`, for a block. Behind the last point the last once more, up to a multiple of eight.
 struct PlaceBlock {
     std::size_t count = 0;
-    alignas(32) std::array<std::int32_t, block_capacity> brick, offset;  ///< outside the grid: Grid::brick_count()
+    alignas(32) std::array<std::int32_t, block_capacity> brick, offset;  ///< outside the grid: Grid::brick_count(), and then nothing else counts
     alignas(32) FloatBlock fx, fy, fz;
 
     [[nodiscard]] ConstPlaces places() const noexcept {
@@ -73,12 +73,20 @@ public:
     GridFrame(const Grid& grid, const Region& region, const Frame& body_from_points) noexcept;
 
     /// `count` ≤ `block_capacity`. Beyond the region, where it ends.   [any] pure, nonblocking.
-    PointBox locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept;
+    void locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept { place(points, count, places, nullptr); }
+    /// The same, and the box the points lie in.
+    [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
+        PointBox box;
+        place(points, count, places, &box);
+        return box;
+    }
     /// In voxels times 2^bits, not taken to the region.
     [[nodiscard]] Vec3 operator*(Vec3 point) const noexcept { return fixed_from_points_ * point; }
     [[nodiscard]] const Lattice& lattice() const noexcept { return lattice_; }
 
 private:
+    void place(const Vec3* points, std::size_t count, PlaceBlock& places, PointBox* box) const noexcept;
+
     Frame fixed_from_points_;
     Lattice lattice_;
 };
