@@ -11,15 +11,17 @@ namespace {
 constexpr double release_from = 5e-3;  // [m/s] faster than the hand by more: released (R5)
 constexpr double release_time = 0.15;  // [s] (R5)
 /// A damper rendered a tick late shakes a mass m from 0.8 m/T on; the hand's rate is later still (`kerf stability`).
-constexpr double sampled_damper = 0.25;
+constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
+/// What one count of the encoders may change the force by: more is heard and felt while a hand holds still (S-06).
+constexpr double felt_count = 0.08;  // [N]
 }
 
 CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency) noexcept {
     KERF_ASSERT(latency >= 0 && latency <= longest_latency, "whole ticks, at most two");
     CouplingGains gains;
     gains.stiffness = std::min(0.6 * device.largest_stiffness, 0.5 * device.stiffest_wall[latency]);
-    gains.damping = 0.3 * device.largest_damping;
+    gains.damping = std::clamp(nominal_period * (felt_count / device.resolution - gains.stiffness), 0.0, 0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
     // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
     gains.has_torque = device.peak_torque > 0.0;

@@ -23,10 +23,11 @@ struct CouplingGains {
 
 /// What a device may be asked for when its forces come `latency` ticks late (0 … longest_latency, asserted):
 ///
-///     K_c = min(0.6 × the stiffness of its record, 0.5 × the stiffest wall that rests on it),   B_c = 0.3 × its damping,
-///     B_x = min(0.15 s × K_c, 0.25 m/T)
+///     K_c = min(0.6 × the stiffness of its record, 0.5 × the stiffest wall that rests on it),
+///     B_c = min(0.5 × its damping, T (0.08 N / Δ − K_c)), Δ one count of its encoders,
+///     B_x = min(0.15 s × K_c, 0.22 m/T)
 ///
-/// B_c and B_x are judgements; all are held against S-01, S-02 (docs/ARCHITECTURE.md).
+/// B_c and B_x are judgements; all are held against S-01, S-02, S-06, S-15 and S-19 (docs/ARCHITECTURE.md).
 [[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency = 0) noexcept;
 
 /// The largest scale at which `work_force` [N, bone] stays within 0.6 of what the device can hold, at most 1 (R5).

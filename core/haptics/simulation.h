@@ -164,6 +164,9 @@ public:
     [[nodiscard]] const std::byte* state() const noexcept { return state_; }
     [[nodiscard]] std::size_t state_size() const noexcept { return setup().force->force->state_size; }
 
+    /// How fast it lets a tool follow the hand near bone [m/s]: half a voxel in each part of a tick.
+    [[nodiscard]] double fastest_near_bone() const noexcept { return 0.5 * spacing_ * most_parts / period_; }
+
 private:
     static constexpr int most_parts = 16;
 
