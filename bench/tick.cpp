@@ -159,7 +159,7 @@ void measure(double h) {
         field.remove(test::at_depth(z));
     }
 
-    std::vector<double> loop, no_lag, with_points, all, papers, dense;
+    std::vector<double> loop, no_lag, with_points, all, papers, dense, bricks;
     std::vector<double> papers_force, papers_removal;
     const Count own = points_of_law(simulation, setup);
     ManyPoints points(own);
@@ -177,6 +177,7 @@ void measure(double h) {
             });
             loop.push_back(in_loop);
             no_lag.push_back(by_worker);
+            bricks.push_back(simulation.tracker().last_bricks());
             with_points.push_back(in_loop + more);
             all.push_back(in_loop + by_worker + more);
             poses.push_back(simulation.world_from_tool());
@@ -208,6 +209,8 @@ void measure(double h) {
     print(" points", papers_force);
     print(" removal", papers_removal);
     print("dense", dense);
+    const Times stamped = times_of(bricks);
+    std::printf("  bricks that a tick stamped, of %d it may: mean %.1f, p99.9 %.0f, most %.0f\n", CutTracker::most_bricks, stamped.mean, stamped.p999, stamped.longest);
     compare_kernels(simulation.bone(), points);
     std::fflush(stdout);
 }
