@@ -64,6 +64,7 @@ struct FieldShape {
     const std::int32_t* start;
     const std::int16_t* samples;
     std::int32_t first_stored;
+    std::int32_t lowest;  ///< where the brick begins that is deep in bone, or uncut, everywhere
 };
 struct Slopes {
     float *value, *x, *y, *z;  ///< [quanta], and per voxel

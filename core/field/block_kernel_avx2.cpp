@@ -220,6 +220,7 @@ struct Starts {
     }
     /// Whether all of them begin before `first_stored`: at 0, or where one brick's samples end.
     [[nodiscard]] bool are_uniform(std::int32_t first_stored) const noexcept { return any < first_stored; }
+    [[nodiscard]] bool are_all(std::int32_t start) const noexcept { return any == start && common == start; }
     [[nodiscard]] bool is_any_missing() const noexcept { return any < 0; }
     [[nodiscard]] bool are_all_missing() const noexcept { return common < 0; }
 };
@@ -348,8 +349,7 @@ void densities(const std::int32_t* start, const float* samples, std::size_t coun
 struct EightSlopes {
     Eight value, x, y, z;
 };
-[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
-    const Starts starts(field.start, places, i);
+[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const Starts& starts, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
     if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
         return {uniform_values(field, places.brick + i), zero, zero, zero};
@@ -369,13 +369,22 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
     Eight least = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
         const EightFractions f(places, i);
-        const EightSlopes a = slopes_of(bone, places, i, f), b = slopes_of(cut, places, i, f);
-        const Eight is_cut = _mm256_cmp_ps(a.value, b.value, _CMP_LT_OQ), value = _mm256_blendv_ps(a.value, b.value, is_cut);
-        _mm256_storeu_ps(larger.value + i, value);
-        _mm256_storeu_ps(larger.x + i, _mm256_blendv_ps(a.x, b.x, is_cut));
-        _mm256_storeu_ps(larger.y + i, _mm256_blendv_ps(a.y, b.y, is_cut));
-        _mm256_storeu_ps(larger.z + i, _mm256_blendv_ps(a.z, b.z, is_cut));
-        least = _mm256_min_ps(value, least);
+        const Starts of_bone(bone.start, places, i);
+        EightSlopes found = slopes_of(cut, Starts(cut.start, places, i), places, i, f);
+        if (of_bone.are_all(bone.lowest)) {  // as below, of what is nowhere larger and level everywhere
+            const Eight is_cut = less(eight(-32767.0f), found.value);
+            found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut), _mm256_and_ps(found.z, is_cut)};
+        } else {
+            const EightSlopes a = slopes_of(bone, of_bone, places, i, f);
+            const Eight is_cut = less(a.value, found.value);
+            found = {_mm256_blendv_ps(a.value, found.value, is_cut), _mm256_blendv_ps(a.x, found.x, is_cut),
+                     _mm256_blendv_ps(a.y, found.y, is_cut), _mm256_blendv_ps(a.z, found.z, is_cut)};
+        }
+        _mm256_storeu_ps(larger.value + i, found.value);
+        _mm256_storeu_ps(larger.x + i, found.x);
+        _mm256_storeu_ps(larger.y + i, found.y);
+        _mm256_storeu_ps(larger.z + i, found.z);
+        least = _mm256_min_ps(found.value, least);
     }
     float each[wide], least_of_all = 32767.0f;
     _mm256_storeu_ps(each, least);

@@ -77,7 +77,7 @@ public:
     void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
-    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored}; }
+    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, uncut}; }
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return start_[brick_index] == uncut ? nullptr : brick(start_[brick_index]);

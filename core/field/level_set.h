@@ -36,7 +36,7 @@ public:
     void quanta_at(const PlaceBlock& places, FloatBlock& quanta) const noexcept {
         block_kernel().values(shape(), places.count, places.places(), quanta.data());
     }
-    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored}; }
+    [[nodiscard]] FieldShape shape() const noexcept { return {start_.data(), samples_.data(), first_stored, solid}; }
     /// The stored sample (i, j, k) [quanta]; outside the grid the largest.
     [[nodiscard]] std::int16_t sample(int i, int j, int k) const noexcept;
 
