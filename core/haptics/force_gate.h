@@ -31,7 +31,7 @@ public:
                 }
                 break;
             case State::opening:
-                gain_ = std::min(1.0, gain_ + dt / opening_time);
+                gain_ += dt / opening_time;
                 if (gain_ > 1.0 - 1e-9) gain_ = 1.0;
                 break;
         }

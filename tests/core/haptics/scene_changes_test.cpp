@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
 
 #include "core/plugin/core_instruments.h"
 #include "tests/support/loop_guard.h"
@@ -72,6 +75,40 @@ struct Bench {
     }
     [[nodiscard]] Vec3 place_of(std::size_t b) const { return simulation.bodies()[b]->world_from_body.position; }
 };
+
+TEST(BodiesView, ManyPointsAreAskedOfEveryPieceEachItsWay) {
+    // Given the mill back in the slot between two pieces, on its way into one of them, and more points about it than are asked at a time
+    Bench bench;
+    bench.sever(2.0_mm);
+    bench.go_to({0.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
+    bench.go_to({0.0_mm, 2.3_mm, 6.0_mm});
+    ASSERT_EQ(bench.simulation.bodies().size(), 2u);
+    std::vector<Vec3> points, ways;
+    for (int n = 0; n < 300; ++n) {
+        const double angle = 0.7 * n, r = n % 3 == 0 ? 1.2_mm : 0.5_mm + 0.0005_mm * n;
+        points.push_back({r * std::cos(angle), r * std::sin(angle), -7.0_mm + 0.01_mm * n});
+        ways.push_back(normalized(Vec3{std::sin(0.3 * n), std::cos(0.3 * n), n % 2 == 0 ? 0.5 : -0.5}));
+    }
+    const auto count = static_cast<std::uint32_t>(points.size());
+    // When all are asked at once
+    const kerf_bone_query& query = bench.simulation.bone().query();
+    std::vector<kerf_bone_sample> together(count);
+    query.sample(query.bone, points.data(), count, ways.data(), count, together.data());
+    // Then each is answered as it is alone, from both pieces
+    std::set<std::int32_t> bodies;
+    double farthest = 0.0;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        kerf_bone_sample alone;
+        query.sample(query.bone, &points[n], 1, &ways[n], 1, &alone);
+        EXPECT_EQ(alone.engagement, together[n].engagement) << n;
+        EXPECT_EQ(alone.gap, together[n].gap) << n;
+        EXPECT_EQ(alone.body, together[n].body) << n;
+        bodies.insert(alone.body);
+        farthest = std::max(farthest, alone.gap);
+    }
+    EXPECT_TRUE(bodies.contains(0) && bodies.contains(1));
+    EXPECT_GT(farthest, 0.0);
+}
 
 TEST(HeldBody, GoesWithTheForcepsUntilTheyOpen) {
     Bench bench;
