@@ -195,7 +195,7 @@ int CutField::stamp(const CutRecord& record, const ToolSolid& solid) {
 
 bool CutField::stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress,
                         int& touched) {
-    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing);
+    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing, PoseStamp::band_voxels * grid().spacing);
     for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
         progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, most, touched);
         if (progress.brick != StampProgress::to_the_end) return false;

@@ -10,10 +10,12 @@
 namespace kerf {
 
 namespace {
-constexpr double record_voxels = 0.2;       ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
+constexpr double aside_voxels = 0.2;        ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
+constexpr double along_voxels = 1.0;        ///< the same of a slide that the solid covers
 constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is looked at again
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
+constexpr double stray_voxels = 0.04;       ///< the same of its way aside: a twentieth of a voxel from the straight way at most
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
@@ -26,8 +28,8 @@ void CutTracker::restart(const Pose& body_from_tool) noexcept {
 }
 
 void CutTracker::begin_stretch(const Pose& body_from_tool) noexcept {
-    open_from_ = farthest_ = body_from_tool;
-    farthest_motion_ = looked_at_ = 0.0;
+    open_from_ = farthest_ = corner_ = body_from_tool;
+    farthest_motion_ = looked_at_ = way_aside_ = 0.0;
     is_open_solid_ = false;
 }
 
@@ -35,6 +37,8 @@ void CutTracker::go_on_from(const CutTracker& other, std::uint64_t next) noexcep
     open_from_ = other.open_from_;
     farthest_ = other.farthest_;
     farthest_motion_ = other.farthest_motion_;
+    corner_ = other.corner_;
+    way_aside_ = other.way_aside_;
     last_removing_ = other.last_removing_;
     has_removed_ = other.has_removed_;
     is_started_ = other.is_started_;
@@ -61,16 +65,26 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     double motion = largest_motion(*solid_, open_from_, now);
     const double further = largest_motion(*solid_, farthest_, now);
     const bool has_turned = motion < farthest_motion_ || motion < further;
-    if (further >= reversal_voxels * h && (has_turned || farthest_motion_ + further > motion + bend_voxels * h)) {
+    const auto way_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band_voxels * h); };
+    Travel way = way_from(open_from_);
+    double aside = way_from(corner_).aside;
+    const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
+    if (further >= reversal_voxels * h && (has_turned || has_strayed || farthest_motion_ + further > motion + bend_voxels * h)) {
         close_at(farthest_, tick);
         last_reversal_ = sequence_;
         motion = largest_motion(*solid_, open_from_, now);
+        way = way_from(open_from_);
+        aside = way.aside;
+    }
+    if (aside >= stray_voxels * h) {
+        way_aside_ += aside;
+        corner_ = now;
     }
     if (motion >= farthest_motion_) {
         farthest_ = now;
         farthest_motion_ = motion;
     }
-    if (motion >= record_voxels * h) close_at(now, tick);
+    if (way.aside >= aside_voxels * h || way.along >= along_voxels * h) close_at(now, tick);
     else look_at_open_stretch();
     return closed_count_;
 }
@@ -131,9 +145,12 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
     const auto is_passed = [&](std::size_t i) { return is_at_front && largest_motion(*solid_, pending(i).to, now) >= h; };
     const auto is_due = [&](std::size_t i) { return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i)); };
 
-    // A few bricks for each record that waits, so that the tool does not leave the stamping behind; all there may be beyond the limit.
-    int allowance = is_behind() ? most : progress_.has_begun() ? std::min(bricks_per_record, most) : 0;
-    for (std::size_t i = 0; allowance < most && is_due(i); ++i) allowance = std::min(static_cast<int>(i + 1) * bricks_per_record, most);
+    // A few bricks for each record that waits, and more where many do, so that the tool does not leave the stamping behind; all there
+    // may be beyond the limit.
+    int waiting = progress_.has_begun() ? 1 : 0;
+    while (waiting * bricks_per_record < 2 * most && is_due(static_cast<std::size_t>(waiting))) ++waiting;
+    const int few = std::min(waiting * bricks_per_record, bricks_per_tick);
+    const int allowance = is_behind() ? most : std::min(std::max(few, waiting * bricks_per_record / 2), most);
     last_bricks_ = 0;
     while (pending_count_ > 0 && last_bricks_ < allowance && (progress_.has_begun() || is_due(0))) {
         if (!progress_.has_begun() && !is_passed(0)) ++early_commits_;

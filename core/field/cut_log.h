@@ -19,6 +19,7 @@ public:
     static constexpr std::size_t recent_capacity = 16;
     static constexpr std::size_t pending_limit = 64;  ///< beyond this records are committed early, and counted
     static constexpr int bricks_per_record = 16;  ///< stamped at a time, for each record that waits; the rest stays pending
+    static constexpr int bricks_per_tick = 32;    ///< so many for them together, unless more than four wait
     static constexpr int most_bricks = 128;       ///< that a tick may stamp, of all bodies and in all of its parts
 
     CutTracker(const Body& body, const ToolSolid& solid, CutField& committed)
@@ -117,6 +118,8 @@ private:
     Pose open_from_ = identity_pose();  ///< the last record's end
     Pose farthest_ = identity_pose();   ///< of the open stretch
     double farthest_motion_ = 0.0;      ///< [m] from open_from_
+    Pose corner_ = identity_pose();     ///< where the way aside was measured last
+    double way_aside_ = 0.0;            ///< [m] until there
     double looked_at_ = 0.0;            ///< [m] of that motion, when it was last asked whether the stretch removes bone
     bool is_open_solid_ = false;        ///< it does
     Pose last_removing_ = identity_pose();

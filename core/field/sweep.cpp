@@ -20,6 +20,17 @@ double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) 
     return std::sqrt(largest);
 }
 
+namespace {
+double longest_slide(const ToolSolid& solid, double depth) noexcept { return std::max(0.0, solid.land() - 2.0 * depth); }
+}  // namespace
+
+Travel travel(const ToolSolid& solid, const Pose& from, const Pose& to, double depth) noexcept {
+    const double motion = largest_motion(solid, from, to);
+    if (!(longest_slide(solid, depth) > 0.0)) return {0.0, motion};
+    const double slide = rotate(conjugate(from.rotation), to.position - from.position).z;
+    return {std::abs(slide), std::min(motion, 2.0 * largest_motion(solid, from * Pose{{0, 0, slide}, {1, 0, 0, 0}}, to))};
+}
+
 Pose between(const Pose& from, const Pose& to, double t) noexcept {
     const double sign = from.rotation.w * to.rotation.w + from.rotation.x * to.rotation.x +
                                     from.rotation.y * to.rotation.y + from.rotation.z * to.rotation.z <
@@ -32,12 +43,12 @@ Pose between(const Pose& from, const Pose& to, double t) noexcept {
             normalized(Quat{mix(a.w, b.w), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)})};
 }
 
-Sweep::Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step) noexcept
-    : solid_(&solid),
-      from_(from),
-      to_(to),
-      motion_(largest_motion(solid, from, to)),
-      count_(std::clamp(static_cast<int>(std::ceil(motion_ / step)), 1, 4096)) {}
+Sweep::Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept
+    : solid_(&solid), from_(from), to_(to), motion_(largest_motion(solid, from, to)) {
+    const Travel way = travel(solid, from, to, depth);
+    const double slides = way.along > 0.0 ? way.along / longest_slide(solid, depth) : 0.0;
+    count_ = static_cast<int>(std::clamp(std::ceil(std::min(motion_ / step, std::max(way.aside / step, slides))), 1.0, 4096.0));
+}
 
 Sweep::Instant Sweep::at(double t, Vec3 point) const noexcept {
     return {t, -solid_->distance(inverse(between(from_, to_, t)) * point)};

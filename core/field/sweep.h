@@ -9,13 +9,24 @@ namespace kerf {
 /// The farthest any point of the solid moves between two poses [m].   [any] pure.
 [[nodiscard]] double largest_motion(const ToolSolid& solid, const Pose& from, const Pose& to) noexcept;
 
+/// What of a solid's way from one pose to another leaves ridges between them, and what does not.
+struct Travel {
+    double along = 0.0;  ///< [m] its slide along its own axis, which it covers
+    /// [m] The farthest that any of its points moves besides: twice that, as on a slide only the pose ahead of a point can cover it;
+    /// or all of its motion, if that is less.
+    double aside = 0.0;
+};
+/// `depth` [m]: as deep as anybody asks within the solid. A slide is covered by a land that is longer by twice that.   [any] pure.
+[[nodiscard]] Travel travel(const ToolSolid& solid, const Pose& from, const Pose& to, double depth) noexcept;
+
 /// The pose a share `t` of the way from `from` to `to`.   [any] pure.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, double t) noexcept;
 
 class Sweep {
 public:
-    /// Poses are body_from_tool. `step` [m]: the farthest that any point may move from one sub-pose to the next.
-    Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step) noexcept;
+    /// Poses are body_from_tool. `step` [m]: the farthest that any point may move from one sub-pose to the next, but for a slide that
+    /// the solid covers to a depth of `depth` [m].
+    Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept;
 
     /// How many sub-poses follow `from`; the last is `to`. A function of poses, solid and step alone.
     [[nodiscard]] int sub_poses() const noexcept { return count_; }
@@ -23,7 +34,8 @@ public:
     [[nodiscard]] Pose sub_pose(int i) const noexcept {
         return i == 0 ? from_ : i == count_ ? to_ : between(from_, to_, static_cast<double>(i) / count_);
     }
-    /// No point of the sweep lies farther than this outside the nearest of the sub-poses after `from` [m].
+    /// No point of the sweep lies farther than this outside the nearest of the sub-poses after `from` [m]; nor farther than
+    /// half a step outside the nearest of them and `from`.
     [[nodiscard]] double step() const noexcept { return slack * motion_ / count_; }
 
     /// Whether the solid holds `point` (body frame) at any pose on the way, deeper than `tolerance` [m].

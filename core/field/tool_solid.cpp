@@ -45,6 +45,9 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
         is_blunt_ = is_blunt_ && a.normal_r * b.normal_r + a.normal_z * b.normal_z > -0.5;
         is_convex_ = is_convex_ && b.along_r * a.along_z >= a.along_r * b.along_z;
     }
+    const auto is_wider = [](const kerf_profile_point& a, const kerf_profile_point& b) { return a.radius < b.radius; };
+    if (std::is_sorted(outline_.begin(), outline_.end(), is_wider))
+        land_ = std::lower_bound(outline_.begin(), outline_.end(), outline_.back(), is_wider)->z - end_z();
     is_blunt_ = is_blunt_ && segments_.front().normal_z > -0.5 && segments_.back().normal_z < 0.5;
     Fnv1a hash;
     const auto add = [&](double v) { hash.add_bytes(std::bit_cast<std::uint64_t>(v), 8); };

@@ -86,6 +86,9 @@ public:
     [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
     [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
+    /// [m] of its back end over which it is as wide as anywhere, if it only narrows from there to its tip; else 0. Such a solid
+    /// covers its own way along its axis: where it was on a slide shorter than this, it is at one of its ends.
+    [[nodiscard]] double land() const noexcept { return land_; }
     /// Solids of one shape have one; others another.
     [[nodiscard]] std::uint64_t shape_hash() const noexcept { return shape_hash_; }
     [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
@@ -134,6 +137,7 @@ private:
     std::vector<OutlineSegment> segments_;
     std::vector<OutlineFace> faces_;
     double largest_radius_ = 0.0;
+    double land_ = 0.0;
     double half_thickness_ = 0.0;  ///< [m] 0: a solid of revolution
     std::uint64_t shape_hash_ = 0;
     bool is_convex_ = true;

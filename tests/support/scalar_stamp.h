@@ -16,7 +16,7 @@ struct ScalarStamp {
 
     void stamp(const CutRecord& record) {
         const Grid& g = body.grid();
-        const Sweep sweep(solid, record.from, record.to, 0.25 * g.spacing);
+        const Sweep sweep(solid, record.from, record.to, 0.25 * g.spacing, PoseStamp::band_voxels * g.spacing);
         for (int n = 1; n <= sweep.sub_poses(); ++n) {
             const PoseStamp pose(g, solid, sweep.sub_pose(n));
             for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
