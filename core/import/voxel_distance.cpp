@@ -17,15 +17,23 @@ double distance_to_plane(const std::array<double, 3>& ways) {
     return sum > 0.0 ? 1.0 / std::sqrt(sum) : HUGE_VAL;
 }
 
-/// Where the border crosses the line through four voxels between the second and the third, as a share of the way; `inner` and
-/// `outer` are the next ones. Either way round.
-double crossing(double inner, double here, double there, double outer, double threshold) {
+/// Where the border crosses the line through eight voxels between the fourth and the fifth, as a share of the way. Either way round.
+double crossing(const std::array<double, 8>& line, double threshold) {
     constexpr double blurred = 0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
+    const double here = line[3], there = line[4];
     const double share = (here - threshold) / (here - there);
-    const bool falls = here > there;
-    const double full = falls ? std::max(inner, here) : std::min(inner, here), empty = falls ? std::min(outer, there) : std::max(outer, there);
+    // What is whole say the voxels behind, as far as the next border leaves them whole. Not the larger of them and the border's own:
+    // noise makes that larger than whole, and the border would lie towards the middle between two voxels.
+    const double way = here > there ? 1.0 : -1.0;
+    const auto whole_of = [&](double own, double next, double second, double third, double side) {
+        const auto is_beyond = [&](double value) { return side * (value - threshold) < 0.0; };
+        if (is_beyond(second)) return side * (own - next) > 0.0 ? own : next;
+        return is_beyond(third) ? next : 0.5 * (next + second);
+    };
+    const double full = whole_of(here, line[2], line[1], line[0], way), empty = whole_of(there, line[5], line[6], line[7], -way);
     const double whole = full - empty;
-    const double sharpness = 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred;
+    if (!(way * whole > 0.0)) return share;
+    const double sharpness = std::min(1.0, 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred);
     if (sharpness <= 0.0) return share;
     return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
 }
@@ -57,7 +65,12 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
                 return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
             };
-            const double share = crosses ? crossing(value(-1, here), here, there, value(2, there), threshold) : 0.5;
+            std::array<double, 8> line{0.0, 0.0, 0.0, here, there, 0.0, 0.0, 0.0};
+            for (int step = 1; step <= 3; ++step) {  // beyond the image as at its end
+                line[static_cast<std::size_t>(3 - step)] = value(-step, line[static_cast<std::size_t>(4 - step)]);
+                line[static_cast<std::size_t>(4 + step)] = value(1 + step, line[static_cast<std::size_t>(3 + step)]);
+            }
+            const double share = crosses ? crossing(line, threshold) : 0.5;
             ways[n / 2] = std::min(ways[n / 2], share * spacing[n / 2]);
         }
         const double near = distance_to_plane(ways);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <utility>
 
 #include "core/import/voxel_distance.h"
@@ -60,6 +61,21 @@ TEST(VoxelDistance, ABlurredBorderLiesWhereTheValuesCrossTheThreshold) {
             const double border = (7.0 + part) * h, width = 4.0 * h;
             EXPECT_NEAR(border_in(layers([&](double z) { return edge(z, border, width); }), threshold), border + (0.5 - threshold) * width, within)
                 << "threshold " << threshold << ", border at " << part << " of a voxel";
+        }
+}
+
+TEST(VoxelDistance, NoiseDoesNotMoveABorderOnAverage) {
+    // Given a sharp border of a body, and of a gap of two voxels and of a plate of three, each seen with noise many times over
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    for (const bool is_thin : {false, true})
+        for (double part = 0.125; part < 1.0; part += 0.25) {
+            const double border = (7.0 + part) * h, begins = is_thin ? border - 3.0 * h : -h, ends = is_thin ? border + 2.0 * h : 99.0 * h;
+            double sum = 0.0;
+            constexpr int times = 3000;
+            for (int n = 0; n < times; ++n)
+                sum += border_in(layers([&](double z) { return edge(z, border, h) - edge(z, begins, h) + 1.0 - edge(z, ends, h) + noise(random); }), 0.5) - border;
+            EXPECT_NEAR(sum / times, 0.0, 0.01 * h) << "at " << part << " of a voxel" << (is_thin ? ", thin" : "");
         }
 }
 
