@@ -41,14 +41,7 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
     const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
     const std::int32_t behind = (1 << grid.bits) - 1;
     const float unit = static_cast<float>(1.0 / one);
-    constexpr double far = std::numeric_limits<double>::infinity();
-    PointBox all{{far, far, far}, {-far, -far, -far}};
     for (std::size_t n = 0; n < count; ++n) {
-        const double p[3] = {points[n].x, points[n].y, points[n].z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            all.low[axis] = p[axis] < all.low[axis] ? p[axis] : all.low[axis];
-            all.high[axis] = p[axis] > all.high[axis] ? p[axis] : all.high[axis];
-        }
         Vec3 g = frame * points[n];
         if (grid.is_bounded) {
             g = {kept(g.x, grid.low[0], grid.high[0]), kept(g.y, grid.low[1], grid.high[1]),
@@ -66,7 +59,16 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         places.y[n] = static_cast<float>(y & behind) * unit;
         places.z[n] = static_cast<float>(z & behind) * unit;
     }
-    if (box != nullptr) *box = all;
+    if (box == nullptr) return;
+    constexpr double far = std::numeric_limits<double>::infinity();
+    *box = {{far, far, far}, {-far, -far, -far}};
+    for (std::size_t n = 0; n < count; ++n) {
+        const double p[3] = {points[n].x, points[n].y, points[n].z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box->low[axis] = p[axis] < box->low[axis] ? p[axis] : box->low[axis];
+            box->high[axis] = p[axis] > box->high[axis] ? p[axis] : box->high[axis];
+        }
+    }
 }
 
 /// The samples at the eight corners of each point's cell, x fastest.

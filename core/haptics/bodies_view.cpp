@@ -19,11 +19,8 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
         body->view.place(body_from_tool);
         body->is_near = body->is_present && !held.holds(body->id);
         if (bodies.size() > 1 && body->is_near) {
-            const double reach = body->bone->grid().clamp();
             const auto box = tool.box(body_from_tool);
-            const auto meets = [&](double l, double h, double bone_l, double bone_h) { return l - reach <= bone_h && h + reach >= bone_l; };
-            body->is_near = meets(box.low.x, box.high.x, body->low.x, body->high.x) && meets(box.low.y, box.high.y, body->low.y, body->high.y) &&
-                            meets(box.low.z, box.high.z, body->low.z, body->high.z);
+            body->is_near = body->is_near_box(box.low, box.high, body->bone->grid().clamp());
         }
         if (body->is_near && body->is_cuttable) near_[near_count_++] = body.get();
     }

@@ -25,12 +25,6 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     return corners;
 }
 
-bool comes_near(const LiveBody& other, Vec3 low, Vec3 high, double margin) noexcept {
-    const auto meets = [&](double l, double h, double other_l, double other_h) { return l - margin <= other_h && h + margin >= other_l; };
-    return meets(low.x, high.x, other.low.x, other.high.x) && meets(low.y, high.y, other.low.y, other.high.y) &&
-           meets(low.z, high.z, other.low.z, other.high.z);
-}
-
 /// Whether a box comes within `margin` of a body's; errs towards yes.
 bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners, double margin) noexcept {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
@@ -39,7 +33,7 @@ bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, c
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    return comes_near(other, low, high, margin);
+    return other.is_near_box(low, high, margin);
 }
 
 /// The first vertex in each cube of a lattice, as many cubes as there is room for.
@@ -124,7 +118,7 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
         std::size_t asked = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             const Vec3 p = other_from_tool * points_[i];
-            if (!comes_near(*other, p, p, near_contact)) continue;
+            if (!other->is_near_box(p, p, near_contact)) continue;
             asked_[asked] = points_[i];
             octant_of_asked_[asked++] = octant_[i];
         }

@@ -38,6 +38,11 @@ void LiveBody::find_box() {
     reach(low.z, high.z, bone->region.low.z, bone->region.high.z);
 }
 
+bool LiveBody::is_near_box(Vec3 box_low, Vec3 box_high, double margin) const noexcept {
+    const auto meets = [&](double l, double h, double bone_l, double bone_h) { return l - margin <= bone_h && h + margin >= bone_l; };
+    return meets(box_low.x, box_high.x, low.x, high.x) && meets(box_low.y, box_high.y, low.y, high.y) && meets(box_low.z, box_high.z, low.z, high.z);
+}
+
 std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut, const ToolSolid& solid) {
     CutField field = cut;
     field.reserve(live_reserve);

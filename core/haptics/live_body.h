@@ -21,6 +21,8 @@ struct LiveBody {
 
     /// Looks for the box again that holds its bone.   [main, worker]
     void find_box();
+    /// Whether a box (body frame) comes within `margin` [m] of that.   [haptic, nonblocking]
+    [[nodiscard]] bool is_near_box(Vec3 box_low, Vec3 box_high, double margin) const noexcept;
     [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept { return inverse(world_from_body) * world_from_tool; }
 
     std::uint16_t id;

@@ -17,22 +17,29 @@ double distance_to_plane(const std::array<double, 3>& ways) {
     return sum > 0.0 ? 1.0 / std::sqrt(sum) : HUGE_VAL;
 }
 
-/// Where the border crosses the line through eight voxels between the fourth and the fifth, as a share of the way. Either way round.
-double crossing(const std::array<double, 8>& line, double threshold) {
+/// Voxels on one side of a border, from the first beside it on.
+using Side = std::array<double, 5>;
+
+/// What is whole on one side: the mean of the next three, as far as the border beyond leaves them whole. Not the larger of them and the
+/// first: noise makes that larger than whole, and the border would lie towards the middle between two voxels. `way`: 1 for bone.
+double whole_of(const Side& side, double threshold, double way) {
+    const auto is_beyond = [&](double value) { return way * (value - threshold) < 0.0; };
+    if (is_beyond(side[2])) return way * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
+    double sum = side[1];
+    std::size_t count = 1;
+    while (count < 3 && !is_beyond(side[count + 2])) sum += side[++count];
+    return sum / static_cast<double>(count);
+}
+
+/// Where the border lies between the first voxel on this side and the first beyond, as a share of the way.
+double crossing(const Side& inner, const Side& outer, double threshold) {
     constexpr double blurred = 0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
-    const double here = line[3], there = line[4];
+    const double here = inner[0], there = outer[0];
     const double share = (here - threshold) / (here - there);
-    // What is whole say the voxels behind, as far as the next border leaves them whole. Not the larger of them and the border's own:
-    // noise makes that larger than whole, and the border would lie towards the middle between two voxels.
     const double way = here > there ? 1.0 : -1.0;
-    const auto whole_of = [&](double own, double next, double second, double third, double side) {
-        const auto is_beyond = [&](double value) { return side * (value - threshold) < 0.0; };
-        if (is_beyond(second)) return side * (own - next) > 0.0 ? own : next;
-        return is_beyond(third) ? next : 0.5 * (next + second);
-    };
-    const double full = whole_of(here, line[2], line[1], line[0], way), empty = whole_of(there, line[5], line[6], line[7], -way);
+    const double full = whole_of(inner, threshold, way), empty = whole_of(outer, threshold, -way);
     const double whole = full - empty;
-    if (!(way * whole > 0.0)) return share;
+    if (way * whole <= std::abs(here - there)) return share;  // by noise: both are whole
     const double sharpness = std::min(1.0, 1.0 - std::min((full - here) / whole, (there - empty) / whole) / blurred);
     if (sharpness <= 0.0) return share;
     return sharpness * std::clamp((here + there - empty - threshold) / whole, 0.0, 1.0) + (1.0 - sharpness) * share;
@@ -65,12 +72,12 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
                 return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
             };
-            std::array<double, 8> line{0.0, 0.0, 0.0, here, there, 0.0, 0.0, 0.0};
-            for (int step = 1; step <= 3; ++step) {  // beyond the image as at its end
-                line[static_cast<std::size_t>(3 - step)] = value(-step, line[static_cast<std::size_t>(4 - step)]);
-                line[static_cast<std::size_t>(4 + step)] = value(1 + step, line[static_cast<std::size_t>(3 + step)]);
+            Side inner{here}, outer{there};
+            for (std::size_t step = 1; step < inner.size(); ++step) {  // beyond the image as at its end
+                inner[step] = value(-static_cast<int>(step), inner[step - 1]);
+                outer[step] = value(1 + static_cast<int>(step), outer[step - 1]);
             }
-            const double share = crosses ? crossing(line, threshold) : 0.5;
+            const double share = crosses ? crossing(inner, outer, threshold) : 0.5;
             ways[n / 2] = std::min(ways[n / 2], share * spacing[n / 2]);
         }
         const double near = distance_to_plane(ways);

@@ -44,7 +44,10 @@ TEST(Findings, AsJsonHoldEveryPart) {
 
 TEST(Findings, TellTheReasonInItsOwnPlace) {
     std::vector<Findings> files = two_files();
-    files[0].diagnostics[0].reason = Reason{{"base.yaml", 3, 7, 2}, "it stands here first.", "  abcdef"};
+    Reason& reason = files[0].diagnostics[0].reason.emplace();
+    reason.place = {"base.yaml", 3, 7, 2};
+    reason.message = "it stands here first.";
+    reason.source_line = "  abcdef";
     EXPECT_EQ(to_text(files[0].diagnostics),
               "E0412 a,b.yaml:14:22: drill.diameter is 65 mm: 100 % wrong. Write `6.5 mm`.\n"
               "  because of base.yaml:3:7: it stands here first.\n      abcdef\n          ^^\n");
