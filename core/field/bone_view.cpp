@@ -50,17 +50,18 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         return;
     }
 
-    // The way to the front is told one by one and only of those in bone; tissues of all, in the same steps.
+    // The way to the front is told one by one and only of those in bone, which most often are all; tissues of all, in the same steps.
     std::array<Vec3, block_capacity> engaged, way_of_engaged;
     BlockValues gap_of_engaged;
     std::size_t engaged_so_far = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    const bool are_all = engaged_count == count;
+    for (std::size_t i = 0; !are_all && i < count; ++i) {
         if (engagement[i] <= 0.0f) continue;
         way_of_engaged[engaged_so_far] = directions[i];
         engaged[engaged_so_far++] = points[i];
     }
-    if (!directions.is_one()) directions = Directions::each(way_of_engaged.data());
-    tracker_->gap(body_from_tool_, engaged.data(), engaged_count, directions, gap_of_engaged);
+    if (!are_all && !directions.is_one()) directions = Directions::each(way_of_engaged.data());
+    tracker_->gap(body_from_tool_, are_all ? points : engaged.data(), engaged_count, directions, gap_of_engaged);
 
     std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
     const std::size_t tissues = body_->materials.size();
@@ -71,6 +72,10 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
             density[m].fill(static_cast<float>(material.density));
         else
             material.densities.at(places, material.density, density[m]);
+    }
+    for (std::size_t m = tissues; m < KERF_MAX_TISSUES; ++m) {
+        std::fill_n(weight[m].begin(), count, 0.0f);
+        std::fill_n(density[m].begin(), count, 0.0f);
     }
     engaged_so_far = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -83,8 +88,8 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         s.engagement = static_cast<double>(engagement[i]);
         s.gap = grid_.lattice().is_bounded && !can_be_cut(grid_.lattice(), grid_ * points[i]) ? 0.0 : gap;
         for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
-            s.weight[m] = m < tissues ? static_cast<double>(weight[m][i]) : 0.0;
-            s.density[m] = m < tissues ? static_cast<double>(density[m][i]) : 0.0;
+            s.weight[m] = static_cast<double>(weight[m][i]);
+            s.density[m] = static_cast<double>(density[m][i]);
         }
         s.body = body_id_;
         s.reserved = 0;
