@@ -66,10 +66,11 @@ std::vector<std::string> always_failed(const Chart& chart, const std::string& sc
     return common;
 }
 
-/// The ends of an axis: whole decades about the values.
+/// The ends of an axis: whole decades about the values, with room for what is written beside them.
 void fit(drawing::Axis& axis, double least, double most) {
-    axis.low = std::pow(10.0, std::floor(std::log10(least)));
-    axis.high = std::pow(10.0, std::ceil(std::log10(most * 1.001)));
+    constexpr double room = 1.25;
+    axis.low = std::pow(10.0, std::floor(std::log10(least / room)));
+    axis.high = std::pow(10.0, std::ceil(std::log10(most * room)));
     if (axis.high <= axis.low) axis.high = 10.0 * axis.low;
 }
 
