@@ -62,17 +62,15 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     closed_count_ = 0;
 
     const double h = body_->grid().spacing;
-    double motion = largest_motion(*solid_, open_from_, now);
-    const double further = largest_motion(*solid_, farthest_, now);
-    const bool has_turned = motion < farthest_motion_ || motion < further;
     const auto way_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band_voxels * h); };
     Travel way = way_from(open_from_);
+    const double further = largest_motion(*solid_, farthest_, now);
+    const bool has_turned = way.motion < farthest_motion_ || way.motion < further;
     double aside = way_from(corner_).aside;
     const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
-    if (further >= reversal_voxels * h && (has_turned || has_strayed || farthest_motion_ + further > motion + bend_voxels * h)) {
+    if (further >= reversal_voxels * h && (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
         close_at(farthest_, tick);
         last_reversal_ = sequence_;
-        motion = largest_motion(*solid_, open_from_, now);
         way = way_from(open_from_);
         aside = way.aside;
     }
@@ -80,9 +78,9 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
         way_aside_ += aside;
         corner_ = now;
     }
-    if (motion >= farthest_motion_) {
+    if (way.motion >= farthest_motion_) {
         farthest_ = now;
-        farthest_motion_ = motion;
+        farthest_motion_ = way.motion;
     }
     if (way.aside >= aside_voxels * h || way.along >= along_voxels * h) close_at(now, tick);
     else look_at_open_stretch();

@@ -26,9 +26,9 @@ double longest_slide(const ToolSolid& solid, double depth) noexcept { return std
 
 Travel travel(const ToolSolid& solid, const Pose& from, const Pose& to, double depth) noexcept {
     const double motion = largest_motion(solid, from, to);
-    if (!(longest_slide(solid, depth) > 0.0)) return {0.0, motion};
+    if (!(longest_slide(solid, depth) > 0.0)) return {motion, 0.0, motion};
     const double slide = rotate(conjugate(from.rotation), to.position - from.position).z;
-    return {std::abs(slide), std::min(motion, 2.0 * largest_motion(solid, from * Pose{{0, 0, slide}, {1, 0, 0, 0}}, to))};
+    return {motion, std::abs(slide), std::min(motion, 2.0 * largest_motion(solid, from * Pose{{0, 0, slide}, {1, 0, 0, 0}}, to))};
 }
 
 Pose between(const Pose& from, const Pose& to, double t) noexcept {
@@ -44,8 +44,9 @@ Pose between(const Pose& from, const Pose& to, double t) noexcept {
 }
 
 Sweep::Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept
-    : solid_(&solid), from_(from), to_(to), motion_(largest_motion(solid, from, to)) {
+    : solid_(&solid), from_(from), to_(to) {
     const Travel way = travel(solid, from, to, depth);
+    motion_ = way.motion;
     const double slides = way.along > 0.0 ? way.along / longest_slide(solid, depth) : 0.0;
     count_ = static_cast<int>(std::clamp(std::ceil(std::min(motion_ / step, std::max(way.aside / step, slides))), 1.0, 4096.0));
 }

@@ -11,6 +11,7 @@ namespace kerf {
 
 /// What of a solid's way from one pose to another leaves ridges between them, and what does not.
 struct Travel {
+    double motion = 0.0;  ///< [m] `largest_motion`
     double along = 0.0;  ///< [m] its slide along its own axis, which it covers
     /// [m] The farthest that any of its points moves besides: twice that, as on a slide only the pose ahead of a point can cover it;
     /// or all of its motion, if that is less.
@@ -28,14 +29,13 @@ public:
     /// the solid covers to a depth of `depth` [m].
     Sweep(const ToolSolid& solid, const Pose& from, const Pose& to, double step, double depth) noexcept;
 
-    /// How many sub-poses follow `from`; the last is `to`. A function of poses, solid and step alone.
+    /// How many sub-poses follow `from`; the last is `to`. A function of poses, solid, step and depth alone.
     [[nodiscard]] int sub_poses() const noexcept { return count_; }
     /// Sub-pose 0 is `from`.
     [[nodiscard]] Pose sub_pose(int i) const noexcept {
         return i == 0 ? from_ : i == count_ ? to_ : between(from_, to_, static_cast<double>(i) / count_);
     }
-    /// No point of the sweep lies farther than this outside the nearest of the sub-poses after `from` [m]; nor farther than
-    /// half a step outside the nearest of them and `from`.
+    /// No point of the sweep lies farther than this outside the nearest of the sub-poses after `from` [m].
     [[nodiscard]] double step() const noexcept { return slack * motion_ / count_; }
 
     /// Whether the solid holds `point` (body frame) at any pose on the way, deeper than `tolerance` [m].
