@@ -140,7 +140,13 @@ void CutTracker::take_newest(const Pose& body_from_tool) noexcept {
 
 void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
     const double h = body_->grid().spacing;
-    const auto is_passed = [&](std::size_t i) { return is_at_front && largest_motion(*solid_, pending(i).to, now) >= h; };
+    // A tool that was drawn back from where a record ends has passed it only if it has gone aside as well.
+    const auto is_passed = [&](std::size_t i) {
+        const Pose& end = pending(i).to;
+        if (!is_at_front || largest_motion(*solid_, end, now) < h) return false;
+        const double ahead = (inverse(end) * now).position.z;
+        return ahead >= 0.0 || largest_motion(*solid_, end * Pose{{0, 0, ahead}, {1, 0, 0, 0}}, now) >= h;
+    };
     const auto is_due = [&](std::size_t i) { return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i)); };
 
     // A few bricks for each record that waits, and more where many do, so that the tool does not leave the stamping behind; all there

@@ -42,7 +42,8 @@ public:
     /// Closes what is open. Returns as `advance`.   [haptic, nonblocking]
     int close(std::uint64_t tick) noexcept;
 
-    /// Stamps records that the front has left a voxel behind, about `most` bricks of them.   [haptic, nonblocking]
+    /// Stamps records that the front has left a voxel behind, about `most` bricks of them. A tool that is only drawn back has left
+    /// none.   [haptic, nonblocking]
     void commit_passed(const Pose& body_from_tool, bool is_at_front, int most = most_bricks);
     /// More wait than should: the tool had better not go on so fast.
     [[nodiscard]] bool is_behind() const noexcept { return pending_count_ > pending_limit; }

@@ -57,8 +57,11 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     struct Level {
         double radius, z, width, normal_radial;
     };
+    // Cut or not, a point of the land is asked about a little outside its own hole: within it, it would meet bone as long as the
+    // committed cut lags, which is a matter of the grid.
+    constexpr double touching = 20e-6;  // [m] a wall that near is touched [assumed]
     const SinCos p = drill.half_point;
-    const double r = drill.radius() - tick.force[force_clearance], flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
+    const double r = drill.radius() + touching, flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
     const auto on_cone = [&](double share) {
         const double at = share * drill.radius();
         return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};

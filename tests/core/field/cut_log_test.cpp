@@ -108,6 +108,25 @@ TEST(CutLog, NeitherLagNorBatchesNorOrderChangeABit) {
     }
 }
 
+// S-12: back at the front its edges would lie on the border of what is committed, and read half of the bone.
+TEST(CutLog, DrawnBackAToolHasNotPassedWhatItCutLast) {
+    const auto at = [](double x, double depth) { return test::pointing({x, 0, -depth}, {0, 0, -1}); };
+    const auto waiting_after = [&](double x, double depth) {
+        Cutting cutting(0.4_mm, at(0.0, -1.0_mm));
+        const auto go = [&](const Pose& to) {
+            cutting.move_to(to);
+            for (int i = 0; i < 200; ++i) cutting.tracker.commit_passed(to, true);
+        };
+        for (double z = -1.0_mm; z < 4.0_mm; z += 0.02_mm) go(at(0.0, z));
+        go(at(x, depth));
+        return cutting.tracker.pending_count();
+    };
+    const std::size_t in_the_hole = waiting_after(0.0, 3.99_mm);
+    EXPECT_GT(in_the_hole, 0u);
+    EXPECT_GE(waiting_after(0.0, 2.0_mm), in_the_hole) << "drawn back, whatever its edges meet at the wall";
+    EXPECT_LT(waiting_after(1.0_mm, 3.0_mm), in_the_hole) << "drawn back and gone aside";
+}
+
 TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
     const std::vector<Pose> path = winding_path(7);
     Cutting cutting(0.4_mm, path.front());

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drill that meets bone askew is pushed aside and walks: where to is a matter of the law, not of the grid.
+#include <gtest/gtest.h>
+
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr double feed = 1.0_mm_per_s;
+
+struct Bored {
+    Body body;
+    ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
+    Simulation simulation;
+
+    Bored(double spacing, double tilt, double depth)
+        : body(test::block({-8.0_mm, -8.0_mm, -14.0_mm}, {8.0_mm, 8.0_mm, 0}, spacing, {0.31, 0.17, 0.73})),
+          simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.1_mm, tilt)) {
+        body.materials = {{"bone", 1000.0, {}}};
+        for (double hand = -0.1_mm; hand < depth; hand += feed * Simulation::dt) {
+            (void)simulation.tick({test::at_depth(hand, tilt)});
+            simulation.after_tick();
+        }
+    }
+};
+
+TEST(Askew, ADrillWalksTheSameWayOnEveryGrid) {
+    constexpr double tilt = 10.0_deg, depth = 8.0_mm;
+    const Bored coarse(0.5_mm, tilt, depth), fine(0.25_mm, tilt, depth);
+    const Vec3 a = coarse.simulation.world_from_tool().position, b = fine.simulation.world_from_tool().position;
+    const Vec3 aside = b - test::at_depth(depth, tilt).position;
+    EXPECT_GT(std::hypot(aside.x, aside.y), 0.2_mm) << "it does walk";
+    EXPECT_LT(length(a - b), 0.01_mm) << a.x << ' ' << a.y << ' ' << a.z << "; " << b.x << ' ' << b.y << ' ' << b.z;
+}
+
+// The land stands in the hole it has cut: how far the committed cut lags is not felt.
+TEST(Askew, InItsOwnHoleTheLandMeetsTheSameWallOnEveryGrid) {
+    const auto held_aside = [](double spacing) {
+        const Bored bored(spacing, 0.0, 6.0_mm);
+        kerf_channel channels[KERF_MAX_CHANNELS];
+        kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
+        const kerf_tick_in in = tick_in_of(bored.setup, bored.simulation.bone().query(), Simulation::dt);
+        EXPECT_EQ(bored.setup.force->force->resist(&in, bored.simulation.state(), &law), KERF_OK);
+        double least = 1e300;  // [N] of the edges, of four ways
+        int ways = 0;
+        for (std::uint32_t c = 0; c < law.count; ++c)
+            if (channels[c].kind == KERF_CUT && channels[c].d[2] == 0.0) {
+                least = std::min(least, channels[c].tau);
+                ++ways;
+            }
+        EXPECT_EQ(ways, 4) << spacing;
+        return least;
+    };
+    const double coarse = held_aside(0.5_mm), fine = held_aside(0.125_mm);
+    EXPECT_GT(fine, 1.0);
+    EXPECT_NEAR(coarse / fine, 1.0, 0.02);
+}
+
+}  // namespace
+}  // namespace kerf
