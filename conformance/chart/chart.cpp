@@ -60,20 +60,26 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     for (const Scene& scene : scenes) {
         chart.scenes.push_back({scene.id, scene.title});
         std::size_t standing = 0;
-        for (const Method& method : methods)
+        for (const Method& method : methods) {
+            const bool walks = method.is_solved && scene.is_oblique;
+            const std::vector<Felt> led = walks ? led_on_finest(method, scene) : std::vector<Felt>{};
             for (const Fineness& fineness : method.sweep) {
                 Row row{scene.id,
                         method.id,
                         knob_text(method, fineness),
                         fineness,
-                        measure(method, scene, *law, fineness, grids_of(method, scene, fineness)),
+                        measure(method, scene, *law, fineness, grids_of(method, scene, fineness), led),
                         chart.standings[standing++].fails};
                 if (row.measured.peak_step > largest_step) row.fails.push_back("S-16");
                 say(scene.id + "  " + row.method + "  " + row.knob + "  force error " +
                     percent(row.measured.force_error) + ", volume " + percent(row.measured.volume_error) + ", step " +
-                    percent(row.measured.peak_step) + ", p99.9 " + drawing::figure(row.measured.cost.p999) + " us");
+                    percent(row.measured.peak_step) + ", p99.9 " + drawing::figure(row.measured.cost.p999) + " us" +
+                    (walks ? "; from the same hand on 0.1 mm " + percent(row.measured.same_hand) + " (turns " + percent(row.measured.same_hand_turn) + "), tips " +
+                                 drawing::figure(1e3 * row.measured.apart) + " mm apart"
+                           : ""));
                 chart.rows.push_back(std::move(row));
             }
+        }
     }
     return chart;
 }

@@ -138,7 +138,7 @@ std::string chart_csv(const Chart& chart) {
         std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
         "; all else is the same wherever it is run\n"
         "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
-        "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,cost_median_us,cost_p999_us,cost_longest_us,"
+        "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,same_hand_error,same_hand_error_of_turns,same_hand_apart_mm,cost_median_us,cost_p999_us,cost_longest_us,"
         "K_max_N_per_m,fails\n";
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
@@ -147,7 +147,7 @@ std::string chart_csv(const Chart& chart) {
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
         for (const double value : {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error,
                                    m.worst_grid, m.volume_error, m.peak_step, m.reference, m.force_error * m.reference,
-                                   m.off_lateral, m.gain, m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
+                                   m.off_lateral, m.gain, m.same_hand, m.same_hand_turn, 1e3 * m.apart, m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
             text += figure(value, 5) + ",";
         text += csv_quoted(joined(row.fails, " ")) + "\n";
     }

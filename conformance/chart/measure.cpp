@@ -18,6 +18,8 @@ namespace {
 
 /// Shifts of the grid in parts of a voxel: any that have nothing to do with each other.
 constexpr Vec3 shifts[] = {{0.31, 0.17, 0.73}, {0.87, 0.59, 0.13}, {0.05, 0.91, 0.47}, {0.63, 0.37, 0.89}};
+/// Another than all of these.
+constexpr Fineness finest{0.1_mm, 31, {0.41, 0.77, 0.23}};
 
 }  // namespace
 
@@ -88,9 +90,40 @@ void refer_to_replay(const Method& method, const Scene& scene, Track& track) {
     track.volume_reference = replayed.volume;
 }
 
+/// Both as means over so many ticks.
+void hold_against(const std::vector<Felt>& led, const std::vector<Felt>& felt, std::size_t over, double& most) {
+    double wrong = 0.0, right = 0.0, difference = 0.0, reference = 0.0;
+    const auto add = [&](std::size_t t, double sign) {
+        difference += sign * (felt[t].wrench[2] - led[t].wrench[2]);
+        reference += sign * led[t].wrench[2];
+    };
+    for (std::size_t t = 0; t < std::min(led.size(), felt.size()); ++t) {
+        add(t, 1.0);
+        if (t + 1 < over) continue;
+        wrong += difference * difference;
+        right += reference * reference;
+        add(t + 1 - over, -1.0);
+    }
+    if (right > 0.0) most = std::max(most, std::sqrt(wrong / right));
+}
+void hold_against(const std::vector<Felt>& led, const std::vector<Felt>& felt, const Scene& scene, Measured& measured) {
+    hold_against(led, felt, 1, measured.same_hand);
+    hold_against(led, felt, static_cast<std::size_t>(std::lround(1.0 / (scene.spindle * dt))), measured.same_hand_turn);
+    for (std::size_t t = 0; t < std::min(led.size(), felt.size()); ++t)
+        measured.apart = std::max(measured.apart, length(felt[t].from.position - led[t].from.position));
+}
+
 }  // namespace
 
-Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, int grids) {
+std::vector<Felt> led_on_finest(const Method& method, const Scene& scene) {
+    const auto run = method.start(scene, finest, 1.0);
+    std::vector<Felt> felt;
+    for (std::size_t t = 0; t < scene.ticks(); ++t) felt.push_back(run->tick(scene.pose_at(scene.depth[t + 1])));
+    return felt;
+}
+
+Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, int grids,
+                 const std::vector<Felt>& led) {
     Measured measured;
     measured.gain = calibration(method, scene, law, fineness);
     double all_wrong = 0.0, all_right = 0.0, ticks = 0.0;
@@ -100,6 +133,7 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
         shifted.offset = shifts[g % 4];
         Track track = run_through(method, scene, law, shifted, measured.gain);
         if (method.is_solved && scene.is_oblique) refer_to_replay(method, scene, track);
+        hold_against(led, track.felt, scene, measured);
         double wrong = 0.0, right = 0.0, largest = 0.0, step = 0.0;
         Vec3 last_difference{0, 0, 0};
         bool has_last = false;

@@ -18,6 +18,9 @@ struct Measured {
     double off_lateral = 0.0;  ///< [N] largest force across the shaft where the reference has none over 1 N
     double reference = 0.0;    ///< [N] RMS|F_ref|
     double gain = 1.0;         ///< [–] its calibration
+    double same_hand = 0.0;       ///< [–] RMS of how far its thrust is from what the same hand feels on the finest grid, of that one's RMS
+    double same_hand_turn = 0.0;  ///< [–] the same of means over a turn of the spindle
+    double apart = 0.0;           ///< [m] how far its tip comes from where that hand leads it there, at most
     Cost cost;
     bool is_finite = true;  ///< every force was
 };
@@ -27,10 +30,14 @@ struct Measured {
 [[nodiscard]] double calibration(const Method& method, const Scene& scene, const CuttingLaw& law,
                                  const Fineness& fineness);
 
+/// What a hand that leads the method through the scene feels on a grid of 0.1 mm.   [main]
+[[nodiscard]] std::vector<Felt> led_on_finest(const Method& method, const Scene& scene);
+
 /// Runs the method through the scene on so many grids, each shifted by another part of a voxel, and holds it against
 /// the exact law.   [main]
+/// @param led  what `led_on_finest` has felt, to hold it against that too; may be empty
 [[nodiscard]] Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law,
-                               const Fineness& fineness, int grids);
+                               const Fineness& fineness, int grids, const std::vector<Felt>& led = {});
 
 /// A block of cortical bone that the scene's drill goes into at the scene's feed.
 [[nodiscard]] Scene block_scene(const Scene& like, double depth);

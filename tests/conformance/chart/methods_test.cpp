@@ -52,6 +52,29 @@ TEST(Methods, WhatIsSolvedFeelsTheLawOfItsOwnMotion) {
     EXPECT_LT(solved.volume_error, 0.01);
 }
 
+TEST(Methods, HeldAgainstWhatTheSameHandFeelsElsewhere) {
+    const Scene scene = slab_scene(0.0);
+    const Method kerf = method("M9");
+    const Fineness coarse{1.0_mm, 31, {}};
+    // The same run once more: measure() shifts the grid first of all so.
+    const auto run = kerf.start(scene, {1.0_mm, 31, {0.31, 0.17, 0.73}}, 1.0);
+    std::vector<Felt> led;
+    for (std::size_t t = 0; t < scene.ticks(); ++t) led.push_back(run->tick(scene.pose_at(scene.depth[t + 1])));
+    const Measured same = measure(kerf, scene, test::shared_law(), coarse, 1, led);
+    EXPECT_EQ(same.same_hand, 0.0);
+    EXPECT_EQ(same.same_hand_turn, 0.0);
+    EXPECT_EQ(same.apart, 0.0);
+    // Half as much now and half as much again then: a half off, and over a turn of 60 ticks nearly nothing.
+    for (std::size_t t = 0; t < led.size(); ++t) {
+        led[t].wrench[2] *= t % 2 == 0 ? 2.0 : 2.0 / 3.0;
+        led[t].from.position.x += 0.3_mm;
+    }
+    const Measured other = measure(kerf, scene, test::shared_law(), coarse, 1, led);
+    EXPECT_NEAR(other.same_hand, std::sqrt((1.0 + 1.0 / 9.0) / (4.0 + 4.0 / 9.0)), 0.01);
+    EXPECT_NEAR(other.same_hand_turn, 0.25, 0.01) << "their mean is 4/3";
+    EXPECT_NEAR(other.apart, 0.3_mm, 1e-9);
+}
+
 TEST(Methods, OneStepOfASampledLipIsOnePoint) {  // 02-18
     EXPECT_LT(on_the_slab("M4", 0.25_mm, 31).peak_step, 1.0 / 31.0);
     EXPECT_GT(on_the_slab("M2", 0.5_mm, 8).peak_step, 1.0 / 31.0);
