@@ -57,17 +57,16 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     struct Level {
         double radius, z, width, normal_radial;
     };
-    // Cut or not, a point of the land is asked about a little outside its own hole: within it, it would meet bone as long as the
+    // The land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
     // committed cut lags, which is a matter of the grid.
-    constexpr double touching = 20e-6;  // [m] a wall that near is touched [assumed]
     const SinCos p = drill.half_point;
-    const double r = drill.radius() + touching, flank = drill.radius() / 3.0, land = 0.5 * drill.corner * drill.diameter;
+    const double r = drill.radius() - tick.force[force_clearance], flank = drill.radius() / 3.0, land = drill.corner * drill.diameter;
     const auto on_cone = [&](double share) {
         const double at = share * drill.radius();
         return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};
     };
     const Level levels[] = {on_cone(0.5 / 3.0), on_cone(1.5 / 3.0), on_cone(2.5 / 3.0),
-                            {r, -drill.point_depth() - 0.5 * land, land, 1.0}, {r, -drill.point_depth() - 1.5 * land, land, 1.0}};
+                            {r, -drill.point_depth(), land, 1.0}};
     constexpr double c = 0.70710678118654752440;
     constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
     constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};

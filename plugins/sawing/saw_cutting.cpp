@@ -90,12 +90,14 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
     }
 }
 
-void add_side_cutting(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
+void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
                       Channels& channels) noexcept {
+    if (in_bone.least_gap() > left_behind) return;  // drawn back, the flanks run free in their slot (B5)
     const Coefficients k = coefficients(tick.force);
     const double reference = tick.force[force_reference_density];
-    // The points stand a little inside what the blade sweeps, so that they lie free in a slot as wide as the kerf: by an
-    // eighth of a voxel a wall is known (B5).
+    // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the grid. And
+    // a little inside what the blade sweeps, so that the points lie free in a slot as wide as the kerf: by an eighth of a voxel a
+    // wall is known.
     const double inside = std::max(0.125 * 0.25 * bone.reach(), 0.02e-3);
     constexpr double play = 1e-8;  // [m] so that a rounding across does not count as a cut
     const auto add = [&](Row& row, Vec3 way, double edge_length, double chip_per_feed, std::uint32_t id) {
@@ -122,13 +124,13 @@ void add_side_cutting(const SawBlade& blade, const Tick& tick, const BoneQuery& 
     // Every other tooth is set to a side: its flank takes what two pitches have gained.
     Stroke by_twos = going.stroke;
     by_twos.pitch *= 2.0;
-    const double flank_chip = mean_chip_per_feed(by_twos), deep = 0.5 * blade.tooth_height;
+    const double flank_chip = mean_chip_per_feed(by_twos);
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
             const double share = 0.5 * static_cast<double>(i) - 1.0;  // −1 … 1
             const SinCos angle = sin_cos_exact(0.9 * share * blade.half_front());
-            row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), -deep};
+            row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), 0.0};
         }
         add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip, id_side + (side > 0.0 ? 0 : 1));
     }
@@ -137,8 +139,8 @@ void add_side_cutting(const SawBlade& blade, const Tick& tick, const BoneQuery& 
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(Row::count);
-            row.point[i] = {side * (blade.radius * end.sin - inside), 0.0, blade.radius * (end.cos - 1.0) - share * blade.tooth_height};
+            const double share = 0.5 * static_cast<double>(i) - 1.0;  // −1 … 1
+            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * share * blade.kerf(), blade.radius * (end.cos - 1.0)};
         }
         add(row, {side, 0, 0}, blade.tooth_height, 1.0 / going.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
     }

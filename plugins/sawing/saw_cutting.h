@@ -16,9 +16,9 @@ static_assert(id_feed + sector_count * part_count <= id_rub);
 void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const Going& going,
                       double last_feed_rate, Channels& channels) noexcept;
 
-/// Across the blade, where the flanks of teeth set to that side widen the slot, and in the plane at either end of the front.
-/// [haptic, nonblocking]
-void add_side_cutting(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
+/// Across the blade, where the flanks of teeth set to that side widen the slot, and in the plane at either end of the front: while
+/// the teeth are at the front.   [haptic, nonblocking]
+void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
                       Channels& channels) noexcept;
 
 /// Of one tooth in the reference tissue, along its motion, in the mean over the oscillation [N].   [any] pure.

@@ -79,7 +79,7 @@ void SawCutting::resist(const Tick& tick, const BoneQuery& bone, const State& st
         channels.note(note_engaged, in_bone.engaged);
         channels.note(note_resisting, in_bone.resisting());
         add_feed_cutting(in_bone, blade, tick, going, state.feed_rate, channels);
-        if (going.removes()) add_side_cutting(blade, tick, bone, going, channels);
+        if (going.removes()) add_side_cutting(in_bone, blade, tick, bone, going, channels);
     }
     add_contact(blade, tick, bone, going, state.slot, state.binding, channels);
 }

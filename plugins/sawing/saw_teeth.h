@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "kerf/force.hpp"
 #include "saw_parameters.h"
 
@@ -36,6 +39,13 @@ struct TeethInBone {
     double engaged = 0.0;                     ///< [–] how many are in bone
 
     void ask(const Tick& tick, const BoneQuery& bone, const SawBlade& blade, const Going& going) noexcept;
+    /// The least way to the front of those in bone [m]; infinite where none is.
+    [[nodiscard]] double least_gap() const noexcept {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < 2 * teeth.count; ++i)
+            if (resisted[i] > 0.0) least = std::min(least, gap[i]);
+        return least;
+    }
     /// What they resist together, in teeth.
     [[nodiscard]] double resisting() const noexcept {
         double sum = 0.0;

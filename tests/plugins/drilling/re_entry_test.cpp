@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// S-12: what a drill has cut is gone, for the ends of its lips along the wall too.
+// S-12 and B5: what a drill has cut is gone, for the ends of its lips along the wall too, and it runs free in its hole.
 #include <gtest/gtest.h>
 
 #include "tests/support/layered_slab.h"
@@ -32,6 +32,35 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
             for (int i = 0; i < 10; ++i) most = std::max(most, go(8.0_mm_per_s));
             EXPECT_GT(most, 100.0) << h << ", " << offset;
         }
+}
+
+/// How the tip of a hand shakes at up to 1 mm/s along three axes: physiological tremor, 8 … 12 Hz, three tones of a third of the speed each.
+Vec3 shaken(double t) {
+    const auto along = [&](double phase) {
+        double at = 0.0;
+        for (const double hz : {8.0, 9.7, 11.9}) at += 1.0_mm_per_s / 3.0 / (2.0 * pi * hz) * std::sin(2.0 * pi * hz * t + phase * hz);
+        return at;
+    };
+    return {along(1.0), along(2.0), along(3.0)};
+}
+
+TEST(InItsHole, HandNoiseIsNotFeltAcrossTheDrill) {
+    const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
+    for (const double h : {0.5_mm, 0.2_mm}) {
+        const Body body = test::block({-6.0_mm, -6.0_mm, -10.0_mm}, {6.0_mm, 6.0_mm, 0}, h, {0.31, 0.17, 0.73});
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+        const auto felt_across = [&](const Pose& pose) {
+            const TickResult r = simulation.tick_direct({pose});
+            simulation.after_tick();
+            return std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]);
+        };
+        for (double depth = -0.5_mm; depth < 6.0_mm; depth += 2.0_um) (void)felt_across(test::at_depth(depth));
+        for (double depth = 6.0_mm; depth > 5.0_mm; depth -= 10.0_um) (void)felt_across(test::at_depth(depth));
+        const Pose still = test::at_depth(5.0_mm);
+        double most = 0.0;
+        for (int i = 0; i < 10000; ++i) most = std::max(most, felt_across(still * Pose{shaken(i * Simulation::dt), {1, 0, 0, 0}}));
+        EXPECT_LT(most, 0.05) << "N, at " << h;
+    }
 }
 
 }  // namespace

@@ -81,6 +81,35 @@ struct InItsSlot {
     }
 };
 
+// What holds a blade across, at the front, does not hang on how far the committed cut lags.
+TEST(BladeInItsSlot, AtTheFrontItIsHeldAlikeOnEveryGridAndInEveryTick) {
+    const auto held_across = [](double h) {
+        const Body body = test::block({-18.0_mm, -4.0_mm, -8.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73});
+        const ToolSetup setup = test::saw();
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+        double least = 1e300, most = 0.0;  // [N] of the edges, of both sides
+        for (double depth = -0.5_mm; depth < 5.0_mm; depth += 4.0_um) {
+            (void)simulation.tick_direct({test::at_depth(depth)});
+            simulation.after_tick();
+            if (depth < 4.0_mm) continue;
+            kerf_channel channels[KERF_MAX_CHANNELS];
+            kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
+            const kerf_tick_in in = tick_in_of(setup, simulation.bone().query(), Simulation::dt);
+            EXPECT_EQ(setup.force->force->resist(&in, simulation.state(), &law), KERF_OK);
+            double held = 0.0;
+            for (std::uint32_t c = 0; c < law.count; ++c)
+                if (channels[c].kind == KERF_CUT && channels[c].d[2] == 0.0 && channels[c].d[1] != 0.0) held += channels[c].tau;
+            least = std::min(least, held);
+            most = std::max(most, held);
+        }
+        EXPECT_GT(least, 0.99 * most) << "[N] at " << h;
+        return most;
+    };
+    const double coarse = held_across(0.5_mm), fine = held_across(0.125_mm);
+    EXPECT_GT(fine, 10.0);
+    EXPECT_NEAR(coarse / fine, 1.0, 0.02);
+}
+
 // B5
 TEST(BladeInItsSlot, HandNoiseIsNotFeltAcrossTheBlade) {
     for (const double h : {0.5_mm, 0.2_mm})
