@@ -195,7 +195,7 @@ int CutField::stamp(const CutRecord& record, const ToolSolid& solid) {
 
 bool CutField::stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress,
                         int& touched) {
-    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing, PoseStamp::band_voxels * grid().spacing);
+    const Sweep sweep(solid, record.from, record.to, 0.25 * grid().spacing, PoseStamp::band(grid().spacing));
     for (; progress.sub_pose <= sweep.sub_poses(); ++progress.sub_pose) {
         progress.brick = stamp_pose(sweep.sub_pose(progress.sub_pose), solid, progress.brick, most, touched);
         if (progress.brick != StampProgress::to_the_end) return false;
@@ -224,7 +224,7 @@ CutField::BrickBox CutField::bricks_near(const ToolSolid& solid, const Pose& bod
 std::size_t CutField::stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most,
                                  int& touched) {
     const Grid& g = grid();
-    const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band_voxels * g.spacing);
+    const BrickBox box = bricks_near(solid, body_from_tool, PoseStamp::band(g.spacing));
 
     // Of those that hold bone, a block at a time: does the solid reach them?
     PoseStamp stamp(g, solid, body_from_tool, &memory_);
@@ -325,7 +325,7 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
 std::size_t CutField::stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places,
                                    int most, int& touched) {
     const double h = grid().spacing;
-    const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band_voxels * h;
+    const double reach = 0.5 * brick_edge * std::sqrt(3.0) * h + PoseStamp::band(h);
     BlockValues depth;
     stamp.depths_of(centres, depth);
     for (std::size_t n = 0; n < centres.count; ++n) {

@@ -62,7 +62,7 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     closed_count_ = 0;
 
     const double h = body_->grid().spacing;
-    const auto way_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band_voxels * h); };
+    const auto way_from = [&](const Pose& from) { return travel(*solid_, from, now, PoseStamp::band(h)); };
     Travel way = way_from(open_from_);
     const double further = largest_motion(*solid_, farthest_, now);
     const bool has_turned = way.motion < farthest_motion_ || way.motion < further;

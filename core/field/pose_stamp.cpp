@@ -18,7 +18,7 @@ bool pays_to_ask(std::int16_t spare) noexcept { return spare > rounding; }
 }  // namespace
 
 PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
-    : grid_(&grid), solid_(&solid), memory_(pays_to_remember(solid) ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band_voxels * grid.spacing) {
+    : grid_(&grid), solid_(&solid), memory_(pays_to_remember(solid) ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band(grid.spacing)) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
     const double at[3] = {tip.x, tip.y, tip.z};
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -37,8 +37,8 @@ struct CellPlace {
 
 class PoseStamp {
 public:
-    /// Outside the cut, this many voxels of distance are all that interpolation and normals ever read.
-    static constexpr double band_voxels = 2.0;
+    /// Outside the cut, distances up to two voxels are all that interpolation and normals ever read [m].
+    [[nodiscard]] static constexpr double band(double spacing) noexcept { return 2.0 * spacing; }
 
     /// `memory`: of the field, and outlives it; null: every cell is compared.
     PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory = nullptr) noexcept;

@@ -72,13 +72,15 @@ VoxelDistance distance_in_voxels(const BoneMask& mask, double threshold, double 
                 const int a = i + steps * x, b = j + steps * y, c = k + steps * z;
                 return image.has(a, b, c) ? static_cast<double>(image.at(a, b, c)) : otherwise;
             };
-            Side inner{here}, outer{there};
-            for (std::size_t step = 1; step < inner.size(); ++step) {  // beyond the image as at its end
-                inner[step] = value(-static_cast<int>(step), inner[step - 1]);
-                outer[step] = value(1 + static_cast<int>(step), outer[step - 1]);
-            }
-            const double share = crosses ? crossing(inner, outer, threshold) : 0.5;
-            ways[n / 2] = std::min(ways[n / 2], share * spacing[n / 2]);
+            const auto share_of_way = [&] {
+                Side inner{here}, outer{there};
+                for (std::size_t step = 1; step < inner.size(); ++step) {  // beyond the image as at its end
+                    inner[step] = value(-static_cast<int>(step), inner[step - 1]);
+                    outer[step] = value(1 + static_cast<int>(step), outer[step - 1]);
+                }
+                return crossing(inner, outer, threshold);
+            };
+            ways[n / 2] = std::min(ways[n / 2], (crosses ? share_of_way() : 0.5) * spacing[n / 2]);
         }
         const double near = distance_to_plane(ways);
         if (near == HUGE_VAL) return;

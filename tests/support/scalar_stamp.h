@@ -16,7 +16,7 @@ struct ScalarStamp {
 
     void stamp(const CutRecord& record) {
         const Grid& g = body.grid();
-        const Sweep sweep(solid, record.from, record.to, 0.25 * g.spacing, PoseStamp::band_voxels * g.spacing);
+        const Sweep sweep(solid, record.from, record.to, 0.25 * g.spacing, PoseStamp::band(g.spacing));
         for (int n = 1; n <= sweep.sub_poses(); ++n) {
             const PoseStamp pose(g, solid, sweep.sub_pose(n));
             for_each_brick([&](int i, int j, int k, std::int16_t* samples) {
@@ -28,7 +28,7 @@ struct ScalarStamp {
                     cell.first[1] += static_cast<float>(at.first_y);
                     cell.first[2] += static_cast<float>(at.first_z);
                     std::int16_t lowest, highest;
-                    portable_kernel().raise(solid.single(), cell, static_cast<float>(PoseStamp::band_voxels * g.spacing),
+                    portable_kernel().raise(solid.single(), cell, static_cast<float>(PoseStamp::band(g.spacing)),
                                             static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(), lowest, highest, nullptr);
                 }
                 const std::int16_t* to = raised.data();

@@ -156,7 +156,7 @@ TEST(CutField, NoRidgeStaysWhereAToolGoesToAndFroAndTurns) {
             begun.to = begun.from;
             cut.stamp(begun, *solid);
             cut.stamp(record, *solid);
-            const Sweep sweep(*solid, record.from, record.to, 0.25 * h, PoseStamp::band_voxels * h);
+            const Sweep sweep(*solid, record.from, record.to, 0.25 * h, PoseStamp::band(h));
             for (int k = 0; k < g.samples(2); ++k)
                 for (int j = 0; j < g.samples(1); ++j)
                     for (int i = 0; i < g.samples(0); ++i) {
