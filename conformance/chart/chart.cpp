@@ -55,14 +55,13 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     // Where a voxel is small its place matters little, and a motion that is replayed on finer grids takes long.
     const auto grids_of = [&](const Method& method, const Scene& scene, const Fineness& fineness) {
         constexpr double fine = 0.2e-3;  // [m]
-        return request.is_quick || fineness.spacing < fine || (method.is_solved && scene.is_oblique) ? 1 : 2;
+        return request.is_quick || fineness.spacing < fine || walks(method, scene) ? 1 : 2;
     };
     for (const Scene& scene : scenes) {
         chart.scenes.push_back({scene.id, scene.title});
         std::size_t standing = 0;
         for (const Method& method : methods) {
-            const bool walks = method.is_solved && scene.is_oblique;
-            const std::vector<Felt> led = walks ? led_on_finest(method, scene) : std::vector<Felt>{};
+            const std::vector<Felt> led = walks(method, scene) ? led_by_hand(method, scene, finest) : std::vector<Felt>{};
             for (const Fineness& fineness : method.sweep) {
                 Row row{scene.id,
                         method.id,
@@ -74,7 +73,7 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
                 say(scene.id + "  " + row.method + "  " + row.knob + "  force error " +
                     percent(row.measured.force_error) + ", volume " + percent(row.measured.volume_error) + ", step " +
                     percent(row.measured.peak_step) + ", p99.9 " + drawing::figure(row.measured.cost.p999) + " us" +
-                    (walks ? "; from the same hand on 0.1 mm " + percent(row.measured.same_hand) + " (turns " + percent(row.measured.same_hand_turn) + "), tips " +
+                    (walks(method, scene) ? "; from the same hand on 0.1 mm " + percent(row.measured.same_hand) + " (turns " + percent(row.measured.same_hand_turn) + "), tips " +
                                  drawing::figure(1e3 * row.measured.apart) + " mm apart"
                            : ""));
                 chart.rows.push_back(std::move(row));

@@ -18,8 +18,6 @@ namespace {
 
 /// Shifts of the grid in parts of a voxel: any that have nothing to do with each other.
 constexpr Vec3 shifts[] = {{0.31, 0.17, 0.73}, {0.87, 0.59, 0.13}, {0.05, 0.91, 0.47}, {0.63, 0.37, 0.89}};
-/// Another than all of these.
-constexpr Fineness finest{0.1_mm, 31, {0.41, 0.77, 0.23}};
 
 }  // namespace
 
@@ -90,7 +88,7 @@ void refer_to_replay(const Method& method, const Scene& scene, Track& track) {
     track.volume_reference = replayed.volume;
 }
 
-/// Both as means over so many ticks.
+/// The largest so far of the RMS of their difference, of the RMS of what was led, both as means over so many ticks.
 void hold_against(const std::vector<Felt>& led, const std::vector<Felt>& felt, std::size_t over, double& most) {
     double wrong = 0.0, right = 0.0, difference = 0.0, reference = 0.0;
     const auto add = [&](std::size_t t, double sign) {
@@ -115,8 +113,8 @@ void hold_against(const std::vector<Felt>& led, const std::vector<Felt>& felt, c
 
 }  // namespace
 
-std::vector<Felt> led_on_finest(const Method& method, const Scene& scene) {
-    const auto run = method.start(scene, finest, 1.0);
+std::vector<Felt> led_by_hand(const Method& method, const Scene& scene, const Fineness& fineness) {
+    const auto run = method.start(scene, fineness, 1.0);
     std::vector<Felt> felt;
     for (std::size_t t = 0; t < scene.ticks(); ++t) felt.push_back(run->tick(scene.pose_at(scene.depth[t + 1])));
     return felt;
@@ -132,7 +130,7 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
         Fineness shifted = fineness;
         shifted.offset = shifts[g % 4];
         Track track = run_through(method, scene, law, shifted, measured.gain);
-        if (method.is_solved && scene.is_oblique) refer_to_replay(method, scene, track);
+        if (walks(method, scene)) refer_to_replay(method, scene, track);
         hold_against(led, track.felt, scene, measured);
         double wrong = 0.0, right = 0.0, largest = 0.0, step = 0.0;
         Vec3 last_difference{0, 0, 0};

@@ -30,12 +30,14 @@ struct Measured {
 [[nodiscard]] double calibration(const Method& method, const Scene& scene, const CuttingLaw& law,
                                  const Fineness& fineness);
 
-/// What a hand that leads the method through the scene feels on a grid of 0.1 mm.   [main]
-[[nodiscard]] std::vector<Felt> led_on_finest(const Method& method, const Scene& scene);
+/// What drills that walk are held against; shifted as none of the grids that `measure` takes.
+inline constexpr Fineness finest{0.1e-3, 31, {0.41, 0.77, 0.23}};
+/// What a hand that leads the method through the scene feels.   [main]
+[[nodiscard]] std::vector<Felt> led_by_hand(const Method& method, const Scene& scene, const Fineness& fineness);
 
 /// Runs the method through the scene on so many grids, each shifted by another part of a voxel, and holds it against
 /// the exact law.   [main]
-/// @param led  what `led_on_finest` has felt, to hold it against that too; may be empty
+/// @param led  what `led_by_hand` has felt on the finest grid, to hold it against that too; may be empty
 [[nodiscard]] Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law,
                                const Fineness& fineness, int grids, const std::vector<Felt>& led = {});
 

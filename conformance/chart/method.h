@@ -60,6 +60,9 @@ struct Method {
     std::function<std::unique_ptr<Run>(const Scene&, const Fineness&, double gain)> start{};
 };
 
+/// Whether its tool is pushed aside, so that no law of a straight way holds.
+[[nodiscard]] inline bool walks(const Method& method, const Scene& scene) noexcept { return method.is_solved && scene.is_oblique; }
+
 [[nodiscard]] std::string knob_text(const Method& method, const Fineness& fineness);
 
 }  // namespace kerf::chart

@@ -28,6 +28,8 @@ double sense_of(const Going& going) noexcept {
 /// A short row of points that one channel stands for.
 struct Row {
     static constexpr std::size_t count = 5;
+    /// Where a point stands along it: −1 … 1.
+    [[nodiscard]] static constexpr double place(std::size_t i) noexcept { return 0.5 * static_cast<double>(i) - 1.0; }
     std::array<Vec3, count> point;
     std::array<kerf_bone_sample, count> sample;
 };
@@ -48,9 +50,7 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
     const std::size_t n = in_bone.teeth.count;
     for (std::size_t sector = 0; sector < sector_count; ++sector) {
         const std::size_t first = sector * n / sector_count, last = (sector + 1) * n / sector_count;
-        double least = 1e300;
-        for (std::size_t i = 2 * first; i < 2 * last; ++i)
-            if (in_bone.resisted[i] > 0.0) least = std::min(least, in_bone.gap[i]);
+        const double least = in_bone.least_gap(first, last);
 
         // Teeth that meet bone at the same time, in the mean: one direction, one wrench of what goes along.
         double total = 0.0;
@@ -92,7 +92,7 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
 
 void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
                       Channels& channels) noexcept {
-    if (in_bone.least_gap() > left_behind) return;  // drawn back, the flanks run free in their slot (B5)
+    if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind) return;  // drawn back, the flanks run free in their slot (B5)
     const Coefficients k = coefficients(tick.force);
     const double reference = tick.force[force_reference_density];
     // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the grid. And
@@ -128,8 +128,7 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            const double share = 0.5 * static_cast<double>(i) - 1.0;  // −1 … 1
-            const SinCos angle = sin_cos_exact(0.9 * share * blade.half_front());
+            const SinCos angle = sin_cos_exact(0.9 * Row::place(i) * blade.half_front());
             row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), 0.0};
         }
         add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip, id_side + (side > 0.0 ? 0 : 1));
@@ -139,8 +138,7 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            const double share = 0.5 * static_cast<double>(i) - 1.0;  // −1 … 1
-            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * share * blade.kerf(), blade.radius * (end.cos - 1.0)};
+            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * Row::place(i) * blade.kerf(), blade.radius * (end.cos - 1.0)};
         }
         add(row, {side, 0, 0}, blade.tooth_height, 1.0 / going.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
     }

@@ -39,10 +39,10 @@ struct TeethInBone {
     double engaged = 0.0;                     ///< [–] how many are in bone
 
     void ask(const Tick& tick, const BoneQuery& bone, const SawBlade& blade, const Going& going) noexcept;
-    /// The least way to the front of those in bone [m]; infinite where none is.
-    [[nodiscard]] double least_gap() const noexcept {
+    /// The least way to the front of those in bone [m], of the teeth from `first` to before `last`; infinite where none is.
+    [[nodiscard]] double least_gap(std::size_t first, std::size_t last) const noexcept {
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < 2 * teeth.count; ++i)
+        for (std::size_t i = 2 * first; i < 2 * last; ++i)
             if (resisted[i] > 0.0) least = std::min(least, gap[i]);
         return least;
     }

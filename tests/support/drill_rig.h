@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -59,5 +60,16 @@ inline Pose at_depth(double depth, double tilt = 0.0, Vec3 entry = {0, 0, 0}) {
 
 /// Gains of the default device at a scale of 1/100.
 inline CouplingGains gains(double scale = 0.01) { return gains_for(*find_device("premium-1.5-6dof"), scale); }
+
+/// The channels that the law states where the tool is now. Throws if it fails.
+inline std::vector<kerf_channel> law_now(const Simulation& simulation) {
+    std::vector<kerf_channel> channels(KERF_MAX_CHANNELS);
+    kerf_law law{sizeof(kerf_law), 0, channels.data(), {}, {}};
+    const ToolSetup& setup = simulation.setup();
+    const kerf_tick_in in = tick_in_of(setup, simulation.bone().query(), Simulation::dt);
+    if (setup.force->force->resist(&in, simulation.state(), &law) != KERF_OK) throw std::runtime_error("the law fails");
+    channels.resize(law.count);
+    return channels;
+}
 
 }  // namespace kerf::test

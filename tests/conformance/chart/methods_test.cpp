@@ -57,21 +57,19 @@ TEST(Methods, HeldAgainstWhatTheSameHandFeelsElsewhere) {
     const Method kerf = method("M9");
     const Fineness coarse{1.0_mm, 31, {}};
     // The same run once more: measure() shifts the grid first of all so.
-    const auto run = kerf.start(scene, {1.0_mm, 31, {0.31, 0.17, 0.73}}, 1.0);
-    std::vector<Felt> led;
-    for (std::size_t t = 0; t < scene.ticks(); ++t) led.push_back(run->tick(scene.pose_at(scene.depth[t + 1])));
+    std::vector<Felt> led = led_by_hand(kerf, scene, {1.0_mm, 31, {0.31, 0.17, 0.73}});
     const Measured same = measure(kerf, scene, test::shared_law(), coarse, 1, led);
     EXPECT_EQ(same.same_hand, 0.0);
     EXPECT_EQ(same.same_hand_turn, 0.0);
     EXPECT_EQ(same.apart, 0.0);
-    // Half as much now and half as much again then: a half off, and over a turn of 60 ticks nearly nothing.
+    // Twice as much in one tick, two thirds in the next: over a turn of 60 ticks four thirds.
     for (std::size_t t = 0; t < led.size(); ++t) {
         led[t].wrench[2] *= t % 2 == 0 ? 2.0 : 2.0 / 3.0;
         led[t].from.position.x += 0.3_mm;
     }
     const Measured other = measure(kerf, scene, test::shared_law(), coarse, 1, led);
     EXPECT_NEAR(other.same_hand, std::sqrt((1.0 + 1.0 / 9.0) / (4.0 + 4.0 / 9.0)), 0.01);
-    EXPECT_NEAR(other.same_hand_turn, 0.25, 0.01) << "their mean is 4/3";
+    EXPECT_NEAR(other.same_hand_turn, 0.25, 0.01);
     EXPECT_NEAR(other.apart, 0.3_mm, 1e-9);
 }
 

@@ -36,19 +36,15 @@ TEST(Askew, ADrillWalksTheSameWayOnEveryGrid) {
     EXPECT_LT(length(a - b), 0.01_mm) << a.x << ' ' << a.y << ' ' << a.z << "; " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-// The land stands in the hole it has cut: how far the committed cut lags is not felt.
+// The land stands at the front of the hole it cuts: how far the committed cut lags is not felt.
 TEST(Askew, InItsOwnHoleTheLandMeetsTheSameWallOnEveryGrid) {
     const auto held_aside = [](double spacing) {
         const Bored bored(spacing, 0.0, 6.0_mm);
-        kerf_channel channels[KERF_MAX_CHANNELS];
-        kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-        const kerf_tick_in in = tick_in_of(bored.setup, bored.simulation.bone().query(), Simulation::dt);
-        EXPECT_EQ(bored.setup.force->force->resist(&in, bored.simulation.state(), &law), KERF_OK);
         double least = 1e300;  // [N] of the edges, of four ways
         int ways = 0;
-        for (std::uint32_t c = 0; c < law.count; ++c)
-            if (channels[c].kind == KERF_CUT && channels[c].d[2] == 0.0) {
-                least = std::min(least, channels[c].tau);
+        for (const kerf_channel& c : test::law_now(bored.simulation))
+            if (c.kind == KERF_CUT && c.d[2] == 0.0) {
+                least = std::min(least, c.tau);
                 ++ways;
             }
         EXPECT_EQ(ways, 4) << spacing;

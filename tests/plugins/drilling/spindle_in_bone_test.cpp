@@ -161,13 +161,9 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
     EXPECT_GE(-r.thrust, 0.3 * pressed * 0.999) << "Coulomb's friction, with the default coefficient";
 
     // A tilted shank is pressed on opposite walls at once; what rubs is the sum of what each carries, k δ at rest.
-    kerf_channel channels[KERF_MAX_CHANNELS];
-    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-    const kerf_tick_in in = tick_in_of(rig.setup, rig.simulation.bone().query(), Simulation::dt);
-    ASSERT_EQ(rig.setup.force->force->resist(&in, rig.simulation.state(), &law), KERF_OK);
     double carried = 0.0;
-    for (std::uint32_t c = 0; c < law.count; ++c)
-        if (channels[c].kind == KERF_CONTACT && std::abs(channels[c].d[2]) < 0.1) carried += std::max(0.0, channels[c].k * channels[c].delta);
+    for (const kerf_channel& c : test::law_now(rig.simulation))
+        if (c.kind == KERF_CONTACT && std::abs(c.d[2]) < 0.1) carried += std::max(0.0, c.k * c.delta);
     EXPECT_NEAR(-r.thrust / carried, 0.3, 0.015);
 }
 

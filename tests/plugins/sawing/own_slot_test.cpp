@@ -8,6 +8,7 @@
 
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
+#include "tests/support/tremor.h"
 
 namespace kerf {
 namespace {
@@ -65,12 +66,7 @@ struct InItsSlot {
         double most = 0.0;
         for (int i = 0; i < 10000; ++i) {
             const double t = i * Simulation::dt;
-            // Physiological tremor, 8 … 12 Hz: three tones of a third of the speed each.
-            const auto shake = [&](double phase) {
-                double at = 0.0;
-                for (const double hz : {8.0, 9.7, 11.9}) at += 1.0_mm_per_s / 3.0 / (2.0 * pi * hz) * std::sin(2.0 * pi * hz * t + phase * hz);
-                return at;
-            };
+            const auto shake = [t](double phase) { return test::tremor(t, phase); };
             // About the grip, 140 mm behind the tip, the same speed at the tip.
             const Pose moved = still * Pose{{0.3 * shake(1.0), 0.5 * shake(2.0), 0.3 * shake(3.0)},
                                             quat_from_rotation_vector({0.5 / 140e-3 * shake(4.0), 0.0, 0.5 / 140e-3 * shake(5.0)})};
@@ -92,13 +88,9 @@ TEST(BladeInItsSlot, AtTheFrontItIsHeldAlikeOnEveryGridAndInEveryTick) {
             (void)simulation.tick_direct({test::at_depth(depth)});
             simulation.after_tick();
             if (depth < 4.0_mm) continue;
-            kerf_channel channels[KERF_MAX_CHANNELS];
-            kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-            const kerf_tick_in in = tick_in_of(setup, simulation.bone().query(), Simulation::dt);
-            EXPECT_EQ(setup.force->force->resist(&in, simulation.state(), &law), KERF_OK);
             double held = 0.0;
-            for (std::uint32_t c = 0; c < law.count; ++c)
-                if (channels[c].kind == KERF_CUT && channels[c].d[2] == 0.0 && channels[c].d[1] != 0.0) held += channels[c].tau;
+            for (const kerf_channel& c : test::law_now(simulation))
+                if (c.kind == KERF_CUT && c.d[2] == 0.0 && c.d[1] != 0.0) held += c.tau;
             least = std::min(least, held);
             most = std::max(most, held);
         }
