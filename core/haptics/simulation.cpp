@@ -128,8 +128,9 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
     coupling_.hold(handle, hand_.rate(), world_from_tool_, step, balance);
     balance.channels = {channels_, channel_count_};
     balance.following = following_.wrench(balance, law_wrench_);
+    balance.inertia = outline().inertia;
+    balance.previous_rate = last_rate_;
     motion = solve_from(balance, last_rate_);
-    last_rate_ = motion.has_converged ? motion.rate : Vec6{};
     return motion.has_converged;
 }
 
@@ -148,7 +149,8 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
         const Vec3 turned_by =
             coupling_.gains().has_torque ? rotate(last_handle.rotation, small_rotation_vector(turn)) : Vec3{};
         guard_.observe(commanded_, make_vec6(hand_.pose() * grip - last_handle * grip, turned_by), supplied_,
-                       coupling_.stored(hand_.pose(), world_from_tool_));
+                       coupling_.stored(hand_.pose(), world_from_tool_) +
+                           coupling_.gains().force_scale * kinetic_energy(outline().inertia, last_rate_));
     }
     supplied_ = 0.0;
 
@@ -237,7 +239,6 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
 
 /// The tool stays where it is; a sound law goes on knowing the time.
 void Simulation::rest(TickResult& result) noexcept {
-    last_rate_ = {};
     following_.forget();
     result.bone_on_tool = result.coupled_on_hand = result.limited_on_hand = Vec6{};
     result.thrust = result.torque = result.power_hand = 0.0;
@@ -336,6 +337,7 @@ void Simulation::command_drive(std::size_t drive, double value) noexcept {
 // ---- what it leads to ---------------------------------------------------------------------------------------------
 
 void Simulation::commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept {
+    last_rate_ = rate;
     kerf_advance advance{};
     advance.size = sizeof advance;
     advance.channel_count = law_channel_count_;

@@ -209,7 +209,7 @@ private:
     kerf_channel channels_[most_channels]{};
     std::uint32_t channel_count_ = 0;      ///< of the plugin's law, the wall, and what a held body touches
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
-    Vec6 last_rate_{};  ///< where the next solve starts: the answer is the same from anywhere, and here it is near
+    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the same from anywhere, and here it is near
     Vec6 law_wrench_{};
     double notes_[KERF_MAX_NOTES]{};
     bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;

@@ -39,6 +39,12 @@ Vec6 backward(const Mat6& l, Vec6 b) noexcept {
     return b;
 }
 
+Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
+    Vec6 out;
+    for (std::size_t i = 0; i < 6; ++i) out[i] = u[i] + t * p[i];
+    return out;
+}
+
 /// Rate of the grip from the rate of the tip.
 Vec3 grip_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.grip); }
 /// Wrench about the tip of a force at the grip.
@@ -89,6 +95,20 @@ void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexc
         }
 }
 
+/// Adds M/T, M the tool's mass matrix about the tip.
+void add_inertia(const Balance& b, Mat6& h) noexcept {
+    const double m = b.inertia.mass / b.dt, c = b.inertia.centre_z, turning = m * b.inertia.gyration * b.inertia.gyration;
+    for (std::size_t i = 0; i < 3; ++i) {
+        h[i][i] += m;
+        h[3 + i][3 + i] += turning;
+    }
+    for (const std::size_t i : {3u, 4u}) h[i][i] += m * c * c;
+    h[0][4] += m * c;
+    h[4][0] += m * c;
+    h[1][3] -= m * c;
+    h[3][1] -= m * c;
+}
+
 /// Everything at one rate: −gradient (what is out of balance), and what the Hessian and the caller need of it.
 struct At {
     Vec6 out_of_balance;
@@ -106,7 +126,10 @@ At evaluate(const Balance& b, const Vec6& u) noexcept {
     at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
     Vec6 g = at_tip(b, limited(b.force, at.force_pull), limited(b.torque, at.torque_pull));
     for (std::size_t i = 0; i < 6; ++i) g[i] += b.following[i];
-    for (std::size_t i = 0; i < 3; ++i) g[i] -= b.mass / b.dt * (u[i] - b.previous_rate[i]);
+    if (b.inertia.mass > 0.0) {
+        const Vec6 gained = momentum(b.inertia, stepped(u, -1.0, b.previous_rate));
+        for (std::size_t i = 0; i < 6; ++i) g[i] -= gained[i] / b.dt;
+    }
     for (std::size_t c = 0; c < b.channels.size(); ++c) {
         const Vec6 d = direction(b.channels[c]);
         at.channel[c] = channel_force(b.channels[c], dot(d, u), b.dt);
@@ -123,7 +146,7 @@ At evaluate(const Balance& b, const Vec6& u) noexcept {
 Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
     Mat6 h{};
     add_coupling(b, stiffness(b.force, at.force_pull), stiffness(b.torque, at.torque_pull), h);
-    for (std::size_t i = 0; i < 3; ++i) h[i][i] += b.mass / b.dt;
+    add_inertia(b, h);
     for (std::size_t c = 0; c < b.channels.size(); ++c) {
         const Vec6 d = direction(b.channels[c]);
         const double slope = at.channel[c].slope;
@@ -137,12 +160,6 @@ Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
             for (std::size_t j = 0; j < 3; ++j) h[i][j] += b.release_damping * e[i] * e[j];
     }
     return h;
-}
-
-Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
-    Vec6 out;
-    for (std::size_t i = 0; i < 6; ++i) out[i] = u[i] + t * p[i];
-    return out;
 }
 
 /// The share of `step` at which the slope along it vanishes, and what is there if it was looked at last. The slope falls
@@ -227,7 +244,7 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         torque_drag[i][i] = b.torque.drag;
     }
     add_coupling(b, force_drag, torque_drag, norm);
-    for (std::size_t i = 0; i < 3; ++i) norm[i][i] += b.mass / b.dt;
+    add_inertia(b, norm);
     if (!factorise(norm)) return motion;
     const auto size = [&norm](const Vec6& x) {
         const Vec6 y = forward(norm, x);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/haptics/channel.h"
+#include "core/haptics/inertia.h"
 
 /// The tick's solve: the one motion at which hand and bone balance.
 namespace kerf {
@@ -28,8 +29,8 @@ struct Balance {
     CouplingBlock force;  ///< acts at the grip
     CouplingBlock torque;
     Vec3 grip{};           ///< from the tip [m]
-    double mass = 0.0;     ///< [kg] of the proxy; 0 by default
-    Vec6 previous_rate{};  ///< only used with a mass
+    Inertia inertia{};     ///< of the tool
+    Vec6 previous_rate{};  ///< of the tool in the step before, tool frame: with it goes what the inertia keeps
     double dt = 1e-3;      ///< [s]
     std::span<const kerf_channel> channels;
     Vec6 following{};  ///< Σ follow λ̄ and the law's own wrench: what is no resistance to the rate

@@ -20,6 +20,7 @@ kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, dou
 
 bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     constexpr std::uint32_t capacity = 64;
+    constexpr double heaviest = 20.0;  // [kg]
     kerf_profile_point points[capacity];
     kerf_tool_shape shape{};
     shape.size = sizeof shape;
@@ -42,6 +43,13 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         return false;
     }
     out.grip_z = shape.grip_z;
+    out.inertia = {shape.mass, shape.centre_z, shape.gyration};
+    const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 && shape.gyration > 0.0 && shape.gyration < 1.0;
+    if (shape.mass != 0.0 && !has_mass) {
+        error = std::string("tool `") + setup.tool->id +
+                "` has a mass that no hand holds: it needs 0 to 20 kg, centred within 1 m of the tip, with a radius of gyration above 0 mm.";
+        return false;
+    }
     if (shape.kind == KERF_SOLID_PRISM) {
         bool is_convex = true;  // backwards the outline bends towards the axis only
         for (std::uint32_t i = 2; i < shape.profile_count; ++i) {

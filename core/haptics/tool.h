@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/field/tool_solid.h"
+#include "core/haptics/inertia.h"
 #include "kerf/abi.h"
 
 namespace kerf {
@@ -24,6 +25,7 @@ struct ToolOutline {
     ToolSolid cutting;  ///< removes bone
     ToolSolid whole;
     double grip_z = -0.1;  ///< [m]
+    Inertia inertia{};     ///< with its handpiece
 };
 /// Asks the plugin; on failure `error` says why.   [main]
 [[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);

@@ -18,7 +18,6 @@ struct Symbol {
     kerf_dimension dimension;
 };
 
-constexpr kerf_dimension mass{{0, 1, 0, 0, 0, 0, 0, 0}};
 constexpr kerf_dimension energy = dimension::torque;
 
 constexpr std::array symbols{
@@ -39,9 +38,9 @@ constexpr std::array symbols{
     Symbol{"Hz", 1, 1, dimension::frequency},
     Symbol{"kHz", 1e3, 1, dimension::frequency},
     Symbol{"rpm", 1, 60, dimension::frequency},
-    Symbol{"kg", 1, 1, mass},
-    Symbol{"g", 1, 1e3, mass},
-    Symbol{"mg", 1, 1e6, mass},
+    Symbol{"kg", 1, 1, dimension::mass},
+    Symbol{"g", 1, 1e3, dimension::mass},
+    Symbol{"mg", 1, 1e6, dimension::mass},
     Symbol{"N", 1, 1, dimension::force},
     Symbol{"mN", 1, 1e3, dimension::force},
     Symbol{"kN", 1e3, 1, dimension::force},
@@ -150,7 +149,7 @@ Parsed<double> factor_of(std::string_view unit_text, std::string_view number, st
                                                        what_is_needed(need) + ".", as_needed}};
     // "Push with ten kilograms" is what people say; ten newtons are not what they mean.
     double mass_value = 0.0;
-    if (unit->dimension == mass && need.dimension == dimension::force &&
+    if (unit->dimension == dimension::mass && need.dimension == dimension::force &&
         std::from_chars(number.data(), number.data() + number.size(), mass_value).ec == std::errc{})
         return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", a mass, must be " + what_is_needed(need) + ".",
                                quantity_text(std::round(mass_value * unit->factor * 9.80665), "N")}};

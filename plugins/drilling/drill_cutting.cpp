@@ -6,42 +6,39 @@
 
 namespace kerf::drilling {
 
-void add_feed_cutting(const Edges& e, const Tick& tick, const Turning& turning, double last_feed_rate,
-                      Channels& channels) noexcept {
+void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept {
     const Coefficients k = coefficients(tick.force);
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
-    const LipShare share = share_of_lips(e.lag, last_feed_rate / turning.n);
+    e.share_out(travel, turning.n, k.thrust.edge_depth);
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = e.resistance[i];
         if (i < e.lip_points) full_width += e.element(i).width;
-        if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
+        const auto [chip, edge] = e.takes[i];
+        if (m <= 0.0 || chip <= 0.0) continue;
         if (i >= e.lip_points) {
             const double width = m * e.chisel_width();
-            axial.add(width * k.chisel.edge, width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
+            axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
             continue;
         }
         const LipElement& el = e.element(i);
-        const double chip = share.chip[e.lip_of(i)], edge = share.edge[e.lip_of(i)];
         const double width = e.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
-        axial.add(edge * width * k.thrust.edge * nz, edge * chip * width * k.thrust.chip * nz * nz * per_rate,
-                  k.thrust.edge_depth / (std::max(chip, 0.1) * per_rate * nz));
+        axial.add(edge * width * k.thrust.edge * nz, chip * width * k.thrust.chip * nz * nz * per_rate, k.thrust.edge_depth / (per_rate * nz));
         engaged_width += m * el.width;
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
 
-    kerf_channel* feed = channels.add(KERF_CUT, id_feed);
-    axial.write({0, 0, 1, 0, 0, 0}, turning.cut_share, least, feed);
-    if (feed != nullptr) {
-        const Side side = side_forces(e, tick, turning.n, last_feed_rate, least);
-        if (side.thrust > 0.0) {
-            const Vec6 follow = make_vec6((1.0 / side.thrust) * side.lateral,
-                                          (1.0 / side.thrust) * Vec3{side.moment.x, side.moment.y, -side.torque});
-            std::copy(follow.begin(), follow.end(), feed->follow);
-        }
+    // Against the mean normal of what is cut: that pushes aside too, and a tool that gives way is pushed less. What acts along the
+    // cut follows.
+    const EdgeForces forces = edge_forces(e, tick, turning.n, travel.feed_rate);
+    if (kerf_channel* feed = channels.add(KERF_CUT, id_feed)) {
+        const double per_newton = 1.0 / forces.thrust();
+        axial.write(scaled(per_newton, forces.normal), turning.cut_share, least, feed);
+        const Vec6 follow = scaled(per_newton, forces.cutting);
+        std::copy(follow.begin(), follow.end(), feed->follow);
     }
     // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5).
     if (!turning.removes()) return;
@@ -53,7 +50,8 @@ void add_feed_cutting(const Edges& e, const Tick& tick, const Turning& turning, 
     }
 }
 
-void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, Channels& channels) noexcept {
+void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
+                      Channels& channels) noexcept {
     struct Level {
         double radius, z, width, normal_radial;
     };
@@ -89,6 +87,7 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     bone.sample(point, direction, sample);
 
     const Coefficients k = coefficients(tick.force);
+    const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     const kerf_bone_sample* next = sample.data();
     for (std::size_t n = 0; n < std::size(ways); ++n) {
         double least = 1e300;
@@ -101,12 +100,15 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
             for (const auto& at : azimuth) {
                 const kerf_bone_sample& here = *next++;
                 const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
-                if (m <= 0.0 || here.gap > least + left_behind) continue;
+                if (m <= 0.0) continue;
+                const auto [chip, edge] = even.taken(1.0, here.gap - least);
+                if (chip <= 0.0) continue;
                 const double width = m * lip_count * level.width * share_of_turn;
                 const double facing = at[0] * level.normal_radial, per_rate = facing / (lip_count * turning.n);
-                sum.add(width * k.thrust.edge * facing, width * k.thrust.chip * facing * per_rate, k.thrust.edge_depth / per_rate);
-                z += width * level.z;
-                total += width;
+                sum.add(edge * width * k.thrust.edge * facing, chip * width * k.thrust.chip * facing * per_rate,
+                        k.thrust.edge_depth / per_rate);
+                z += edge * width * level.z;
+                total += edge * width;
             }
         if (total > 0.0)
             sum.write(rate_at({0, 0, z / total}, ways[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));

@@ -18,16 +18,15 @@ struct Turning {
     [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
 };
 
-/// Lips, chisel edge and heel along the shaft.   [haptic, nonblocking]
-void add_feed_cutting(const Edges& edges, const Tick& tick, const Turning& turning, double last_feed_rate,
-                      Channels& channels) noexcept;
+/// Lips, chisel edge and heel. Shares the feed out among the edges.   [haptic, nonblocking]
+void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept;
 
 /// Cutting sideways: the cone's flank and the corner behind it, averaged over the turn.
 ///
 /// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and pushes
 /// back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the turn,
 /// sums to the mean. Bone is asked for where the ring is, not where the lips are now.
-void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
                       Channels& channels) noexcept;
 
 }  // namespace kerf::drilling

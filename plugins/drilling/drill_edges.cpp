@@ -8,6 +8,12 @@ namespace kerf::drilling {
 
 namespace {
 constexpr double fitted_helix = 28.0 * pi / 180.0;  // [rad] of the drill that the coefficients belong to [assumed]
+
+/// From the axis; nothing on it.
+Vec3 outwards(Vec3 p) noexcept {
+    const double r = std::sqrt(p.x * p.x + p.y * p.y), per_metre = r > 0.0 ? 1.0 / r : 0.0;
+    return {per_metre * p.x, per_metre * p.y, 0.0};
+}
 }
 
 double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double reference) noexcept {
@@ -51,55 +57,83 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
 
-LipShare share_of_lips(double lag, double feed) noexcept {
-    if (lag <= 0.0) return {};
-    LipShare share;
-    share.chip[1] = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
-    share.chip[0] = 2.0 - share.chip[1];
-    share.edge[1] = std::min(1.0, 10.0 * share.chip[1]);
-    return share;
+EvenChip::EvenChip(double feed_per_lip, double edge_depth) noexcept
+    : thickness_(std::max(feed_per_lip, edge_depth)), edge_depth_(edge_depth), built_up_(built_up_at(thickness_, edge_depth)) {}
+
+Taken EvenChip::taken(double share, double behind) const noexcept {
+    Taken piece;
+    piece.chip = std::max(0.0, share - behind / thickness_);
+    if (piece.chip < 1.0) piece.edge = built_up_at(piece.chip * thickness_, edge_depth_) / built_up_;
+    return piece;
 }
 
-Side side_forces(const Edges& e, const Tick& tick, double n, double feed_rate, double least) noexcept {
+std::array<double, lip_count> share_of_lips(double lag, double feed) noexcept {
+    if (lag <= 0.0) return {1.0, 1.0};
+    const double second = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
+    return {2.0 - second, second};
+}
+
+void Edges::share_out(const Travel& travel, double n, double edge_depth) noexcept {
+    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with
+    constexpr double most = 2.0;       // of a drill that goes mostly sideways
+    const Vec6& going = travel.mean;
+    const double least = least_gap(), along = going[2], feed = travel.feed_rate / n;
+    const EvenChip even(feed / lip_count, edge_depth);
+    const auto of_lip = share_of_lips(lag, feed);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (resistance[i] <= 0.0) continue;
+        double share = 1.0;
+        if (i < lip_points) {
+            const LipElement& el = element(i);
+            const Vec3 rate = linear(going) + cross(angular(going), point[i]);
+            const double aside = el.normal_radial * dot(rate, outwards(point[i])) + el.normal_axial * (rate.z - along);
+            share = of_lip[lip_of(i)] * std::clamp(1.0 + aside / (el.normal_axial * std::max(along, slowest)), 0.0, most);
+        }
+        takes[i] = even.taken(share, gap(i) - least);
+    }
+}
+
+EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_rate) noexcept {
     const Coefficients k = coefficients(tick.force);
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
-    const LipShare share = share_of_lips(e.lag, feed_rate / n);
-    const double on_chisel = force_per_width(per_lip, k.chisel);
-    const bool are_alike = share.chip[0] == share.chip[1];
-    std::array<double, largest_element_count> of_first_lip;  // built up there, by element; of the second the same where lips are alike
-    of_first_lip.fill(-1.0);
-    double thrust = 0.0, torque = 0.0, x = 0.0, y = 0.0, about_x = 0.0, about_y = 0.0, about_z = 0.0;
+    std::array<double, largest_element_count> built_up;  // of an even chip, by element: the same on both lips, and for all coefficients
+    for (std::size_t i = 0; i < e.lip.count; ++i) built_up[i] = built_up_at(per_lip * e.lip.element[i].normal_axial, k.thrust.edge_depth);
+    const double on_chisel = built_up_at(per_lip, k.chisel.edge_depth);
+    EdgeForces sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = e.resistance[i];
-        if (m <= 0.0 || e.gap(i) > least + left_behind) continue;
+        const auto [chip, edge] = e.takes[i];
+        if (m <= 0.0 || chip <= 0.0) continue;
+        const Vec3 at = e.point[i];
         if (i >= e.lip_points) {
-            thrust += m * e.chisel_width() * on_chisel;
+            const double thrust = m * e.chisel_width() * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
+            sum.normal[2] += thrust;
+            sum.normal[3] += at.y * thrust;
+            sum.normal[4] -= at.x * thrust;
             continue;
         }
         const std::size_t nth = e.place_on_lip(i);
         const LipElement& el = e.lip.element[nth];
-        const double t = share.chip[e.lip_of(i)] * per_lip * el.normal_axial;
-        const double width = share.edge[e.lip_of(i)] * e.rake_factor[nth] * m * el.width;
-        double& known = of_first_lip[nth];
-        const double built_up = are_alike && known >= 0.0 ? known : built_up_at(t, k.thrust.edge_depth);  // all have one edge depth
-        known = built_up;
-        const double chip = std::max(t, 0.0);
-        const double normal = width * force_per_width(chip, k.thrust, built_up);
-        const double cutting = width * force_per_width(chip, k.cutting, built_up);
-        // −cutting t̂ − normal n_r r̂, with r̂ outwards and t̂ = ẑ × r̂ the way it runs
-        const Vec3 at = e.point[i];
-        const double from_axis = std::sqrt(at.x * at.x + at.y * at.y), per_metre = from_axis > 0.0 ? 1.0 / from_axis : 0.0;
+        const double thickness = chip * per_lip * el.normal_axial;
+        const double width = e.rake_factor[nth] * m * el.width;
+        const double normal = width * force_per_width(thickness, k.thrust, edge * built_up[nth]);
+        const double cutting = width * force_per_width(thickness, k.cutting, edge * built_up[nth]);
+        // normal (n_r r̂ + n_z ẑ) on the bone and −cutting t̂ on the tool, with t̂ = ẑ × r̂ the way it runs
+        const Vec3 out = outwards(at);
         const double radial = normal * el.normal_radial, axial = normal * el.normal_axial;
-        const double fx = per_metre * (cutting * at.y - radial * at.x), fy = -per_metre * (cutting * at.x + radial * at.y);
-        thrust += axial;
-        torque += cutting * el.radius;
-        x += fx;
-        y += fy;
-        about_x -= at.y * axial + at.z * fy;
-        about_y += at.z * fx + at.x * axial;
-        about_z += at.x * fy - at.y * fx;
+        const double nx = radial * out.x, ny = radial * out.y, fx = cutting * out.y, fy = -cutting * out.x;
+        sum.normal[0] += nx;
+        sum.normal[1] += ny;
+        sum.normal[2] += axial;
+        sum.normal[3] += at.y * axial - at.z * ny;
+        sum.normal[4] += at.z * nx - at.x * axial;
+        sum.cutting[0] += fx;
+        sum.cutting[1] += fy;
+        sum.cutting[3] -= at.z * fy;
+        sum.cutting[4] += at.z * fx;
+        sum.cutting[5] -= cutting * el.radius;
     }
-    return {thrust, torque, {x, y, 0.0}, {about_x, about_y, about_z}};
+    return sum;
 }
 
 }  // namespace kerf::drilling

@@ -10,12 +10,45 @@
 /// The cutting edges in the bone: where they are, what they meet, what they give at one feed rate.
 namespace kerf::drilling {
 
-inline constexpr double left_behind = 0.1e-3;  ///< [m] edges farther from the front than the nearest by this wait (R2)
 inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
 inline constexpr std::size_t most_edge_points = lip_count * largest_element_count + 2 * most_chisel_points;
 
 /// Share of the reference tissue's resistance at a sample, zero in air.
 [[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
+
+/// How the drill has gone.
+struct Travel {
+    double feed_rate = 0.0;  ///< [m/s] in the last tick, ≥ 0
+    Vec6 mean{};             ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
+
+    /// After a tick of `dt` [s] at n revolutions a second.
+    void advance(const Vec6& rate, double dt, double n) noexcept {
+        feed_rate = std::max(0.0, rate[2]);
+        const double share = std::min(1.0, lip_count * n * dt);
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += share * (rate[i] - mean[i]);
+    }
+};
+
+/// What a piece of an edge takes: shares of an even chip and of its edge force [–].
+struct Taken {
+    double chip = 1.0;  ///< more than 1 where others take less
+    double edge = 1.0;  ///< at most 1
+};
+
+/// The chip of one lip in a feed that is even.
+class EvenChip {
+public:
+    EvenChip(double feed_per_lip, double edge_depth) noexcept;
+
+    /// What a piece takes whose share of it is c_0 and that lies g behind the foremost: its front was left half a turn ago, by the
+    /// other lip.
+    ///
+    ///     c = max(0, c_0 − g/t),   edge: min(1, (1 − e^(−c t/t_e))/(1 − e^(−t/t_e))),   t = max(f/2, t_e)
+    [[nodiscard]] Taken taken(double share, double behind) const noexcept;
+
+private:
+    double thickness_, edge_depth_, built_up_;
+};
 
 /// Everything that cuts, sampled once.
 struct Edges {
@@ -26,6 +59,7 @@ struct Edges {
     std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
     double lag = 0.0;  ///< [m] of the second lip
+    std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
 
     [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
 
@@ -33,6 +67,12 @@ struct Edges {
 
     /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
     void ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along its own normal,
+    ///
+    ///     c_0 = 1 + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
+    ///
+    /// with v the piece's mean rate over half a turn and v̄_z the tool's along its axis, times its lip's share.
+    void share_out(const Travel& travel, double n, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
     [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }
     [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[place_on_lip(i)]; }
@@ -59,23 +99,21 @@ struct Edges {
     }
 };
 
-/// How two lips share the feed when the tip runs out: the first takes what the second is too far behind to reach.
+/// How two lips share the feed when the tip runs out [–] of an even chip: the first takes what the second is too far behind to reach.
 ///
 ///     t_2 = max(0, f/2 − G),   t_1 = f − t_2,    G the lag of the second lip, f the feed per revolution
-///
-/// Taken at the last tick's feed, as shares of f/2, so that the law stays linear in the rate.
-struct LipShare {
-    double chip[lip_count] = {1.0, 1.0};  ///< [–] of the even chip thickness
-    double edge[lip_count] = {1.0, 1.0};  ///< [–] whether the edge is in the cut, softened over a tenth of the feed
-};
-[[nodiscard]] LipShare share_of_lips(double lag, double feed_per_revolution) noexcept;
+[[nodiscard]] std::array<double, lip_count> share_of_lips(double lag, double feed_per_revolution) noexcept;
 
-/// What the edges give at one feed rate: forces that do not work against the feed, per newton of thrust.
-struct Side {
-    double thrust = 0.0, torque = 0.0;
-    Vec3 lateral{}, moment{};
+/// What the edges give at one feed rate, tool frame, about the tip [N, N·m].
+struct EdgeForces {
+    Vec6 normal{};   ///< on the bone, along the normals of the surfaces they cut: what the tool's motion works against
+    Vec6 cutting{};  ///< on the tool, along those surfaces: the drive works against it
+
+    [[nodiscard]] double thrust() const noexcept { return normal[2]; }
+    [[nodiscard]] double torque() const noexcept { return -cutting[5]; }
 };
 
-[[nodiscard]] Side side_forces(const Edges& edges, const Tick& tick, double revolutions, double feed_rate, double least_gap) noexcept;
+/// Pre: shared out.
+[[nodiscard]] EdgeForces edge_forces(const Edges& edges, const Tick& tick, double revolutions, double feed_rate) noexcept;
 
 }  // namespace kerf::drilling

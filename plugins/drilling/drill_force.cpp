@@ -46,12 +46,13 @@ double pushed_along(const Advance& advance) noexcept {
 
 /// Torque that a drill under `push` [N] meets while it takes no bone: to start, its edges have to break loose what they stand
 /// in, with the torque that goes with such a push in cutting; in reverse they rub.
-double torque_of_standing(const Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
+double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
     if (is_reverse) return tick.force[force_friction] * push * 2.0 / 3.0 * edges.drill.radius();
     constexpr double n = 1.0;
-    const double feed_rate = lip_count * n * tick.force[force_edge_depth];
-    const Side side = side_forces(edges, tick, n, feed_rate, edges.least_gap());
-    return side.thrust > 0.0 ? push * side.torque / side.thrust : 0.0;
+    const double edge_depth = tick.force[force_edge_depth], feed_rate = lip_count * n * edge_depth;
+    edges.share_out({feed_rate, {}}, n, edge_depth);
+    const EdgeForces forces = edge_forces(edges, tick, n, feed_rate);
+    return forces.thrust() > 0.0 ? push * forces.torque() / forces.thrust() : 0.0;
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         Edges edges;
         edges.ask(drill, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
-        add_feed_cutting(edges, tick, turning, state.feed_rate, channels);
-        if (turning.removes()) add_side_cutting(drill, tick, bone, turning, channels);
+        add_feed_cutting(edges, tick, turning, state.travel, channels);
+        if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, channels);
     }
     add_contact(drill, tick, bone, turning, state.shank_force, channels);
     channels.push({}, {0, 0, state.spindle.speed < 0.0 ? state.reaction : -state.reaction});
@@ -74,7 +75,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
                           std::span<double> signals, Actions& actions) noexcept {
     const Turning turning = turning_of(state);
     const TwistDrill drill = drill_of(tick.tool);
-    state.feed_rate = std::max(0.0, advance.rate[2]);
+    state.travel.advance(advance.rate, tick.dt, turning.n);
     state.shank_force = shank_force_of(advance);
 
     // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
@@ -92,7 +93,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
         load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
-    const double feed = state.feed_rate / turning.n;
+    const double feed = state.travel.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
     signals[signal_chip_thickness] = is_cutting ? feed / lip_count * drill.half_point.sin : 0.0;
     signals[signal_engagement] = engaged;

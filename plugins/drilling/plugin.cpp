@@ -22,7 +22,8 @@ constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/
      {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"}, \
      {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"}, \
      {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed: a controller's soft start; 0 makes the speed follow at once"}, \
-     {"inertia", "Of all that turns, at the chuck.", kerf_dimension{{2, 1, 0, 0, 0, 0, 0, 0}}, "kg mm2", 1e-7, 0.01, 5e-5, "assumed: order of a small rotor behind its gear"},
+     {"inertia", "Of all that turns, at the chuck.", kerf_dimension{{2, 1, 0, 0, 0, 0, 0, 0}}, "kg mm2", 1e-7, 0.01, 5e-5, "assumed: order of a small rotor behind its gear"}, \
+     {"mass", "Of drill and handpiece, centred where the hand holds them.", dimension::mass, "kg", 0.0_kg, 5.0_kg, 0.5_kg, "assumed: order of a small surgical drill"},
 
 constexpr kerf_param tool_parameters[] = {KERF_DRILL_PARAMETERS};
 static_assert(std::size(tool_parameters) == tool_parameter_count);
@@ -86,7 +87,7 @@ constexpr kerf_signal signals[] = {
 static_assert(std::size(signals) == signal_count);
 
 /// The cones and the land behind the last of them cut; the shank does not.
-kerf_status outline(const TwistDrill& drill, kerf_tool_shape* out) {
+kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) {
     const double tip = drill.point_depth(), corner = drill.cone_end() + drill.corner * drill.diameter, e = drill.runout;
     if (out->profile_capacity < 6) return KERF_CAPACITY;
     if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
@@ -102,16 +103,19 @@ kerf_status outline(const TwistDrill& drill, kerf_tool_shape* out) {
     *at++ = {-drill.length, drill.widest_radius() + e};
     out->profile_count = static_cast<uint32_t>(at - out->profile);
     out->grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
+    out->mass = mass;
+    out->centre_z = out->grip_z;
+    out->gyration = 50.0_mm;  // [assumed]
     return KERF_OK;
 }
 
-kerf_status shape(const double* params, kerf_tool_shape* out) { return outline(drill_of({params, tool_parameter_count}), out); }
+kerf_status shape(const double* params, kerf_tool_shape* out) { return outline(drill_of({params, tool_parameter_count}), params[tool_mass], out); }
 
 kerf_status step_shape(const double* params, kerf_tool_shape* out) {
     const TwistDrill drill = drill_of({params, step_drill_parameter_count});
     // The shoulder begins where the point has ended, and is wider.
     if (!drill.has_shoulder() || drill.shoulder_depth < drill.point_depth()) return KERF_OUT_OF_RANGE;
-    return outline(drill, out);
+    return outline(drill, params[tool_mass], out);
 }
 
 constexpr kerf_tool twist_drill{sizeof(kerf_tool), drives, drive_count, &shape};

@@ -27,6 +27,17 @@ RunRequest following(const std::string& rehearsal) {
     return request;
 }
 
+/// The procedure with other values, as `--set` gives them.
+std::optional<Scene> pedicle_with(const std::vector<std::string>& settings) {
+    Diagnostics diagnostics;
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
+    request.changes.settings = settings;
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    if (!made) ADD_FAILURE() << to_text(diagnostics);
+    return made;
+}
+
 const RunOutcome& outcome_of(const std::string& rehearsal) {
     static std::map<std::string, RunOutcome> outcomes;
     if (!outcomes.contains(rehearsal)) {
@@ -56,6 +67,15 @@ TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     ASSERT_EQ(run.summary.reasons.size(), 1u);
     EXPECT_NE(run.summary.reasons[0].find("canal"), std::string::npos);
     EXPECT_LT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
+}
+
+// The drill meets the pedicle askew and skids before it bites: how far is a matter of bone and hand, not of the grid.
+TEST(PedicleScrew, TheHoleIsAsFarOffItsAxisOnACoarserGrid) {
+    const auto coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
+    ASSERT_TRUE(coarse);
+    const double off = metric(outcome_of("expert").summary, "pilot-hole.offset");
+    EXPECT_GT(off, 0.5e-3);
+    EXPECT_NEAR(metric(run_procedure(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"), off, 0.05e-3);
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {

@@ -55,6 +55,39 @@ TEST(Solve, PushingLessThanTheEdgeForceStillCreepsAsTheLawSays) {
     EXPECT_NEAR(100.0 * (1.0 - std::exp(-m.rate[2] / 1e-3)) + 1e4 * m.rate[2], 10.0 - 100.0 * m.rate[2], 1e-7);
 }
 
+/// Next to nothing holds it.
+Balance free_body(double mass, double centre_z, double gyration) {
+    Balance b;
+    b.force = {.pull = {}, .drag = 1e-9, .limit = 1e6};
+    b.torque = {.pull = {}, .drag = 1e-12, .limit = 1e6};
+    b.inertia = {mass, centre_z, gyration};
+    return b;
+}
+
+TEST(Solve, ABlowAtTheTipMovesAFreeBodyAndTurnsItAboutItsCentre) {
+    // 10 N for 1 ms across 0.5 kg, 120 mm from its centre, radius of gyration 50 mm: v = F T (1/m + c²/(m k²)), ω = F T c/(m k²)
+    Balance b = free_body(0.5, -0.12, 0.05);
+    b.following = {10.0, 0, 0, 0, 0, 0};
+    const Motion m = solve(b);
+    ASSERT_TRUE(m.has_converged);
+    EXPECT_NEAR(m.rate[0], 0.01 * (2.0 + 0.0144 / 0.00125), 1e-6);
+    EXPECT_NEAR(m.rate[4], 0.01 * 0.12 / 0.00125, 1e-5);
+    for (const std::size_t other : {1u, 2u, 3u, 5u}) EXPECT_NEAR(m.rate[other], 0.0, 1e-9) << other;
+}
+
+TEST(Solve, AFreeBodyGoesOnAsItWent) {
+    Balance b = free_body(0.5, -0.12, 0.05);
+    b.previous_rate = {0.01, -0.02, 0.03, 0.4, -0.5, 0.6};
+    const Motion m = solve(b);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(m.rate[i], b.previous_rate[i], 1e-6) << i;
+}
+
+TEST(Solve, KineticEnergyIsThatOfAMassOnItsWayAndInItsTurn) {
+    // 0.5 kg whose centre goes at 20 + 120 · 0.1 = 32 mm/s while it turns at 0.1 rad/s
+    const Inertia body{0.5, 0.12, 0.05};
+    EXPECT_NEAR(kinetic_energy(body, {0.02, 0, 0, 0, 0.1, 0}), 0.25 * (0.032 * 0.032 + 0.0025 * 0.01), 1e-15);
+}
+
 TEST(Solve, AcrossAGapThereIsNoForce) {
     const kerf_channel cut = cut_along_z(100.0, 1e-4, 1e4, 1e-4 /* 0.1 m/s for a tick */);
     Balance b = hand_that_pulls({0, 0, 5.0});  // 0.05 m/s
@@ -123,6 +156,10 @@ struct RandomLaw {
         b.torque.limit = uniform(0, 1) < 0.3 ? uniform(0.05, 2.0) : 1e3;
         b.grip = {0, 0, -uniform(0.0, 0.15)};
         b.channels = channels;
+        if (uniform(0, 1) < 0.5) {
+            b.inertia = {logarithmic(0.05, 5.0), -uniform(0.0, 0.2), uniform(0.01, 0.1)};
+            for (double& rate : b.previous_rate) rate = uniform(-0.1, 0.1);
+        }
         return b;
     }
 };

@@ -102,6 +102,9 @@ typedef struct kerf_tool_shape {
     uint32_t reserved;
     double kerf;             /* out, prism: thickness of what removes bone [m], > 0 */
     double thickness;        /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
+    double mass;             /* out: of the tool with its handpiece [kg]; 0: it has none */
+    double centre_z;         /* out, with a mass: where its centre lies on the axis [m] */
+    double gyration;         /* out, with a mass: its radius of gyration about that centre [m], > 0 */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {

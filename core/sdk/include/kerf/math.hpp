@@ -114,6 +114,10 @@ constexpr Vec3 angular(const Vec6& v) noexcept { return {v[3], v[4], v[5]}; }
 constexpr Vec6 make_vec6(Vec3 linear_part, Vec3 angular_part) noexcept {
     return {linear_part.x, linear_part.y, linear_part.z, angular_part.x, angular_part.y, angular_part.z};
 }
+constexpr Vec6 scaled(double by, Vec6 v) noexcept {
+    for (double& component : v) component *= by;
+    return v;
+}
 constexpr double dot(const Vec6& a, const Vec6& b) noexcept {
     double sum = 0.0;
     for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];

@@ -18,6 +18,7 @@ KERF_LITERAL(_um, 1e-6)
 KERF_LITERAL(_s, 1.0)
 KERF_LITERAL(_ms, 1e-3)
 KERF_LITERAL(_deg, 3.14159265358979323846 / 180.0)
+KERF_LITERAL(_kg, 1.0)
 KERF_LITERAL(_N, 1.0)
 KERF_LITERAL(_N_per_mm, 1e3)
 KERF_LITERAL(_N_per_mm2, 1e6)
@@ -33,6 +34,7 @@ inline constexpr kerf_dimension none{{0, 0, 0, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension length{{1, 0, 0, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension angle{{0, 0, 0, 0, 0, 0, 0, 1}};
 inline constexpr kerf_dimension time{{0, 0, 1, 0, 0, 0, 0, 0}};
+inline constexpr kerf_dimension mass{{0, 1, 0, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension speed{{1, 0, -1, 0, 0, 0, 0, 0}};
 inline constexpr kerf_dimension frequency{{0, 0, -1, 0, 0, 0, 0, 0}};  ///< revolutions or strokes per second
 inline constexpr kerf_dimension force{{1, 1, -2, 0, 0, 0, 0, 0}};
