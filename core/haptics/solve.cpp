@@ -97,12 +97,11 @@ void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexc
 
 /// Adds M/T, M the tool's mass matrix about the tip.
 void add_inertia(const Balance& b, Mat6& h) noexcept {
-    const double m = b.inertia.mass / b.dt, c = b.inertia.centre_z, turning = m * b.inertia.gyration * b.inertia.gyration;
-    for (std::size_t i = 0; i < 3; ++i) {
+    const double m = b.inertia.mass / b.dt, c = b.inertia.centre_z, k = b.inertia.gyration;
+    for (const std::size_t i : {0u, 1u}) {
         h[i][i] += m;
-        h[3 + i][3 + i] += turning;
+        h[3 + i][3 + i] += m * (k * k + c * c);
     }
-    for (const std::size_t i : {3u, 4u}) h[i][i] += m * c * c;
     h[0][4] += m * c;
     h[4][0] += m * c;
     h[1][3] -= m * c;
@@ -251,7 +250,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
         return std::sqrt(dot(y, y));
     };
     // Relative to the forces at rest, each for itself: at rest in contact they cancel to nearly nothing.
-    double scale = 1e-9 + size(at_tip(b, b.force.pull, b.torque.pull)) + size(b.following);
+    double scale = 1e-9 + size(at_tip(b, b.force.pull, b.torque.pull)) + size(b.following) +
+                   size(scaled(1.0 / b.dt, momentum(b.inertia, b.previous_rate)));
     for (const auto& channel : b.channels) {
         const double lambda = channel_force(channel, 0.0, b.dt).lambda;
         Vec6 force = direction(channel);

@@ -12,43 +12,48 @@ namespace {
 
 using namespace literals;
 
-/// A drill in air, well above the bone.
+/// A drill in air, well above the bone, that a hand moves about from where it is.
 struct InAir {
     Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm);
     ToolSetup setup;
     Simulation simulation;
 
     explicit InAir(double mass)
-        : setup(test::twist_drill({{"mass", mass}})), simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-20.0_mm)) {}
+        : setup(test::twist_drill({{"mass", mass}})), simulation(body, setup, test::outline(setup), test::gains(), start()) {}
+    static Pose start() { return test::at_depth(-40.0_mm); }
 
-    TickResult tick(double depth) {
-        const TickResult result = simulation.tick({test::at_depth(depth)});
+    TickResult tick(Vec3 moved) {
+        Pose hand = start();
+        hand.position = hand.position + moved;
+        const TickResult result = simulation.tick({hand});
         simulation.after_tick();
         return result;
     }
-    /// What the hand feels [bone newtons] of a drill that it pulls away ever faster, after the first swing has died out.
-    double felt_at(double acceleration) {
+    /// What pulls back a hand [bone newtons] that goes along `way` ever faster, after the first swing has died out.
+    double felt_at(Vec3 way, double acceleration) {
         constexpr int ticks = 600, counted = 200;
         double sum = 0.0;
         for (int n = 1; n <= ticks; ++n) {
             const double t = n * Simulation::dt;
-            const Vec3 on_hand = linear(tick(-20.0_mm - 0.5 * acceleration * t * t).limited_on_hand);
-            if (n > ticks - counted) sum += on_hand.z / counted;
+            const double force = dot(linear(tick(0.5 * acceleration * t * t * way).limited_on_hand), way);
+            if (n > ticks - counted) sum -= force / counted;
         }
-        return -sum;
+        return sum;
     }
 };
 
-TEST(ToolInAir, AHandThatSpeedsUpFeelsItsMass) {
-    constexpr double acceleration = 0.5;  // [m/s²]
-    EXPECT_NEAR(InAir(0.5).felt_at(acceleration), 0.5 * acceleration, 0.005 * acceleration);
-    EXPECT_NEAR(InAir(1.0).felt_at(acceleration), 1.0 * acceleration, 0.01 * acceleration);
-    EXPECT_NEAR(InAir(0.0).felt_at(acceleration), 0.0, 1e-6);
+TEST(ToolInAir, AHandThatSpeedsUpAcrossItsAxisFeelsItsMassAndAlongItNone) {
+    constexpr double acceleration = 0.1;  // [m/s²]
+    constexpr Vec3 across{1, 0, 0}, along{0, 0, 1};
+    EXPECT_NEAR(InAir(0.5).felt_at(across, acceleration), 0.5 * acceleration, 0.005 * acceleration);
+    EXPECT_NEAR(InAir(1.0).felt_at(across, acceleration), 1.0 * acceleration, 0.01 * acceleration);
+    EXPECT_NEAR(InAir(0.0).felt_at(across, acceleration), 0.0, 1e-6);
+    EXPECT_NEAR(InAir(1.0).felt_at(along, acceleration), 0.0, 1e-6);
 }
 
 TEST(ToolInAir, ShakenItGivesBackNoMoreThanWasPutIn) {
     InAir drill(1.0);
-    for (int n = 0; n < 3000; ++n) (void)drill.tick(-20.0_mm + 3.0_mm * std::sin(2.0 * pi * 6.0 * n * Simulation::dt));
+    for (int n = 0; n < 3000; ++n) (void)drill.tick({3.0_mm * std::sin(2.0 * pi * 6.0 * n * Simulation::dt), 0, 0});
     EXPECT_EQ(drill.simulation.passivity().corrections(), 0u);
     EXPECT_GT(drill.simulation.passivity().least_energy(), -1e-4);
 }

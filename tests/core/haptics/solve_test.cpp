@@ -75,17 +75,19 @@ TEST(Solve, ABlowAtTheTipMovesAFreeBodyAndTurnsItAboutItsCentre) {
     for (const std::size_t other : {1u, 2u, 3u, 5u}) EXPECT_NEAR(m.rate[other], 0.0, 1e-9) << other;
 }
 
-TEST(Solve, AFreeBodyGoesOnAsItWent) {
+TEST(Solve, AcrossItsAxisAFreeBodyGoesOnAsItWentAndAlongItNot) {
     Balance b = free_body(0.5, -0.12, 0.05);
     b.previous_rate = {0.01, -0.02, 0.03, 0.4, -0.5, 0.6};
     const Motion m = solve(b);
-    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(m.rate[i], b.previous_rate[i], 1e-6) << i;
+    for (const std::size_t across : {0u, 1u, 3u, 4u}) EXPECT_NEAR(m.rate[across], b.previous_rate[across], 1e-6) << across;
+    for (const std::size_t along : {2u, 5u}) EXPECT_NEAR(m.rate[along], 0.0, 1e-12) << along;
 }
 
 TEST(Solve, KineticEnergyIsThatOfAMassOnItsWayAndInItsTurn) {
-    // 0.5 kg whose centre goes at 20 + 120 · 0.1 = 32 mm/s while it turns at 0.1 rad/s
+    // 0.5 kg whose centre goes at 20 + 120 · 0.1 = 32 mm/s while it turns at 0.1 rad/s; along the axis it has none
     const Inertia body{0.5, 0.12, 0.05};
-    EXPECT_NEAR(kinetic_energy(body, {0.02, 0, 0, 0, 0.1, 0}), 0.25 * (0.032 * 0.032 + 0.0025 * 0.01), 1e-15);
+    EXPECT_NEAR(kinetic_energy(body, {0.02, 0, 0.5, 0, 0.1, 3.0}), 0.25 * (0.032 * 0.032 + 0.0025 * 0.01), 1e-15);
+    EXPECT_NEAR(kinetic_energy(body, {0, 0.02, 0, -0.1, 0, 0}), 0.25 * (0.032 * 0.032 + 0.0025 * 0.01), 1e-15);
 }
 
 TEST(Solve, AcrossAGapThereIsNoForce) {
