@@ -51,7 +51,7 @@ struct Motion {
     bool has_converged = false;
 };
 
-inline constexpr int iteration_cap = 32;
+inline constexpr int iteration_cap = 40;  ///< the 32 of resolutions R1 are enough without mass; with it one random law of 100 000 needs them all
 
 /// Solves  Jᵀf(u) − (M/T)(u − u_prev) − Σ d λ(dᵀu) + following = 0.
 ///
