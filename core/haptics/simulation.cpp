@@ -239,6 +239,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
 
 /// The tool stays where it is; a sound law goes on knowing the time.
 void Simulation::rest(TickResult& result) noexcept {
+    last_rate_ = {};
     following_.forget();
     result.bone_on_tool = result.coupled_on_hand = result.limited_on_hand = Vec6{};
     result.thrust = result.torque = result.power_hand = 0.0;

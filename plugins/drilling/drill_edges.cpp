@@ -61,10 +61,8 @@ EvenChip::EvenChip(double feed_per_lip, double edge_depth) noexcept
     : thickness_(std::max(feed_per_lip, edge_depth)), edge_depth_(edge_depth), built_up_(built_up_at(thickness_, edge_depth)) {}
 
 Taken EvenChip::taken(double share, double behind) const noexcept {
-    Taken piece;
-    piece.chip = std::max(0.0, share - behind / thickness_);
-    if (piece.chip < 1.0) piece.edge = built_up_at(piece.chip * thickness_, edge_depth_) / built_up_;
-    return piece;
+    const double chip = std::max(0.0, share - behind / thickness_);
+    return {chip, chip < 1.0 ? built_up_at(chip * thickness_, edge_depth_) / built_up_ : 1.0};
 }
 
 std::array<double, lip_count> share_of_lips(double lag, double feed) noexcept {

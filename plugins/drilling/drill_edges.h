@@ -31,8 +31,8 @@ struct Travel {
 
 /// What a piece of an edge takes: shares of an even chip and of its edge force [–].
 struct Taken {
-    double chip = 1.0;  ///< more than 1 where others take less
-    double edge = 1.0;  ///< at most 1
+    double chip;  ///< more than 1 where others take less
+    double edge;  ///< at most 1
 };
 
 /// The chip of one lip in a feed that is even.
