@@ -72,10 +72,11 @@ std::array<double, lip_count> share_of_lips(double lag, double feed) noexcept {
 }
 
 void Edges::share_out(const Travel& travel, double n, double edge_depth) noexcept {
-    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with
+    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even
     constexpr double most = 2.0;       // of a drill that goes mostly sideways
     const Vec6& going = travel.mean;
     const double least = least_gap(), along = going[2], feed = travel.feed_rate / n;
+    const double per_feed = std::clamp(along / slowest, 0.0, 1.0) / std::max(along, slowest);
     const EvenChip even(feed / lip_count, edge_depth);
     const auto of_lip = share_of_lips(lag, feed);
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +86,7 @@ void Edges::share_out(const Travel& travel, double n, double edge_depth) noexcep
             const LipElement& el = element(i);
             const Vec3 rate = linear(going) + cross(angular(going), point[i]);
             const double aside = el.normal_radial * dot(rate, outwards(point[i])) + el.normal_axial * (rate.z - along);
-            share = of_lip[lip_of(i)] * std::clamp(1.0 + aside / (el.normal_axial * std::max(along, slowest)), 0.0, most);
+            share = of_lip[lip_of(i)] * std::clamp(1.0 + aside * per_feed / el.normal_axial, 0.0, most);
         }
         takes[i] = even.taken(share, gap(i) - least);
     }

@@ -71,7 +71,8 @@ struct Edges {
     ///
     ///     c_0 = 1 + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
     ///
-    /// with v the piece's mean rate over half a turn and v̄_z the tool's along its axis, times its lip's share.
+    /// with v the piece's mean rate over half a turn and v̄_z the tool's along its axis, times its lip's share. A tool that does not
+    /// go forwards has even chips.
     void share_out(const Travel& travel, double n, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
     [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }

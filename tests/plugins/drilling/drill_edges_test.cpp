@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -58,7 +59,7 @@ struct Lips {
 
     Lips() { edges->ask(drill_of(tick.tool), tick, BoneQuery(query), 0.0); }
     const Edges& going(const Vec6& rate) {
-        edges->share_out({rate[2], rate}, n, edge_depth);
+        edges->share_out({std::max(0.0, rate[2]), rate}, n, edge_depth);
         return *edges;
     }
 };
@@ -90,6 +91,14 @@ TEST(ShareOfTheFeed, ALipThatGoesAwayTakesNothing) {
     EXPECT_EQ(edges.takes[edges.lip.count + corner].chip, 0.0);
     EXPECT_EQ(edges.takes[corner].chip, 2.0) << "no more: that a drill goes mostly sideways is felt elsewhere";
     EXPECT_GT(edge_forces(edges, lips.tick, Lips::n, 1.0_mm_per_s).normal[0], 0.0) << "so the bone pushes the other way";
+}
+
+TEST(ShareOfTheFeed, DrawnBackOrHeldStillAnyWobbleLeavesItEven) {
+    for (const double along : {-5.0_mm_per_s, 0.0}) {
+        Lips lips;
+        const Edges& edges = lips.going({3.0_mm_per_s, -2.0_mm_per_s, along, 0.1, 0.2, 0});
+        for (std::size_t i = 0; i < edges.count; ++i) EXPECT_EQ(edges.takes[i].chip, 1.0) << along << ' ' << i;
+    }
 }
 
 TEST(ShareOfTheFeed, TurningAboutTheTipTheSideThatSinksTakesMore) {
