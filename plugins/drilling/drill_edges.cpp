@@ -57,20 +57,6 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
 
-EvenChip::EvenChip(double feed_per_lip, double edge_depth) noexcept
-    : thickness_(std::max(feed_per_lip, edge_depth)), edge_depth_(edge_depth), built_up_(built_up_at(thickness_, edge_depth)) {}
-
-Taken EvenChip::taken(double share, double behind) const noexcept {
-    const double chip = std::max(0.0, share - behind / thickness_);
-    return {chip, chip < 1.0 ? built_up_at(chip * thickness_, edge_depth_) / built_up_ : 1.0};
-}
-
-std::array<double, lip_count> share_of_lips(double lag, double feed) noexcept {
-    if (lag <= 0.0) return {1.0, 1.0};
-    const double second = feed > 0.0 ? std::max(0.0, 1.0 - 2.0 * lag / feed) : 0.0;
-    return {2.0 - second, second};
-}
-
 void Edges::share_out(const Travel& travel, double n, double edge_depth) noexcept {
     constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even
     constexpr double most = 2.0;       // of a drill that goes mostly sideways
