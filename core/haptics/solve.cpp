@@ -254,9 +254,7 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
                    size(scaled(1.0 / b.dt, momentum(b.inertia, b.previous_rate)));
     for (const auto& channel : b.channels) {
         const double lambda = channel_force(channel, 0.0, b.dt).lambda;
-        Vec6 force = direction(channel);
-        for (double& component : force) component *= lambda;
-        if (lambda != 0.0) scale += size(force);
+        if (lambda != 0.0) scale += size(scaled(lambda, direction(channel)));
     }
 
     Vec6 u = start;

@@ -11,7 +11,7 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
-    e.share_out(travel, turning.n, k.thrust.edge_depth);
+    e.share_out(travel, turning.n, least, k.thrust.edge_depth);
     ChannelSum axial;
     double engaged_width = 0.0, full_width = 0.0;
     for (std::size_t i = 0; i < e.count; ++i) {

@@ -57,11 +57,11 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
 
-void Edges::share_out(const Travel& travel, double n, double edge_depth) noexcept {
-    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even
-    constexpr double most = 2.0;       // of a drill that goes mostly sideways
+void Edges::share_out(const Travel& travel, double n, double least, double edge_depth) noexcept {
+    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even [judgement]
+    constexpr double most = 2.0;       // of a drill that goes mostly sideways [judgement]
     const Vec6& going = travel.mean;
-    const double least = least_gap(), along = going[2], feed = travel.feed_rate / n;
+    const double along = going[2], feed = travel.feed_rate / n;
     const double per_feed = std::clamp(along / slowest, 0.0, 1.0) / std::max(along, slowest);
     const EvenChip even(feed / lip_count, edge_depth);
     const auto of_lip = share_of_lips(lag, feed);

@@ -40,7 +40,7 @@ struct Edges {
     ///
     /// with v the piece's mean rate over half a turn and v̄_z the tool's along its axis, times its lip's share. A tool that does not
     /// go forwards has even chips.
-    void share_out(const Travel& travel, double n, double edge_depth) noexcept;
+    void share_out(const Travel& travel, double n, double least_gap, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
     [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }
     [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[place_on_lip(i)]; }

@@ -50,7 +50,7 @@ double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_r
     if (is_reverse) return tick.force[force_friction] * push * 2.0 / 3.0 * edges.drill.radius();
     constexpr double n = 1.0;
     const double edge_depth = tick.force[force_edge_depth], feed_rate = lip_count * n * edge_depth;
-    edges.share_out({feed_rate, {}}, n, edge_depth);
+    edges.share_out({feed_rate, {}}, n, edges.least_gap(), edge_depth);
     const EdgeForces forces = edge_forces(edges, tick, n, feed_rate);
     return forces.thrust() > 0.0 ? push * forces.torque() / forces.thrust() : 0.0;
 }

@@ -59,7 +59,7 @@ struct Lips {
 
     Lips() { edges->ask(drill_of(tick.tool), tick, BoneQuery(query), 0.0); }
     const Edges& going(const Vec6& rate) {
-        edges->share_out({std::max(0.0, rate[2]), rate}, n, edge_depth);
+        edges->share_out({std::max(0.0, rate[2]), rate}, n, edges->least_gap(), edge_depth);
         return *edges;
     }
 };
