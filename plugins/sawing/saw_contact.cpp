@@ -2,36 +2,33 @@
 #include "saw_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "kerf/contact.hpp"
 
 namespace kerf::sawing {
 
 namespace {
 
-constexpr double near_contact = 0.3e-3;  // [m] surface points farther away get no channel
-constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
 constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
-constexpr std::size_t most_points = tip_points + 2 * rows * columns + 2 * rows;
+static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most);
 /// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
 enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7, slot_count = 9 };
 static_assert(slot_side == sector_count);
 
-/// Points of the blade's own surface, with its outward normals and how stiff it is there [N/m]: what may touch.
-struct ContactPoints {
-    std::array<Vec3, most_points> point, normal;
-    std::array<double, most_points> stiffness;
-    std::array<std::size_t, most_points> slot;
-    std::array<double, most_points> behind;  ///< [m] the roots of the teeth
-    std::size_t count = 0;
-
-    void add(Vec3 at, Vec3 outwards, double k, std::size_t of, double back) noexcept {
-        point[count] = at;
-        normal[count] = outwards;
-        stiffness[count] = k;
-        behind[count] = back;
-        slot[count++] = of;
-    }
+/// Points of a blade's sides that its own slot may tell of, as they were added.
+struct SidePoint {
+    std::size_t place;
+    Vec3 at;
+    double side;    ///< [–] +1 or −1: which way its normal goes along y
+    double behind;  ///< [m] the roots of the teeth
+};
+struct BladePoints {
+    ContactPoints all;
+    std::array<SidePoint, 2 * rows * columns> of_sides;
+    std::size_t side_count = 0;
 };
 
 /// Bending stiffness across the blade [N/m] at `z`, the blade held at the axis of its swing, in series with the bone's.
@@ -46,14 +43,15 @@ double side_stiffness(const SawBlade& blade, double z, double contact) noexcept 
     return bending * contact / (bending + contact);
 }
 
-ContactPoints points_of(const SawBlade& blade, const Tick& tick, const Going& going, double front_inside) noexcept {
+BladePoints points_of(const SawBlade& blade, const Tick& tick, const Going& going, double front_inside) noexcept {
+    constexpr double tip_facing = 0.5, facing = 0.3;
     const double stiffness = tick.force[force_contact_stiffness];
-    ContactPoints points;
+    BladePoints points;
     if (!going.removes())
         for (std::size_t i = 0; i < tip_points; ++i) {
             const double share = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
             const SinCos angle = sin_cos_exact(share * blade.half_front());
-            points.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, slot_tip + i * sector_count / tip_points, 0.0);
+            points.all.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, tip_facing, slot_tip + i * sector_count / tip_points);
         }
     const SinCos last = sin_cos_exact(blade.half_front());
     for (std::size_t row = 0; row < rows; ++row) {
@@ -63,29 +61,17 @@ ContactPoints points_of(const SawBlade& blade, const Tick& tick, const Going& go
             const double share = (static_cast<double>(column) - 1.0) * 0.9;  // both ends and the middle
             const Vec3 front = blade.on_front(sin_cos_exact(share * blade.half_front()));
             const double z = front.z - back, k = side_stiffness(blade, z, stiffness);
-            for (const double side : {1.0, -1.0})
-                points.add({front.x, side * 0.5 * blade.thickness, z}, {0, side, 0}, k,
-                           slot_side + (side > 0.0 ? 0u : 2u) + (row < 3 ? 0u : 1u), row_behind[row]);
+            for (const double side : {1.0, -1.0}) {
+                const Vec3 at{front.x, side * 0.5 * blade.thickness, z};
+                points.of_sides[points.side_count++] = {points.all.count(), at, side, row_behind[row]};
+                points.all.add(at, {0, side, 0}, k, facing, slot_side + (side > 0.0 ? 0u : 2u) + (row < 3 ? 0u : 1u));
+            }
         }
         for (const double side : {1.0, -1.0})
-            points.add({side * (blade.radius * last.sin - front_inside), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
-                       slot_edge + (side > 0.0 ? 0u : 1u), row_behind[row]);
+            points.all.add({side * (blade.radius * last.sin - front_inside), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
+                           facing, slot_edge + (side > 0.0 ? 0u : 1u));
     }
     return points;
-}
-
-/// How a point of the blade's surface and the bone's surface nearest to it face each other.
-struct Facing {
-    double against = 0.0;  ///< [–] cosine between the two normals, the blade's reversed
-    double share = 0.0;    ///< [–] of the stiffness: nothing far from the bone, or where it does not face the blade
-};
-Facing facing(const kerf_surface_point& surface, Vec3 normal, double least, double reach) noexcept {
-    constexpr double ramp = 0.1;
-    if (surface.body < 0 || surface.distance > near_contact) return {};
-    const double against = -dot(surface.normal, normal);
-    const double faces = std::clamp((against - least) / ramp, 0.0, 1.0);
-    const double known = std::clamp((reach + surface.distance) / (0.5 * reach), 0.0, 1.0);
-    return {against, faces * known};
 }
 
 }  // namespace
@@ -93,65 +79,18 @@ Facing facing(const kerf_surface_point& surface, Vec3 normal, double least, doub
 void add_contact(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going, const OwnSlot& slot,
                  double last_binding, Channels& channels) noexcept {
     const double voxel = 0.25 * bone.reach();
-    const ContactPoints c = points_of(blade, tick, going, 0.1 * voxel);
-    std::array<kerf_surface_point, most_points> surface;
-    bone.nearest({c.point.data(), c.count}, {surface.data(), c.count});
+    BladePoints points = points_of(blade, tick, going, 0.1 * voxel);
+    points.all.ask(bone, blade.thickness);
 
     // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a wall
     // where the bone has one, but it stands where the teeth have put it (B5).
     const double own = std::min(slot.depth - blade.tooth_height, 2.0 * voxel);
-    std::array<Facing, most_points> face;
-    std::array<double, most_points> depth, pressed;  // [m] for which comes first; as it pushes
-    std::array<double, slot_count> deepest;
-    deepest.fill(-near_contact);
-    for (std::size_t i = 0; i < c.count; ++i) {
-        const bool is_tip = c.slot[i] < slot_side, is_side = !is_tip && c.slot[i] < slot_edge;
-        face[i] = facing(surface[i], c.normal[i], is_tip ? 0.5 : 0.3, bone.reach());
-        if (face[i].share <= 0.0) continue;
-        pressed[i] = -surface[i].distance;
-        if (is_side && c.behind[i] <= own)
-            pressed[i] = -blade.set - c.normal[i].y * slot.middle(c.point[i].x, c.point[i].z);
-        depth[i] = pressed[i] * (pressed[i] > 0.0 ? face[i].share * face[i].against : 1.0);
-        deepest[c.slot[i]] = std::max(deepest[c.slot[i]], depth[i]);
+    for (std::size_t n = 0; n < points.side_count; ++n) {
+        const SidePoint& one = points.of_sides[n];
+        if (one.behind <= own) points.all.set_depth(one.place, -blade.set - one.side * slot.middle(one.at.x, one.at.z));
     }
-    // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
-    struct Touch {
-        double weight = 0.0, force = 0.0, stiffness = 0.0;
-        Vec6 d{};
-    };
-    std::array<Touch, slot_count> touch{};
-    for (std::size_t i = 0; i < c.count; ++i) {
-        if (face[i].share <= 0.0) continue;
-        const double most = deepest[c.slot[i]], ahead = depth[i] - most + std::max(nearly, 0.5 * most);
-        if (ahead <= 0.0) continue;
-        Touch& t = touch[c.slot[i]];
-        const double weight = ahead * ahead, against = face[i].against;
-        const double stiffness = weight * face[i].share * against * against * c.stiffness[i];
-        const Vec6 d = rate_at(c.point[i], c.normal[i]);
-        t.weight += weight;
-        t.stiffness += stiffness;
-        t.force += stiffness * pressed[i] / against;
-        for (std::size_t k = 0; k < 6; ++k) t.d[k] += stiffness * d[k];
-    }
-    // Where there are more than channels for them, those farthest from touching are left out.
     const bool rubs = last_binding > 0.0;
-    const std::size_t room = KERF_MAX_CHANNELS - channels.count() - (rubs ? 1 : 0);
-    std::size_t touching = 0;
-    for (const Touch& t : touch) touching += t.weight > 0.0;
-    for (; touching > room; --touching) {
-        std::size_t farthest = slot_count;
-        for (std::size_t s = 0; s < slot_count; ++s)
-            if (touch[s].weight > 0.0 && (farthest == slot_count || deepest[s] < deepest[farthest])) farthest = s;
-        touch[farthest].weight = 0.0;
-    }
-    for (std::size_t s = 0; s < slot_count; ++s) {
-        const Touch& t = touch[s];
-        if (t.weight <= 0.0) continue;
-        kerf_channel* channel = channels.add(KERF_CONTACT, id_contact + static_cast<std::uint32_t>(s));
-        for (std::size_t k = 0; k < 6; ++k) channel->d[k] = t.d[k] / t.stiffness;
-        channel->k = t.stiffness / t.weight;
-        channel->delta = t.force / t.stiffness;
-    }
+    points.all.write(channels, id_contact, rubs ? 1 : 0);
 
     // While the saw goes, nearly all of the rubbing goes into the oscillation and little into the feed.
     if (!rubs) return;

@@ -69,5 +69,27 @@ TEST(Askew, InItsOwnHoleTheLandMeetsTheSameWallOnEveryGrid) {
     EXPECT_NEAR(coarse / fine, 1.0, 0.02);
 }
 
+// Pulled aside, a bit bends and lies deep in the wall of its hole: deeper than a fine grid knows distances. Its hole holds it all the
+// same.
+TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
+    const auto tip = [](double spacing) {
+        Body body = test::block({-5.0_mm, -5.0_mm, -24.0_mm}, {8.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+        body.materials = {{"bone", 300.0, {}}};
+        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}});
+        Simulation simulation(body, setup, test::outline(setup), test::gains(0.05), test::at_depth(-0.1_mm));
+        for (double depth = -0.1_mm; depth < 20.0_mm; depth += 4.0_um) {
+            const double aside = 4.0_mm * std::clamp((depth - 8.0_mm) / 8.0_mm, 0.0, 1.0);
+            (void)simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
+            simulation.after_tick();
+        }
+        return simulation.world_from_tool().position;
+    };
+    const Vec3 coarse = tip(0.5_mm), fine = tip(0.25_mm), finest = tip(0.125_mm);
+    EXPECT_LT(finest.x, 0.3_mm) << "the hole holds it";
+    EXPECT_GT(finest.x, 0.05_mm) << "and gives a little";
+    EXPECT_LT(length(coarse - finest), 0.0625_mm);
+    EXPECT_LT(length(fine - finest), 0.01_mm);
+}
+
 }  // namespace
 }  // namespace kerf
