@@ -39,7 +39,7 @@ double shank_stiffness(const TwistDrill& drill, double z, double contact) noexce
     return bending * contact / (bending + contact);
 }
 
-ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning& turning) noexcept {
+ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning& turning, double inside) noexcept {
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
     if (!turning.removes()) {
@@ -54,7 +54,7 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
     const double corner = -drill.cone_end() - drill.corner * drill.diameter, rear = corner - 0.5 * drill.diameter * shank_levels;
     for (std::size_t level = 0; level < shank_levels; ++level) {
         const double z = corner - drill.diameter * (0.25 + static_cast<double>(level));
-        add_ring(points, drill.widest_radius() - tick.force[force_clearance], z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing,
+        add_ring(points, drill.widest_radius() - inside, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing,
                  z < rear ? of_rear : of_front);
     }
     return points;
@@ -64,7 +64,7 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
 
 void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
                  double shank_force, Channels& channels) noexcept {
-    ContactPoints points = points_of(drill, tick, turning);
+    ContactPoints points = points_of(drill, tick, turning, inside_of_hole(tick, bone));
     points.ask(bone, drill.radius());
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};

@@ -78,13 +78,12 @@ BladePoints points_of(const SawBlade& blade, const Tick& tick, const Going& goin
 
 void add_contact(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going, const OwnSlot& slot,
                  double last_binding, Channels& channels) noexcept {
-    const double voxel = 0.25 * bone.reach();
-    BladePoints points = points_of(blade, tick, going, 0.1 * voxel);
+    BladePoints points = points_of(blade, tick, going, bone.wall_error());
     points.all.ask(bone, blade.thickness);
 
     // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a wall
     // where the bone has one, but it stands where the teeth have put it (B5).
-    const double own = std::min(slot.depth - blade.tooth_height, 2.0 * voxel);
+    const double own = std::min(slot.depth - blade.tooth_height, 2.0 * bone.voxel());
     for (std::size_t n = 0; n < points.side_count; ++n) {
         const SidePoint& one = points.of_sides[n];
         if (one.behind <= own) points.all.set_depth(one.place, -blade.set - one.side * slot.middle(one.at.x, one.at.z));

@@ -37,7 +37,7 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
 
 TEST(InItsHole, HandNoiseIsNotFeltAcrossTheDrill) {
     const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
-    for (const double h : {0.5_mm, 0.2_mm}) {
+    for (const double h : {1.0_mm, 0.5_mm, 0.2_mm}) {
         const Body body = test::block({-6.0_mm, -6.0_mm, -10.0_mm}, {6.0_mm, 6.0_mm, 0}, h, {0.31, 0.17, 0.73});
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
         const auto felt_across = [&](const Pose& pose) {

@@ -41,6 +41,9 @@ public:
     [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
     /// [m] distances are known as far as this on either side of a surface
     [[nodiscard]] double reach() const noexcept { return query_->reach; }
+    [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of its grid
+    /// [m] a cut's wall may stand so far from where the tool went (B5).
+    [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
 
 private:
     const kerf_bone_query* query_;
