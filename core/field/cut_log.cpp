@@ -19,6 +19,14 @@ constexpr double stray_voxels = 0.04;       ///< the same of its way aside: a tw
 constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
+
+/// [m] by how much a point of the outline may seem to stand in bone where it has been before. Between samples a round wall of radius r lies up to
+/// h²/(8 r) inside the true one.
+double wall_error(const ToolSolid& solid, Vec3 in_tool, double h) noexcept {
+    if (solid.is_prism()) return (in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
+    const double radius = std::max(std::hypot(in_tool.x, in_tool.y), 0.5 * h);
+    return wall_voxels * h + h * h / (8.0 * radius);
+}
 }  // namespace
 
 void CutTracker::restart(const Pose& body_from_tool) noexcept {
@@ -247,7 +255,7 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
                 const double t = way_long > 0.0 ? s / way_long : 0.0;
                 const Vec3 in_tool = solid_->around(outline[i].radius + t * dr, outline[i].z + t * dz)[way];
                 const Vec3 p = at * in_tool;
-                const double limit = -(solid_->is_prism() && in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
+                const double limit = -wall_error(*solid_, in_tool, h);
                 double step = h;
                 if (body_->region.contains(p)) {
                     const BrickPlace place = locate(body_->grid(), p);

@@ -64,7 +64,7 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
 
 void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
                  double shank_force, Channels& channels) noexcept {
-    ContactPoints points = points_of(drill, tick, turning, inside_of_hole(tick, bone));
+    ContactPoints points = points_of(drill, tick, turning, inside_of_hole(tick, bone, drill.widest_radius()));
     points.ask(bone, drill.radius());
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};

@@ -58,7 +58,7 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     // The land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
     // committed cut lags, which is a matter of the grid.
     const SinCos p = drill.half_point;
-    const double r = drill.radius() - inside_of_hole(tick, bone), flank = drill.radius() / 3.0, land = drill.corner * drill.diameter;
+    const double r = drill.radius() - inside_of_hole(tick, bone, drill.radius()), flank = drill.radius() / 3.0, land = drill.corner * drill.diameter;
     const auto on_cone = [&](double share) {
         const double at = share * drill.radius();
         return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};

@@ -14,9 +14,9 @@ namespace kerf::drilling {
 inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
 inline constexpr std::size_t most_edge_points = lip_count * largest_element_count + 2 * most_chisel_points;
 
-/// [m] how far inside its hole the drill's land and shank lie: their play, or more where the hole's wall is not known so well (B5).
-[[nodiscard]] inline double inside_of_hole(const Tick& tick, const BoneQuery& bone) noexcept {
-    return std::max(tick.force[force_clearance], bone.wall_error());
+/// [m] how far inside its hole of `radius` the drill's land and shank lie: their play, or more where the hole's wall is not known so well (B5).
+[[nodiscard]] inline double inside_of_hole(const Tick& tick, const BoneQuery& bone, double radius) noexcept {
+    return std::max(tick.force[force_clearance], bone.wall_error(radius));
 }
 
 /// Share of the reference tissue's resistance at a sample, zero in air.

@@ -127,6 +127,32 @@ TEST(CutLog, DrawnBackAToolHasNotPassedWhatItCutLast) {
     EXPECT_LT(waiting_after(1.0_mm, 3.0_mm), in_the_hole) << "drawn back and gone aside";
 }
 
+// A round wall is known no better than h²/(8 r): on a coarse grid a drill in its own hole seems to stand in bone all the way, and records that
+// took nothing pushed the front out of the list of those that wait.
+TEST(CutLog, OutOfItsHoleAndInAgainADrillTakesNothing) {
+    const auto at = [](double depth) { return test::pointing({0, 0, -depth}, {0, 0, -1}); };
+    for (const double h : {1.0_mm, 0.7_mm, 0.5_mm, 0.25_mm}) {
+        Cutting cutting(h, at(-1.0_mm));
+        const auto go = [&](double from, double to) {
+            const int steps = static_cast<int>(std::abs(to - from) / 0.02_mm);
+            for (int i = 1; i <= steps; ++i) {
+                const Pose now = at(from + (to - from) * i / steps);
+                cutting.move_to(now);
+                cutting.tracker.commit_passed(now, to > from);
+            }
+        };
+        go(-1.0_mm, 8.0_mm);
+        const std::size_t down = cutting.log.size();
+        go(8.0_mm, 1.0_mm);
+        go(1.0_mm, 7.9_mm);
+        std::size_t removing = 0;  // the first closes what was open at the front
+        for (std::size_t i = down + 1; i < cutting.log.size(); ++i) removing += cutting.log[i].removes;
+        EXPECT_GT(cutting.log.size(), down + 1) << h;
+        EXPECT_EQ(removing, 0u) << h;
+        EXPECT_EQ(cutting.tracker.early_commits(), 0u) << h;
+    }
+}
+
 TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
     const std::vector<Pose> path = winding_path(7);
     Cutting cutting(0.4_mm, path.front());
