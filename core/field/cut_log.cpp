@@ -21,10 +21,10 @@ constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow en
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
 
 /// [m] by how much a point of the outline may seem to stand in bone where it has been before. Between samples a round wall of radius r lies up to
-/// h²/(8 r) inside the true one.
+/// h²/(8 r) inside the true one, r where the innermost of them are.
 double wall_error(const ToolSolid& solid, Vec3 in_tool, double h) noexcept {
     if (solid.is_prism()) return (in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
-    const double radius = std::max(std::hypot(in_tool.x, in_tool.y), 0.5 * h);
+    const double radius = std::max(std::hypot(in_tool.x, in_tool.y) - std::sqrt(0.5) * h, 0.5 * h);
     return wall_voxels * h + h * h / (8.0 * radius);
 }
 }  // namespace

@@ -42,10 +42,13 @@ public:
     /// [m] distances are known as far as this on either side of a surface
     [[nodiscard]] double reach() const noexcept { return query_->reach; }
     [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of its grid
-    /// [m] a cut's wall may stand so far from where the tool went (B5), and that of a hole of `radius` [m] farther in: between samples the
-    /// way across is straight.
+    /// [m] a cut's wall may stand so far from where the tool went (B5).
     [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
-    [[nodiscard]] double wall_error(double radius) const noexcept { return wall_error() + voxel() * voxel() / (8.0 * radius); }
+    /// The same of a hole of `radius` [m]: between samples, the innermost of which lie 0.7 voxels further in, the way across is straight.
+    [[nodiscard]] double wall_error(double radius) const noexcept {
+        const double h = voxel();
+        return wall_error() + h * h / (8.0 * std::max(radius - 0.7 * h, 0.5 * h));
+    }
 
 private:
     const kerf_bone_query* query_;
