@@ -20,12 +20,13 @@ constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
 
-/// [m] by how much a point of the outline may seem to stand in bone where it has been before. Between samples a round wall of radius r lies up to
-/// h²/(8 r) inside the true one, r where the innermost of them are.
-double wall_error(const ToolSolid& solid, Vec3 in_tool, double h) noexcept {
+/// [m] by how much a point of the outline may seem to stand in bone where it has been before. Out of its hole and in again it goes along the wall that
+/// the widest end of its segment has left, of `widest` [m]. Between samples a round wall of radius r lies up to h²/(8 r) inside the true one, r
+/// where the innermost of them are.
+double wall_error(const ToolSolid& solid, Vec3 in_tool, double widest, double h) noexcept {
     if (solid.is_prism()) return (in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
-    const double radius = std::max(std::hypot(in_tool.x, in_tool.y) - std::sqrt(0.5) * h, 0.5 * h);
-    return wall_voxels * h + h * h / (8.0 * radius);
+    const double inside = h * h / (8.0 * std::max(widest - std::sqrt(0.5) * h, 0.5 * h));
+    return wall_voxels * h + std::max(0.0, inside - (widest - std::hypot(in_tool.x, in_tool.y)));
 }
 }  // namespace
 
@@ -250,12 +251,13 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     for (std::size_t way = 0; way < solid_->around(0.0, 0.0).size(); ++way)
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
             const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius, way_long = std::hypot(dz, dr);
+            const double widest = std::max(outline[i].radius, outline[i + 1].radius);
             // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
             for (double s = 0.0;;) {
                 const double t = way_long > 0.0 ? s / way_long : 0.0;
                 const Vec3 in_tool = solid_->around(outline[i].radius + t * dr, outline[i].z + t * dz)[way];
                 const Vec3 p = at * in_tool;
-                const double limit = -wall_error(*solid_, in_tool, h);
+                const double limit = -wall_error(*solid_, in_tool, widest, h);
                 double step = h;
                 if (body_->region.contains(p)) {
                     const BrickPlace place = locate(body_->grid(), p);

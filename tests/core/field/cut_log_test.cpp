@@ -153,6 +153,19 @@ TEST(CutLog, OutOfItsHoleAndInAgainADrillTakesNothing) {
     }
 }
 
+TEST(CutLog, AScratchOfAFewHundredthsOfAVoxelIsTaken) {
+    for (const double h : {1.0_mm, 0.25_mm}) {
+        const double deep = 0.05 * h;
+        Cutting cutting(h, test::pointing({-3.0_mm, 0, -deep}, {0, 0, -1}));
+        for (double depth : {2.0_mm, -1.0_mm}) cutting.move_to(test::pointing({-3.0_mm, 0, -depth}, {0, 0, -1}));  // deeper than the scratch
+        for (double x = -3.0_mm; x < 3.0_mm; x += 0.01_mm) cutting.move_to(test::pointing({x, 0, -deep}, {0, 0, -1}));
+        cutting.end();
+        std::size_t removing = 0;
+        for (const CutRecord& record : cutting.log) removing += record.removes && record.to.position.x > 2.0_mm;
+        EXPECT_GT(removing, 0u) << h;
+    }
+}
+
 TEST(CutLog, ARecordStampedAFewBricksAtATimeGivesTheBitsOfOneStamp) {
     const std::vector<Pose> path = winding_path(7);
     Cutting cutting(0.4_mm, path.front());
