@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/field/reach.h"
+#include "kerf/sampled_wall.hpp"
 
 namespace kerf {
 
@@ -20,13 +21,11 @@ constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of
 constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
 constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
 
-/// [m] by how much a point of the outline may seem to stand in bone where it has been before. Out of its hole and in again it goes along the wall that
-/// the widest end of its segment has left, of `widest` [m]. Between samples a round wall of radius r lies up to h²/(8 r) inside the true one, r
-/// where the innermost of them are.
-double wall_error(const ToolSolid& solid, Vec3 in_tool, double widest, double h) noexcept {
-    if (solid.is_prism()) return (in_tool.y == 0.0 ? end_voxels : wall_voxels) * h;
-    const double inside = h * h / (8.0 * std::max(widest - std::sqrt(0.5) * h, 0.5 * h));
-    return wall_voxels * h + std::max(0.0, inside - (widest - std::hypot(in_tool.x, in_tool.y)));
+/// [m] by how much a point of the outline, `radius` from the axis, may seem to stand in bone where it has been before. Out of its hole and in
+/// again it goes along the wall that the widest end of its segment has left, of `widest` [m].
+double wall_error(const ToolSolid& solid, bool is_at_narrow_end, double radius, double widest, double h) noexcept {
+    if (solid.is_prism()) return (is_at_narrow_end ? end_voxels : wall_voxels) * h;
+    return wall_voxels * h + std::max(0.0, wall_sagitta(widest, h) - (widest - radius));
 }
 }  // namespace
 
@@ -255,9 +254,10 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
             // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
             for (double s = 0.0;;) {
                 const double t = way_long > 0.0 ? s / way_long : 0.0;
-                const Vec3 in_tool = solid_->around(outline[i].radius + t * dr, outline[i].z + t * dz)[way];
+                const double radius = outline[i].radius + t * dr;
+                const Vec3 in_tool = solid_->around(radius, outline[i].z + t * dz)[way];
                 const Vec3 p = at * in_tool;
-                const double limit = -wall_error(*solid_, in_tool, widest, h);
+                const double limit = -wall_error(*solid_, in_tool.y == 0.0, radius, widest, h);
                 double step = h;
                 if (body_->region.contains(p)) {
                     const BrickPlace place = locate(body_->grid(), p);

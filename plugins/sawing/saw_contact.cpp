@@ -15,7 +15,7 @@ constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
 static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most);
 /// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
-enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7, slot_count = 9 };
+enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7 };
 static_assert(slot_side == sector_count);
 
 /// Points of a blade's sides that its own slot may tell of, as they were added.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "kerf/assert.hpp"
 #include "kerf/force.hpp"
@@ -51,7 +52,7 @@ public:
             depth_[i] = -found[i].distance;
             const double beyond = std::min(1.0, depth_[i] / deep - 1.0);  // looked for from there on, and told by nothing else from twice that
             if (beyond <= 0.0) continue;
-            Wall& wall = walls[wall_count++] = {i, beyond, depth_[i]};
+            Wall& wall = walls[wall_count++] = {i, beyond};
             wall.add(1.0 - beyond, touch_[i], depth_[i], 0.0);
         }
         if (wall_count > 0) look_inside(bone, inwards, {walls.data(), wall_count});
@@ -129,7 +130,6 @@ private:
     struct Wall {
         std::size_t point;
         double looked_for;  ///< [–] share of it that is
-        double depth;       ///< [m] of the point in bone
         double share = 0.0, stiffness = 0.0, force = 0.0;  ///< [–], a² [–] and p a [m], by the shares that tell of it
 
         /// From `inside` [m] behind the point, where bone has this depth.
@@ -171,7 +171,7 @@ private:
         while (in_air > 1 && inside[in_air - 2].distance >= 0.0) --in_air;
         if (is_found) {
             const kerf_surface_point& air = inside[in_air - 1];
-            const double before = in_air > 1 ? -inside[in_air - 2].distance : wall.depth;
+            const double before = in_air > 1 ? -inside[in_air - 2].distance : depth_[wall.point];
             const double share = wall.looked_for * before / (before + air.distance);
             wall.add(share, touch(wall.point, air), -air.distance, step * static_cast<double>(in_air));
             const Touch seen = in_air > 1 ? touch(wall.point, inside[in_air - 2]) : touch_[wall.point];

@@ -10,6 +10,7 @@
 
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
+#include "kerf/sampled_wall.hpp"
 
 /// The C++ face of a force component: write a plain struct, get the C table.
 namespace kerf {
@@ -44,11 +45,8 @@ public:
     [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of its grid
     /// [m] a cut's wall may stand so far from where the tool went (B5).
     [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
-    /// The same of a hole of `radius` [m]: between samples, the innermost of which lie 0.7 voxels further in, the way across is straight.
-    [[nodiscard]] double wall_error(double radius) const noexcept {
-        const double h = voxel();
-        return wall_error() + h * h / (8.0 * std::max(radius - 0.7 * h, 0.5 * h));
-    }
+    /// The same of a hole of `radius` [m].
+    [[nodiscard]] double wall_error(double radius) const noexcept { return wall_error() + wall_sagitta(radius, voxel()); }
 
 private:
     const kerf_bone_query* query_;
