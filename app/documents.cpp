@@ -74,7 +74,7 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
         if (std::string why; !outline_of(tool.setup, tool.outline, why))
             refuse_tool(procedure, instrument->id, why, diagnostics);
         else
-            check_kerf(procedure, instrument->id, tool.outline.cutting, diagnostics);
+            check_width_of_cut(procedure, instrument->id, tool.outline.cutting, diagnostics);
     }
 }
 

@@ -49,6 +49,15 @@ TextSpan span_of_instrument(const Document& document, const std::string& id, con
 /// To a hundredth of a millimetre.
 std::string in_mm(double length) { return quantity_text(std::round(length / 0.01e-3) * 0.01e-3, "mm"); }
 
+/// Across the narrowest stretch of the hole that is as wide all along [m]; without one, across the widest place.
+double narrowest_bore(const ToolSolid& turning) {
+    const auto& outline = turning.outline();
+    double radius = turning.largest_radius();
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+        if (outline[i].radius > 0.0 && outline[i].radius == outline[i + 1].radius) radius = std::min(radius, outline[i].radius);
+    return 2.0 * radius;
+}
+
 }  // namespace
 
 void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
@@ -88,16 +97,26 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
-void check_kerf(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
-    if (!cutting.is_prism() || cutting.thickness() >= 2.0 * procedure.spacing * (1.0 - 1e-9)) return;
+void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
+    struct Cut {
+        Code code;
+        std::string what;
+        double width, voxels;
+        const char *number, *what_happens;
+    };
+    const double bore = narrowest_bore(cutting);
+    const Cut cut = cutting.is_prism() ? Cut{Code::narrow_kerf, "The saw's kerf of " + in_mm(cutting.thickness()), cutting.thickness(), 2.0, "two", "its slot is lost between samples"}
+                                       : Cut{Code::narrow_hole, "The hole that `" + instrument + "` makes, " + in_mm(bore) + " wide,", bore, 4.0, "four",
+                                             "its wall is not known where it is, and the tool meets bone that it has cut"};
+    if (cut.width >= cut.voxels * procedure.spacing * (1.0 - 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
-    const double needed = std::floor(0.5 * cutting.thickness() / 0.01e-3 + 1e-6) * 0.01e-3;
+    const double needed = std::floor(cut.width / cut.voxels / 0.01e-3 + 1e-6) * 0.01e-3;
     Report(*document, diagnostics)
-        .warning(Code::narrow_kerf, spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
-                 "The saw's kerf of " + in_mm(cutting.thickness()) + " is narrower than two voxels of " + in_mm(procedure.spacing) +
-                     ": its slot is lost between samples. It needs a spacing of " + in_mm(needed) + " or less.",
+        .warning(cut.code, spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
+                 cut.what + " is narrower than " + cut.number + " voxels of " + in_mm(procedure.spacing) + ": " +
+                     cut.what_happens + ". It needs a spacing of " + in_mm(needed) + " or less.",
                  in_mm(needed));
 }
 

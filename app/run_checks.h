@@ -16,8 +16,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 /// The plugin refuses an instrument, and `why`.   [main]
 void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics);
 
-/// Warns of a blade whose kerf is under two voxels.   [main]
-void check_kerf(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
+/// Warns of a blade whose kerf is under two voxels, and of a turning tool whose hole is under four.   [main]
+void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,

@@ -172,6 +172,7 @@ constexpr CodeEntry entries[] = {
     {705, "rehearsal starts in bone", "The first waypoint of a rehearsal is inside the bone.", "The tool cannot appear in the middle of bone: it must come there.", "Let it start outside, as in `- {depth: -5 mm}`."},
     {706, "narrow kerf", "A saw's kerf is narrower than two voxels.", "Its slot would be lost between samples: volumes go wrong, and the blade feels walls that are not where it cut. Only a warning.", "Write the spacing that the message gives.", true},
     {707, "blade beyond region", "A saw's blade does not fit into the region in which bone can be cut.", "It would stand against the region's border as against a wall.", "Take a smaller blade, or plan the axis so that the region is larger."},
+    {708, "narrow hole", "A turning tool's hole is narrower than four voxels.", "A wall so sharply bent is not known where it is: the tool meets bone that it has cut, with newtons in three voxels and hundreds in two. Only a warning.", "Write the spacing that the message gives.", true},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -87,6 +87,7 @@ enum class Code {
     starts_in_bone = 705,
     narrow_kerf = 706,       ///< under two voxels
     blade_beyond_region = 707,
+    narrow_hole = 708,       ///< under four voxels
 };
 
 /// `E0412`; `W0412` for a warning.

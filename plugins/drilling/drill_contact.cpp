@@ -11,8 +11,8 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t shank_levels = 8, tip_levels = 4, around = 8;  // levels of the shank lie a diameter apart
-static_assert((shank_levels + tip_levels) * around <= ContactPoints::most);
+constexpr std::size_t shank_levels = 8, cone_levels = 4, around = 8;  // levels of the shank lie a diameter apart
+static_assert((shank_levels + 2 * cone_levels + 1) * around <= ContactPoints::most);
 constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
@@ -29,33 +29,41 @@ void add_ring(ContactPoints& points, double r, double z, double radial, double a
 
 /// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
 ///
-///     k = 3 E I / l³,    I = ½ π d⁴/64
+///     k = 3 E I / (l³ + a³ (I/I_p − 1)),    I = ½ π d⁴/64
 ///
-/// with l the length from the chuck and half of the round section's I left by the flutes [assumed]; E of stainless steel.
+/// with l the length from the chuck, a what of it is pilot, thinner than the shoulder behind it, and half of the round section's I
+/// left by the flutes [assumed]; E of stainless steel.
 double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
     constexpr double steel = 193e9;  // [Pa]
-    const double d2 = drill.diameter * drill.diameter, l = std::max(drill.length + z, drill.diameter);
-    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / (l * l * l);
+    const double d = 2.0 * drill.widest_radius(), d2 = d * d, l = std::max(drill.length + z, d);
+    const double a = drill.has_shoulder() ? std::max(0.0, drill.shoulder_depth + z) : 0.0, thinner = d2 / (drill.diameter * drill.diameter);
+    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / (l * l * l + a * a * a * (thinner * thinner - 1.0));
     return bending * contact / (bending + contact);
 }
 
-ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning& turning, double inside) noexcept {
+ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning) noexcept {
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
-    if (!turning.removes()) {
-        const SinCos p = drill.half_point;
-        // The cone stands on bone ahead of it; it does not climb the wall of its hole.
+    const TwistDrill::Cones cones = drill.cones();
+    for (const Cone& cone : cones) {
+        if (turning.removes()) break;
+        const SinCos p = cone.half_angle;
+        // A cone stands on bone ahead of it; it does not climb the wall of its hole.
         const double facing = std::max(std::min(0.6, p.sin - 0.1), grazing);
-        for (std::size_t level = 0; level < tip_levels; ++level) {
-            const double r = drill.radius() * (0.1 + 0.25 * static_cast<double>(level));  // short of the wall of its hole
-            add_ring(points, r, -r * p.cos / p.sin, p.cos, p.sin, stiffness, facing, of_tip);
+        for (std::size_t level = 0; level < cone_levels; ++level) {
+            const double r = cone.inner + (cone.outer - cone.inner) * (0.1 + 0.25 * static_cast<double>(level));  // short of the wall of its hole
+            add_ring(points, r, cone.z_at(r), p.cos, p.sin, stiffness, facing, of_tip);
         }
     }
-    const double corner = -drill.cone_end() - drill.corner * drill.diameter, rear = corner - 0.5 * drill.diameter * shank_levels;
+    if (!turning.removes() && drill.pilot() > 0.0) {
+        const double z = -drill.point_depth() - 0.5 * drill.pilot();
+        add_ring(points, drill.radius() - inside_of_hole(tick, bone, drill.radius()), z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, of_front);
+    }
+    const double widest = drill.widest_radius(), apart = 2.0 * widest, corner = cones.last().end() - drill.land();
+    const double rear = corner - 0.5 * apart * shank_levels, r = widest - inside_of_hole(tick, bone, widest);
     for (std::size_t level = 0; level < shank_levels; ++level) {
-        const double z = corner - drill.diameter * (0.25 + static_cast<double>(level));
-        add_ring(points, drill.widest_radius() - inside, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing,
-                 z < rear ? of_rear : of_front);
+        const double z = corner - apart * (0.25 + static_cast<double>(level));
+        add_ring(points, r, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, z < rear ? of_rear : of_front);
     }
     return points;
 }
@@ -64,11 +72,11 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const Turning
 
 void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
                  double shank_force, Channels& channels) noexcept {
-    ContactPoints points = points_of(drill, tick, turning, inside_of_hole(tick, bone, drill.widest_radius()));
-    points.ask(bone, drill.radius());
+    ContactPoints points = points_of(drill, tick, bone, turning);
+    points.ask(bone, drill.widest_radius());
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};
-    if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.radius();  // rubbing against the turn
+    if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.widest_radius();  // rubbing against the turn
     points.write(channels, id_contact, rubs ? 1 : 0, follow);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
@@ -76,7 +84,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
         rub->d[2] = 1.0;
         rub->tau = tick.force[force_friction] * shank_force;
-        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.radius());
+        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.widest_radius());
     }
 }
 

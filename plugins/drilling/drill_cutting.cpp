@@ -2,9 +2,70 @@
 #include "drill_cutting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace kerf::drilling {
+
+namespace {
+
+/// Circles on what cuts sideways, from the tip backwards.
+struct Level {
+    double radius, z, width, normal_radial;
+    double inside;  ///< [m] how far inside what it cuts its points lie
+};
+class Levels {
+public:
+    static constexpr std::size_t rings = 3, most = 2 * (rings + 1);  ///< of two cones and their lands
+
+    void add(const Level& level) noexcept { level_[count_++] = level; }
+    [[nodiscard]] std::size_t size() const noexcept { return count_; }
+    [[nodiscard]] const Level* begin() const noexcept { return level_.data(); }
+    [[nodiscard]] const Level* end() const noexcept { return level_.data() + count_; }
+
+private:
+    std::array<Level, most> level_;
+    std::size_t count_ = 0;
+};
+
+/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
+/// committed cut lags, which is a matter of the grid.
+Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
+    Levels levels;
+    for (const Cone& cone : drill.cones()) {
+        const double wide = cone.outer - cone.inner;
+        for (std::size_t ring = 0; ring < Levels::rings; ++ring) {
+            const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(Levels::rings) * wide;
+            levels.add({at, cone.z_at(at), wide / static_cast<double>(Levels::rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
+        }
+        const double land = cone.outer < drill.widest_radius() ? std::min(drill.land(), drill.pilot()) : drill.land();
+        const double inside = inside_of_hole(tick, bone, cone.outer);
+        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, inside});
+    }
+    return levels;
+}
+
+constexpr double c = 0.70710678118654752440;
+constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+
+/// Points of a land lie inside the hole that it has cut, so that it runs free there. Where a cone stands at the front, with no
+/// way to go to it, the land beside it has none either: what it would go through its own hole does not count.
+void take_up_play(const Levels& levels, kerf_bone_sample* of_way) noexcept {
+    double of_cones = 1e300;
+    const kerf_bone_sample* at = of_way;
+    for (const Level& level : levels)
+        for (std::size_t a = 0; a < std::size(azimuth); ++a, ++at)
+            if (level.inside == 0.0 && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
+    for (const Level& level : levels)
+        for (const auto& [along, across] : azimuth) {
+            const double hole = level.radius + level.inside, aside = across * level.radius;
+            const double play = std::sqrt(hole * hole - aside * aside) - along * level.radius;
+            of_way->gap = std::max(0.0, of_way->gap - std::max(0.0, play - of_cones));
+            ++of_way;
+        }
+}
+
+}  // namespace
 
 void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept {
     const Coefficients k = coefficients(tick.force);
@@ -52,28 +113,15 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
 
 void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
                       Channels& channels) noexcept {
-    struct Level {
-        double radius, z, width, normal_radial;
-    };
-    // The land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
-    // committed cut lags, which is a matter of the grid.
-    const SinCos p = drill.half_point;
-    const double r = drill.radius() - inside_of_hole(tick, bone, drill.radius()), flank = drill.radius() / 3.0, land = drill.corner * drill.diameter;
-    const auto on_cone = [&](double share) {
-        const double at = share * drill.radius();
-        return Level{at, -at * p.cos / p.sin, flank / p.sin, p.cos};
-    };
-    const Level levels[] = {on_cone(0.5 / 3.0), on_cone(1.5 / 3.0), on_cone(2.5 / 3.0),
-                            {r, -drill.point_depth(), land, 1.0}};
-    constexpr double c = 0.70710678118654752440;
-    constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+    const Levels levels = levels_of(drill, tick, bone);
     constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-    constexpr std::size_t per_way = std::size(levels) * std::size(azimuth), count = std::size(ways) * per_way;
+    const std::size_t per_way = levels.size() * std::size(azimuth);
+    constexpr std::size_t most = std::size(ways) * Levels::most * std::size(azimuth);
     constexpr double share_of_turn = 1.0 / 8.0;
 
     // All ways in one question.
-    std::array<Vec3, count> point, direction;
-    std::array<kerf_bone_sample, count> sample;
+    std::array<Vec3, most> point, direction;
+    std::array<kerf_bone_sample, most> sample;
     std::size_t i = 0;
     for (const Vec3 way : ways) {
         const Vec3 across = cross(Vec3{0, 0, 1}, way);
@@ -84,12 +132,13 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
                 point[i++] = {radial.x, radial.y, level.z};
             }
     }
-    bone.sample(point, direction, sample);
+    bone.sample({point.data(), i}, {direction.data(), i}, {sample.data(), i});
 
     const Coefficients k = coefficients(tick.force);
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
-    const kerf_bone_sample* next = sample.data();
+    kerf_bone_sample* next = sample.data();
     for (std::size_t n = 0; n < std::size(ways); ++n) {
+        take_up_play(levels, next);
         double least = 1e300;
         for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
             if (one->engagement > 0.0) least = std::min(least, one->gap);

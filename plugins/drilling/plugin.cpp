@@ -88,7 +88,7 @@ static_assert(std::size(signals) == signal_count);
 
 /// The cones and the land behind the last of them cut; the shank does not.
 kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) {
-    const double tip = drill.point_depth(), corner = drill.cone_end() + drill.corner * drill.diameter, e = drill.runout;
+    const double tip = drill.point_depth(), cone_end = drill.cones().last().end(), corner = drill.land() - cone_end, e = drill.runout;
     if (out->profile_capacity < 6) return KERF_CAPACITY;
     if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
     kerf_profile_point* at = out->profile;
@@ -96,7 +96,7 @@ kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) 
     *at++ = {-tip, drill.radius() + e};
     if (drill.has_shoulder()) {
         if (drill.shoulder_depth > tip) *at++ = {-drill.shoulder_depth, drill.radius() + e};
-        *at++ = {-drill.cone_end(), drill.widest_radius() + e};
+        *at++ = {cone_end, drill.widest_radius() + e};
     }
     *at++ = {-corner, drill.widest_radius() + e};
     out->cutting_count = static_cast<uint32_t>(at - out->profile);

@@ -11,18 +11,18 @@ double TwistDrill::rake_at(double at, SinCos h) const noexcept {
     return slope / (1.0 + 0.28 * slope * slope);
 }
 
-double TwistDrill::cone_end() const noexcept {
-    if (!has_shoulder()) return point_depth();
-    const SinCos p = sin_cos_exact(0.5 * shoulder_angle);
-    return shoulder_depth + (widest_radius() - radius()) * p.cos / p.sin;
+TwistDrill::Cones TwistDrill::cones() const noexcept {
+    Cones all{{Cone{half_point, 0.0, radius(), 0.0}}, 1};
+    if (has_shoulder()) all.cone[all.count++] = {sin_cos_exact(0.5 * shoulder_angle), radius(), widest_radius(), -shoulder_depth};
+    return all;
 }
 
 namespace {
 
-/// Appends the pieces of an edge at the half web `b` on a cone of half angle `p`, from one radius to another. The cone has
-/// `inner` at `z`.
-void add_edge(Lip& lip, SinCos p, double b, double from, double to, double inner, double z, double pitch) noexcept {
-    const double first = std::sqrt(from * from - b * b), last = std::sqrt(to * to - b * b);
+/// Appends the pieces of an edge at the half web `b` on a cone, from the radius `from` on.
+void add_edge(Lip& lip, const Cone& cone, double b, double from, double pitch) noexcept {
+    const SinCos p = cone.half_angle;
+    const double first = std::sqrt(from * from - b * b), last = std::sqrt(cone.outer * cone.outer - b * b);
     const double room = static_cast<double>(largest_element_count - lip.count);
     const auto count = static_cast<std::size_t>(std::clamp(std::ceil((last - first) / pitch - 1e-9), 1.0, room));
     const double ds = (last - first) / static_cast<double>(count);
@@ -30,7 +30,7 @@ void add_edge(Lip& lip, SinCos p, double b, double from, double to, double inner
         LipElement& e = lip.element[lip.count++];
         e.along = first + (static_cast<double>(i) + 0.5) * ds;
         e.radius = std::sqrt(e.along * e.along + b * b);
-        e.z = z - (e.radius - inner) * p.cos / p.sin;
+        e.z = cone.z_at(e.radius);
         const double cos_beta = e.along / e.radius;
         const double cos_i = std::sqrt(p.cos * p.cos + p.sin * p.sin * cos_beta * cos_beta);
         e.normal_axial = p.sin * cos_beta / cos_i;
@@ -48,11 +48,7 @@ Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
         const double most = 2.0 / static_cast<double>(largest_element_count);
         pitch = std::max(pitch, most * drill.widest_radius());
     }
-    add_edge(lip, drill.half_point, b, drill.chisel_radius(), drill.radius(), 0.0, 0.0, pitch);
-    if (drill.has_shoulder()) {
-        const SinCos p = sin_cos_exact(0.5 * drill.shoulder_angle);
-        add_edge(lip, p, b, drill.radius(), drill.widest_radius(), drill.radius(), -drill.shoulder_depth, pitch);
-    }
+    for (const Cone& cone : drill.cones()) add_edge(lip, cone, b, std::max(cone.inner, drill.chisel_radius()), pitch);
     return lip;
 }
 

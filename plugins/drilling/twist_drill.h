@@ -12,13 +12,23 @@ namespace kerf::drilling {
 
 inline constexpr int lip_count = 2;
 
+/// A cone that its lips sweep.
+struct Cone {
+    SinCos half_angle;
+    double inner, outer;  ///< [m] radii where it begins and ends
+    double z;             ///< [m] where it begins
+
+    [[nodiscard]] double z_at(double radius) const noexcept { return z - (radius - inner) * half_angle.cos / half_angle.sin; }
+    [[nodiscard]] double end() const noexcept { return z_at(outer); }
+};
+
 /// What a twist drill is made of. Tool frame: origin at the tip, +z out of the tip.
 struct TwistDrill {
     double diameter;     ///< [m]
     double point_angle;  ///< [rad] full
     double web;          ///< [–] web thickness over diameter
     double length;       ///< [m] tip to chuck
-    double corner;       ///< [–] length behind the corner that still cuts sideways, over diameter
+    double corner;       ///< [–] length behind a corner that still cuts sideways, over diameter
     double shoulder_diameter = 0.0;  ///< [m] of a wider part behind the point; 0: none
     double shoulder_angle = 0.0;     ///< [rad] full: 90° a countersink, a few degrees a taper
     double shoulder_depth = 0.0;     ///< [m] from the tip to where it begins
@@ -34,8 +44,19 @@ struct TwistDrill {
     [[nodiscard]] double point_depth() const noexcept { return radius() * half_point.cos / half_point.sin; }
     [[nodiscard]] bool has_shoulder() const noexcept { return shoulder_diameter > diameter; }
     [[nodiscard]] double widest_radius() const noexcept { return has_shoulder() ? 0.5 * shoulder_diameter : radius(); }
-    /// Where its last cone ends [m] from the tip: from there on it only touches, after a land.
-    [[nodiscard]] double cone_end() const noexcept;
+    /// The point, and the shoulder behind it where there is one.
+    struct Cones {
+        std::array<Cone, 2> cone;
+        std::size_t count = 0;
+        [[nodiscard]] const Cone* begin() const noexcept { return cone.data(); }
+        [[nodiscard]] const Cone* end() const noexcept { return cone.data() + count; }
+        [[nodiscard]] const Cone& last() const noexcept { return cone[count - 1]; }
+    };
+    [[nodiscard]] Cones cones() const noexcept;
+    /// [m] behind a cone that cuts sideways. From there on it only touches.
+    [[nodiscard]] double land() const noexcept { return corner * diameter; }
+    /// [m] between the point and the shoulder; 0 where there is none.
+    [[nodiscard]] double pilot() const noexcept { return has_shoulder() ? shoulder_depth - point_depth() : 0.0; }
     /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
     [[nodiscard]] double lag_of_second_lip() const noexcept { return 2.0 * runout * half_point.cos / half_point.sin; }
     /// Rake of the lips at `radius` [rad] with flutes of this helix: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.

@@ -97,5 +97,22 @@ TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {
     expect_one(found, "E0703", 3, 10);
 }
 
+TEST(RunChecks, AHoleIsAsWideAsItsNarrowestBore) {
+    Procedure p = procedure();
+    p.spacing = 0.8e-3;
+    Diagnostics found;
+    const ToolSolid drill({{0.0, 0.0}, {-1e-3, 1.6e-3}, {-50e-3, 1.6e-3}});
+    check_width_of_cut(p, "pilot", drill, found);
+    EXPECT_TRUE(found.empty()) << to_text(found);
+    // A wide shoulder does not make its pilot's hole wider; a cone has no bore of its own.
+    const ToolSolid step({{0.0, 0.0}, {-1e-3, 1.5e-3}, {-20e-3, 1.5e-3}, {-22e-3, 3e-3}, {-50e-3, 3e-3}});
+    check_width_of_cut(p, "pilot", step, found);
+    expect_one(found, "W0708", 3, 10);
+    EXPECT_NE(to_text(found).find("0.75 mm"), std::string::npos) << to_text(found);
+    found.clear();
+    check_width_of_cut(p, "pilot", ToolSolid({{0.0, 0.0}, {-6e-3, 3e-3}}), found);
+    EXPECT_TRUE(found.empty()) << to_text(found);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -72,10 +72,9 @@ TEST(Askew, InItsOwnHoleTheLandMeetsTheSameWallOnEveryGrid) {
 // Pulled aside, a bit bends and lies deep in the wall of its hole: deeper than a fine grid knows distances. Its hole holds it all the
 // same.
 TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
-    const auto tip = [](double spacing) {
+    const auto tip = [](const ToolSetup& setup, double spacing) {
         Body body = test::block({-5.0_mm, -5.0_mm, -24.0_mm}, {8.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
         body.materials = {{"bone", 300.0, {}}};
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}});
         Simulation simulation(body, setup, test::outline(setup), test::gains(0.05), test::at_depth(-0.1_mm));
         for (double depth = -0.1_mm; depth < 20.0_mm; depth += 4.0_um) {
             const double aside = 4.0_mm * std::clamp((depth - 8.0_mm) / 8.0_mm, 0.0, 1.0);
@@ -84,11 +83,15 @@ TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
         }
         return simulation.world_from_tool().position;
     };
-    const Vec3 coarse = tip(0.5_mm), fine = tip(0.25_mm), finest = tip(0.125_mm);
+    const ToolSetup drill = test::twist_drill({{"diameter", 3.2_mm}});
+    const Vec3 coarse = tip(drill, 0.5_mm), fine = tip(drill, 0.25_mm), finest = tip(drill, 0.125_mm);
     EXPECT_LT(finest.x, 0.3_mm) << "the hole holds it";
     EXPECT_GT(finest.x, 0.05_mm) << "and gives a little";
     EXPECT_LT(length(coarse - finest), 0.0625_mm);
     EXPECT_LT(length(fine - finest), 0.01_mm);
+    // Behind a short and thin pilot nearly all of a step drill's shank is as wide, and held as firmly.
+    const Vec3 stepped = tip(test::step_drill({{"diameter", 1.0_mm}, {"shoulder_diameter", 3.2_mm}, {"shoulder_depth", 1.0_mm}}), 0.125_mm);
+    EXPECT_NEAR(stepped.x, finest.x, 0.1_mm);
 }
 
 }  // namespace

@@ -280,30 +280,6 @@ TEST(StepDrill, ItsTorqueIsTheClosedFormOfItsWidestCircle) {
     }
 }
 
-TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
-    const ToolSetup setup = test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
-    double at = -1.0_mm;
-    for (; at < 5.0_mm; at += 4.0_um) {
-        (void)simulation.tick_direct({test::at_depth(at)});
-        simulation.after_tick();
-    }
-    simulation.finish();
-    const double removed = simulation.present().removed();
-    const double tip = 0.9614_mm, cone = 0.9_mm, r = 1.6_mm, w = 2.5_mm;
-    const double volume = pi * r * r * (tip / 3.0 + 3.0_mm - tip) + pi * cone / 3.0 * (r * r + r * w + w * w) + pi * w * w * (5.0_mm - 3.0_mm - cone);
-    EXPECT_NEAR(removed / volume, 1.0, 0.005);
-}
-
-TEST(StepDrill, RefusesAShoulderThatIsNone) {
-    ToolOutline outline;
-    std::string why;
-    EXPECT_FALSE(outline_of(test::step_drill({{"shoulder_diameter", 2.0_mm}}), outline, why));
-    EXPECT_FALSE(outline_of(test::step_drill({{"shoulder_depth", 0.2_mm}}), outline, why));
-    EXPECT_TRUE(outline_of(test::step_drill(), outline, why)) << why;
-}
-
 // ---- layers (C.4, C.9) -------------------------------------------------------------------------------------------
 
 TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {

@@ -15,7 +15,8 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
         double diameter, spacing, depth;
     };
     for (const auto [d, h, deep] : {Hole{5.4_mm, 1.0_mm, 4.5_mm}, {5.4_mm, 1.0_mm, 13.0_mm}, {5.4_mm, 0.7_mm, 13.0_mm}, {5.4_mm, 0.5_mm, 4.5_mm}, {5.4_mm, 0.5_mm, 13.0_mm},
-                                    {5.4_mm, 0.25_mm, 4.5_mm}, {3.2_mm, 1.0_mm, 13.0_mm}, {3.2_mm, 0.8_mm, 13.0_mm}, {3.2_mm, 0.7_mm, 13.0_mm}, {3.2_mm, 0.5_mm, 13.0_mm}})
+                                    {5.4_mm, 0.25_mm, 4.5_mm}, {3.2_mm, 1.0_mm, 13.0_mm}, {3.2_mm, 0.8_mm, 13.0_mm}, {3.2_mm, 0.7_mm, 13.0_mm}, {3.2_mm, 0.5_mm, 13.0_mm},
+                                    {3.2_mm, 0.9_mm, 8.0_mm}, {1.5_mm, 0.42_mm, 8.0_mm}})
         for (const double offset : {0.1, 0.35, 0.6, 0.85}) {
             const ToolSetup setup = test::twist_drill({{"diameter", d}, {"motor_torque", 20.0}});
             const Body body = test::Slab::make(h, {0.3, 0.7, offset});
