@@ -36,7 +36,7 @@ Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         const double wide = cone.outer - cone.inner;
         for (std::size_t ring = 0; ring < Levels::rings; ++ring) {
             const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(Levels::rings) * wide;
-            levels.add({at, cone.z_at(at), wide / static_cast<double>(Levels::rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
+            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(Levels::rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
         }
         const double land = cone.outer < drill.widest_radius() ? std::min(drill.land(), drill.pilot()) : drill.land();
         const double inside = inside_of_hole(tick, bone, cone.outer);
@@ -101,12 +101,12 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
         const Vec6 follow = scaled(per_newton, forces.cutting);
         std::copy(follow.begin(), follow.end(), feed->follow);
     }
-    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5).
+    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its lip feeds beyond that.
     if (!turning.removes()) return;
     if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
         const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
         heel->d[2] = 1.0;
-        heel->eta = tick.force[force_heel_stiffness] * tick.dt * engaged_width / full_width;
+        heel->eta = tick.force[force_heel_stiffness] * per_rate * engaged_width / full_width;
         heel->gap = least + tick.dt * turning.n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
 }

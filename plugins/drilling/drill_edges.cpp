@@ -62,8 +62,10 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
         for (const double side : {1.0, -1.0})
             point[count++] = {-side * r * a.sin, side * r * a.cos, -r * p.cos / p.sin};
     }
-    const Vec3 runs_off{drill.runout * a.cos, drill.runout * a.sin, 0.0};
-    for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + runs_off;
+    // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either lip is asked about on
+    // that shape, which it meets within half a turn; who of the two takes how much is a matter of shares.
+    if (drill.runout > 0.0)
+        for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + drill.runout * outwards(point[i]);
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
@@ -83,9 +85,9 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
             const LipElement& el = element(i);
             const Vec3 rate = linear(going) + cross(angular(going), point[i]);
             const double aside = el.normal_radial * dot(rate, outwards(point[i])) + el.normal_axial * (rate.z - along);
-            share = of_lip[lip_of(i)] * std::clamp(1.0 + aside * per_feed / el.normal_axial, 0.0, most);
+            share = std::clamp(of_lip[i < lip.count ? 0 : 1] + aside * per_feed / el.normal_axial, 0.0, most);
         }
-        takes[i] = even.taken(share, gap(i) - least);
+        takes[i] = even.taken(share, sample[i].gap - least);
     }
 }
 

@@ -30,7 +30,7 @@ struct Edges {
     std::array<kerf_bone_sample, most_edge_points> sample;
     std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
-    double lag = 0.0;  ///< [m] of the second lip
+    double lag = 0.0;  ///< [m] of the second lip behind the first one's cut
     std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
 
     [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
@@ -41,20 +41,14 @@ struct Edges {
     void ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
     /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along its own normal,
     ///
-    ///     c_0 = 1 + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
+    ///     c_0 = c_k + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
     ///
-    /// with v the piece's mean rate over half a turn and v̄_z the tool's along its axis, times its lip's share. A tool that does not
-    /// go forwards has even chips.
+    /// with c_k its lip's share (1 but for a tip that runs off), v the piece's mean rate over half a turn and v̄_z the tool's along its
+    /// axis. So a drill that is free to give way where its tip runs off centres itself. A tool that does not go forwards has even chips.
     void share_out(const Travel& travel, double n, double least_gap, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
     [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }
     [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[place_on_lip(i)]; }
-
-    [[nodiscard]] std::size_t lip_of(std::size_t i) const noexcept { return i < lip_points && i >= lip.count ? 1 : 0; }
-    /// How far a piece is behind the front, less what its lip always is.
-    [[nodiscard]] double gap(std::size_t i) const noexcept {
-        return lip_of(i) == 0 ? sample[i].gap : std::max(0.0, sample[i].gap - lag);
-    }
 
     /// Share of the edges in bone.
     [[nodiscard]] double engagement() const noexcept {
@@ -67,7 +61,7 @@ struct Edges {
     [[nodiscard]] double least_gap() const noexcept {
         double least = 1e300;
         for (std::size_t i = 0; i < count; ++i)
-            if (sample[i].engagement > 0.0) least = std::min(least, gap(i));
+            if (sample[i].engagement > 0.0) least = std::min(least, sample[i].gap);
         return least < 1e299 ? least : 0.0;
     }
 };

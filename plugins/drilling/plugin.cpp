@@ -54,7 +54,7 @@ constexpr kerf_param force_parameters[] = {
     {"element_pitch", "Length of one piece of lip.", dimension::length, "mm", 0.02_mm, 1.0_mm, 0.1_mm, "measured: finer changes thrust by under 0.3 % at 0.2 mm"},
     {"rake_effect", "How much less the lips' forces are for each degree more of rake.", dimension::none, "", 0.0, 0.05, 0.01, "assumed: order known from metal; best rake of bone is not settled [krause-1987]"},
     {"relief_angle", "Relief behind the lip: faster feeds ride on the heel.", dimension::angle, "deg", 1.0_deg, 30.0_deg, 10.0_deg, "standard grind"},
-    {"heel_stiffness", "Stiffness of the heel on bone.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 10000.0_N_per_mm, 1000.0_N_per_mm, "assumed"},
+    {"heel_stiffness", "Stiffness of the heels on bone of the reference density, for what each lip feeds beyond the relief.", dimension::force_per_length, "N/mm", 0.0_N_per_mm, 10000.0_N_per_mm, 1000.0_N_per_mm, "assumed"},
     {"contact_stiffness", "Stiffness of bone at each place where the shank or the still tip touches.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 500.0_N_per_mm, "assumed"},
     {"clearance", "How far the shank is thinner than the hole, on the radius.", dimension::length, "mm", 0.0_mm, 1.0_mm, 0.05_mm, "assumed"},
     {"friction", "Friction of steel on wet bone.", dimension::none, "", 0.0, 1.5, 0.3, "assumed"},

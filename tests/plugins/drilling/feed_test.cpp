@@ -229,6 +229,30 @@ TEST(DrillThrust, AWiderWebNeedsMorePush) {
     EXPECT_GT(steady(test::twist_drill({{"web", 0.25}}), 2.0_mm_per_s).thrust, 1.1 * steady(test::twist_drill(), 2.0_mm_per_s).thrust);
 }
 
+// R5: what a lip feeds beyond its relief stands on its heel, however often the loop asks.
+TEST(Heel, StandsOnWhatIsFedBeyondTheRelief) {
+    const double turns = 1000.0 / 60.0, rate = 60.0_mm_per_s, limit = 2.0 * pi * 1.6_mm * std::tan(10.0_deg);
+    const auto thrust = [&](double stiffness, double period, double density) {
+        Body body = test::block({-4.0_mm, -4.0_mm, -14.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.5_mm, {0.21, 0.34, 0.55});
+        body.materials = {{"bone", density, {}}};
+        const ToolSetup setup = test::twist_drill({{"heel_stiffness", stiffness}, {"motor_torque", 1000.0}});
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm), period);
+        double felt = 0.0;
+        for (double depth = -0.5_mm; depth < 9.0_mm; depth += rate * period) {
+            felt = simulation.tick_direct({test::at_depth(depth)}).thrust;
+            simulation.after_tick();
+        }
+        return felt;
+    };
+    const double k = 1000.0_N_per_mm;
+    for (const double period : {2e-3, 1e-3, 0.5e-3, 0.25e-3})
+        for (const double share : {1.0, 0.25}) {
+            const double density = 1850.0 * std::sqrt(share);
+            const double more = thrust(k, period, density) - thrust(0.0, period, density);
+            EXPECT_NEAR(more / (k * share * 0.5 * (rate / turns - limit)), 1.0, 0.01) << period << ", " << share;
+        }
+}
+
 // A tip that runs off its axis: the hole is wider by the runout, one lip takes all, and what pushes aside turns around.
 TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     const double e = 0.1_mm;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drill pushed sideways at the bottom of its hole: what its land takes it feels, by the same law as its lips.
+// What a drill takes sideways it feels, by the same law as along its shaft: pushed aside at the bottom of its hole, and where its tip runs off.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,6 +51,40 @@ TEST(Sideways, ALandIsResistedByItsLength) {
         for (const double rate : {1.0_mm_per_s, 10.0_mm_per_s}) {
             const double more = pushed(spacing, 1.0, rate) - pushed(spacing, 0.25, rate);
             EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << rate;
+        }
+}
+
+// A hand that gives way lets a drill centre itself where its tip runs off: bone costs what it costs without. (It cost a hundredth, when
+// the lips did not see that they had been moved aside.)
+TEST(Runout, AFreeDrillPaysForItsHole) {
+    struct Cost {
+        double thrust = 0.0, torque = 0.0;
+    };
+    const auto drilled = [](double runout, double density, double spacing) {
+        Body body = test::block({-5.0_mm, -5.0_mm, -9.0_mm}, {5.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+        body.materials = {{"bone", density, {}}};
+        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"runout", runout}});
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.1_mm));
+        Cost sum;
+        int count = 0;
+        for (double hand = -0.1_mm; hand < 6.0_mm; hand += 1.5_um) {
+            const TickResult r = simulation.tick({test::at_depth(hand)});
+            simulation.after_tick();
+            if (-simulation.world_from_tool().position.z < 2.0_mm) continue;
+            sum.thrust += r.thrust;
+            sum.torque += r.torque;
+            ++count;
+        }
+        return Cost{sum.thrust / count, sum.torque / count};
+    };
+    for (const double density : {500.0, 1850.0})
+        for (const double spacing : {0.5_mm, 0.25_mm}) {
+            const Cost without = drilled(0.0, density, spacing);
+            for (const double runout : {5.0_um, 50.0_um}) {
+                const Cost with = drilled(runout, density, spacing);
+                EXPECT_NEAR(with.thrust / without.thrust, 1.0, 0.1) << runout << ", " << density << ", " << spacing;
+                EXPECT_NEAR(with.torque / without.torque, 1.0, 0.2) << runout << ", " << density << ", " << spacing;
+            }
         }
 }
 
