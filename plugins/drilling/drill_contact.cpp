@@ -11,8 +11,8 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t shank_levels = 8, cone_levels = 4, around = 8;  // levels of the shank lie a diameter apart
-static_assert((shank_levels + 2 * cone_levels + 1) * around <= ContactPoints::most);
+constexpr std::size_t near_levels = 8, far_levels = 16, cone_levels = 4, around = 8;
+static_assert((near_levels + far_levels + 2 * cone_levels + 1) * around <= ContactPoints::most);
 constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
@@ -59,11 +59,16 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
         const double z = -drill.point_depth() - 0.5 * drill.pilot();
         add_ring(points, drill.radius() - inside_of_hole(tick, bone, drill.radius()), z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, of_front);
     }
-    const double widest = drill.widest_radius(), apart = 2.0 * widest, corner = cones.last().end() - drill.land();
-    const double rear = corner - 0.5 * apart * shank_levels, r = widest - inside_of_hole(tick, bone, widest);
-    for (std::size_t level = 0; level < shank_levels; ++level) {
-        const double z = corner - apart * (0.25 + static_cast<double>(level));
-        add_ring(points, r, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, z < rear ? of_rear : of_front);
+    // Along the shank a diameter apart, and from the eighth on as far apart as it takes to come to its end. While bone is taken the land
+    // behind the last cone is an edge; else it touches as the shank does.
+    const double widest = drill.widest_radius(), r = widest - inside_of_hole(tick, bone, widest), apart = 2.0 * widest;
+    const double front = cones.last().end() - (turning.removes() ? drill.land() + 0.25 * apart : 0.05 * apart);
+    const double far = front - apart * near_levels;
+    const double far_apart = std::max(apart, (drill.length + far) / static_cast<double>(far_levels));
+    for (std::size_t level = 0; level < near_levels + far_levels; ++level) {
+        const double z = level < near_levels ? front - apart * static_cast<double>(level) : far - far_apart * static_cast<double>(level - near_levels);
+        if (z < -drill.length) break;
+        add_ring(points, r, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, level < near_levels / 2 ? of_front : of_rear);
     }
     return points;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drill takes sideways it feels, by the same law as along its shaft: pushed aside at the bottom of its hole, and where its tip runs off.
+// A drill that goes sideways: what it takes it feels, by the same law as along its shaft; what it does not take holds it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/drill_rig.h"
@@ -52,6 +53,46 @@ TEST(Sideways, ALandIsResistedByItsLength) {
             const double more = pushed(spacing, 1.0, rate) - pushed(spacing, 0.25, rate);
             EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << rate;
         }
+}
+
+// The bit bends, the bone holds its shank. (Only what was behind the land touched: 2.5 mm deep it went through for nothing.)
+TEST(Sideways, AStillDrillIsHeldByTheSideOfABone) {
+    for (const double depth : {2.5_mm, 4.0_mm})
+        for (const double spacing : {0.25_mm, 0.125_mm}) {
+            const Body body = test::block({0, -6.0_mm, -12.0_mm}, {10.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+            const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"spindle_speed", 0.0}});
+            const auto beside = [&](double aside) { return test::at_depth(depth, 0.0, {aside - 1.6_mm, 0, 0}); };
+            Simulation simulation(body, setup, test::outline(setup), test::gains(), beside(-1.0_mm));
+            double force = 0.0, largest_step = 0.0;
+            for (double aside = -1.0_mm; aside < 2.0_mm; aside += 5.0_um) {
+                const double now = -simulation.tick({beside(aside)}).bone_on_tool[0];
+                simulation.after_tick();
+                largest_step = std::max(largest_step, std::abs(now - force));
+                force = now;
+            }
+            EXPECT_GT(force, 3.0) << "N, " << depth << ", " << spacing;
+            EXPECT_LT(largest_step, 0.5) << "N, " << depth << ", " << spacing;
+        }
+}
+
+// All of its shank is held by a plate that it has gone through, not only what is near its tip.
+TEST(Sideways, APlateHoldsAllOfTheShank) {
+    const Body body = test::block({-8.0_mm, -8.0_mm, -4.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
+    for (const double deep : {10.0_mm, 35.0_mm, 60.0_mm}) {
+        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm));
+        for (double depth = -0.2_mm; depth < deep; depth += depth < 6.0_mm ? 5.0_um : 50.0_um) {
+            (void)simulation.tick_direct({test::at_depth(depth)});
+            simulation.after_tick();
+        }
+        TickResult r;
+        for (double aside = 0.0; aside < 2.0_mm; aside += 2.0_um) {
+            r = simulation.tick({test::at_depth(deep, 0.0, {aside, 0, 0})});
+            simulation.after_tick();
+        }
+        EXPECT_LT(r.bone_on_tool[0], -1.0) << "N, " << deep;
+        EXPECT_LT(simulation.world_from_tool().position.x, 1.5_mm) << deep;
+    }
 }
 
 // A hand that gives way lets a drill centre itself where its tip runs off: bone costs what it costs without. (It cost a hundredth, when
