@@ -100,6 +100,7 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
         axial.write(scaled(per_newton, forces.normal), turning.cut_share, least, feed);
         const Vec6 follow = scaled(per_newton, forces.cutting);
         std::copy(follow.begin(), follow.end(), feed->follow);
+        if (!turning.removes()) feed->follow[5] = 0.0;  // what holds the drill then is told by its motor
     }
     // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its lip feeds beyond that.
     if (!turning.removes()) return;

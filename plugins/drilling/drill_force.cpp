@@ -48,11 +48,18 @@ double pushed_along(const Advance& advance) noexcept {
 /// in, with the torque that goes with such a push in cutting; in reverse they rub.
 double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
     if (is_reverse) return tick.force[force_friction] * push * 2.0 / 3.0 * edges.drill.radius();
-    constexpr double n = 1.0;
-    const double edge_depth = tick.force[force_edge_depth], feed_rate = lip_count * n * edge_depth;
-    edges.share_out({feed_rate, {}}, n, edges.least_gap(), edge_depth);
-    const EdgeForces forces = edge_forces(edges, tick, n, feed_rate);
-    return forces.thrust() > 0.0 ? push * forces.torque() / forces.thrust() : 0.0;
+    constexpr double n = 1.0, built_up = 10.0;  // edge depths: from there on force grows evenly with the chip
+    const double edge_depth = tick.force[force_edge_depth];
+    const auto at = [&](double chip) {
+        const double feed_rate = lip_count * n * chip;
+        edges.share_out({feed_rate, {}}, n, edges.least_gap(), edge_depth);
+        return edge_forces(edges, tick, n, feed_rate);
+    };
+    const EdgeForces thin = at(built_up * edge_depth);
+    if (thin.thrust() <= 0.0) return 0.0;
+    if (push <= thin.thrust()) return push * thin.torque() / thin.thrust();
+    const EdgeForces thick = at(2.0 * built_up * edge_depth);
+    return thin.torque() + (push - thin.thrust()) * (thick.torque() - thin.torque()) / (thick.thrust() - thin.thrust());
 }
 
 }  // namespace
@@ -68,7 +75,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, channels);
     }
     add_contact(drill, tick, bone, turning, state.shank_force, channels);
-    channels.push({}, {0, 0, state.spindle.speed < 0.0 ? state.reaction : -state.reaction});
+    channels.push({}, {0, 0, -state.reaction});
 }
 
 void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
@@ -105,9 +112,10 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     state.angle -= state.angle >= 2.0 * pi ? 2.0 * pi : state.angle < 0.0 ? -2.0 * pi : 0.0;
     if (state.spindle.step(motor_of(tick.tool), tick.drive[drive_spindle_speed], load, tick.dt))
         actions.event(event_of(state.spindle.phase));
-    // While it cuts or rubs at speed the bone's own torque follows the channels; the rest of the motor's is felt besides.
-    state.reaction = state.spindle.reaction_beyond(load);
+    // While it cuts the bone's own torque follows the channels, and the rest of the motor's is felt besides; else all of it.
     const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
+    const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
+    state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }
 

@@ -14,7 +14,7 @@ struct DrillCutting {
         Travel travel;
         double shank_force = 0.0;    ///< [N] what the shank carried in the last tick
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
-        double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers
+        double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Spindle spindle;
     };
     static constexpr std::size_t tool_parameter_count = drilling::tool_parameter_count;
