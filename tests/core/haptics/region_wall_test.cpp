@@ -2,6 +2,9 @@
 // Bone beyond a body's region: solid, and not to be cut.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/drill_rig.h"
 
 namespace kerf {
@@ -33,6 +36,27 @@ TEST(RegionWall, ADrillCutsUpToTheRegionsEndAndStands) {
     EXPECT_EQ(left, 1) << "said once";
     EXPECT_NEAR(-simulation.world_from_tool().position.z, 4.0_mm, 0.25_mm);
     EXPECT_NEAR(thrust, 170.0, 5.0) << "it is felt";
+}
+
+TEST(RegionWall, FromOutsideItIsMetWhereItsSurfaceIs) {
+    Body body = test::block({-20.0_mm, -6.0_mm, -12.0_mm}, {20.0_mm, 6.0_mm, 0}, 0.5_mm, {0.3, 0.1, 0.7});
+    body.region = {{-8.0_mm, -5.5_mm, -11.5_mm}, {8.0_mm, 5.5_mm, 3.0_mm}};
+    const ToolSetup setup = test::twist_drill({{"motor_torque", 20.0}});
+    for (const double aside : {9.0_mm, 12.0_mm, 15.0_mm}) {
+        const auto over = [&](double depth) { return test::at_depth(depth, 0.0, {aside, 0, 0}); };
+        Simulation simulation(body, setup, test::outline(setup), test::gains(), over(-1.0_mm));
+        double most_across = 0.0, thrust = 0.0;
+        for (double depth = -1.0_mm; depth < 3.0_mm; depth += 2.0_um) {
+            const TickResult r = simulation.tick({over(depth)});
+            simulation.after_tick();
+            most_across = std::max(most_across, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]));
+            thrust = r.thrust;
+        }
+        EXPECT_GT(thrust, 50.0) << aside;
+        EXPECT_LT(most_across, 5.0) << aside << ": it stands, and is not thrown back into the region";
+        EXPECT_NEAR(simulation.world_from_tool().position.x, aside, 0.2_mm);
+        EXPECT_LT(-simulation.world_from_tool().position.z, 0.5_mm) << aside;
+    }
 }
 
 TEST(RegionWall, BeyondTheRegionAirIsAir) {
