@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/progress.h"
+#include "app/run_checks.h"
 #include "conformance/plan/plan_text.h"
 #include "core/import/make_body.h"
 #include "core/session/recorder.h"
@@ -86,6 +87,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.gains = scene.gains;
         task.way = {scene.frames[s].pose_at({.depth = -in_air}), in_air + depth, feed_of(procedure)};
         task.spacing = procedure.spacing;
+        task.coarsest = coarsest_spacing(scene.tool(s).outline.cutting);
         task.accuracy = procedure.accuracy;
         task.budget = procedure.budget;
         const auto found = plan::plan_step(task, show_work, outcome.error);

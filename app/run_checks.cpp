@@ -97,27 +97,23 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
+double coarsest_spacing(const ToolSolid& cutting) { return cutting.is_prism() ? cutting.thickness() / 2.0 : narrowest_bore(cutting) / 4.0; }
+
 void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
-    struct Cut {
-        Code code;
-        std::string what;
-        double width, voxels;
-        const char *number, *what_happens;
-    };
-    const double bore = narrowest_bore(cutting);
-    const Cut cut = cutting.is_prism() ? Cut{Code::narrow_kerf, "The saw's kerf of " + in_mm(cutting.thickness()), cutting.thickness(), 2.0, "two", "its slot is lost between samples"}
-                                       : Cut{Code::narrow_hole, "The hole that `" + instrument + "` makes, " + in_mm(bore) + " wide,", bore, 4.0, "four",
-                                             "its wall is not known where it is, and the tool meets bone that it has cut"};
-    if (cut.width >= cut.voxels * procedure.spacing * (1.0 - 1e-9)) return;
+    const double coarsest = coarsest_spacing(cutting);
+    if (procedure.spacing <= coarsest * (1.0 + 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
-    const double needed = std::floor(cut.width / cut.voxels / 0.01e-3 + 1e-6) * 0.01e-3;
+    const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ": ", needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
+    const std::string what = cutting.is_prism()
+                                 ? "The saw's kerf of " + in_mm(cutting.thickness()) + " is narrower than two" + voxels + "its slot is lost between samples."
+                                 : "The hole that `" + instrument + "` makes, " + in_mm(narrowest_bore(cutting)) + " wide, is narrower than four" + voxels +
+                                       "its wall is not known where it is, and the tool meets bone that it has cut.";
     Report(*document, diagnostics)
-        .warning(cut.code, spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
-                 cut.what + " is narrower than " + cut.number + " voxels of " + in_mm(procedure.spacing) + ": " +
-                     cut.what_happens + ". It needs a spacing of " + in_mm(needed) + " or less.",
-                 in_mm(needed));
+        .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,
+                 spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
+                 what + " It needs a spacing of " + needed + " or less.", needed);
 }
 
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {

@@ -16,6 +16,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 /// The plugin refuses an instrument, and `why`.   [main]
 void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics);
 
+/// The spacing [m] at which a cut is as many voxels wide as it takes: two for a blade's kerf, four for a turning tool's hole.   [any] pure.
+[[nodiscard]] double coarsest_spacing(const ToolSolid& cutting);
 /// Warns of a blade whose kerf is under two voxels, and of a turning tool whose hole is under four.   [main]
 void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
 

@@ -3,6 +3,7 @@
 #include "conformance/plan/plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <cmath>
 
 #include "core/procedure/plain_numbers.h"
@@ -83,6 +84,7 @@ private:
     bool choose_spacing(std::string& error) {
         for (const double spacing : ladder) {
             if (spacing <= plan_.reference.spacing) break;
+            if (spacing > task_.coarsest && spacing > *std::prev(std::end(ladder))) continue;
             tell("bone at " + in_mm(spacing));
             Choice choice{.spacing = spacing, .pitch = own_pitch()};
             auto body = task_.bone_at(spacing);

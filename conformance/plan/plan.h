@@ -16,6 +16,7 @@ struct Task {
     CouplingGains gains;
     Way way;
     double spacing = 0.25e-3;  ///< [m] as the procedure says
+    double coarsest = 1e300;   ///< [m] at which the tool's own cut is still known
     Accuracy accuracy;
     Budget budget;
 };
@@ -51,7 +52,7 @@ struct StepPlan {
 
 using Progress = std::function<void(const std::string& what)>;
 
-/// Finds, in this order, the coarsest spacing, the coarsest pitch and the fewest features whose force and removed volume
+/// Finds, in this order, the coarsest spacing at which the tool's cut is known, the coarsest pitch and the fewest features whose force and removed volume
 /// stay within the accuracy of what the finest field gives with all of them. Errors are of a prescribed motion, and
 /// deterministic; only the cost is timed.
 /// Error: no bone at any spacing, a tool that cannot be made, a way that meets no bone.   [main]

@@ -30,15 +30,15 @@ static_assert(std::size(tool_parameters) == tool_parameter_count);
 
 constexpr kerf_param step_drill_parameters[] = {
     KERF_DRILL_PARAMETERS
-    {"shoulder_diameter", "Diameter of the wider part behind the point.", dimension::length, "mm", 0.5_mm, 30.0_mm, 5.0_mm, "assumed"},
+    {"shoulder_diameter", "Diameter of the wider part behind the point: wider than `diameter`.", dimension::length, "mm", 0.5_mm, 30.0_mm, 5.0_mm, "assumed"},
     {"shoulder_angle", "Full angle of the cone up to it: 90 deg a countersink, a few degrees a taper.", dimension::angle, "deg", 2.0_deg, 160.0_deg, 90.0_deg, "common for countersinks"},
-    {"shoulder_depth", "From the tip to where that cone begins.", dimension::length, "mm", 0.0_mm, 200.0_mm, 10.0_mm, "assumed"},
+    {"shoulder_depth", "From the tip to where that cone begins: no less than the point is deep, half of `diameter` over tan(`point_angle`/2).", dimension::length, "mm", 0.0_mm, 200.0_mm, 10.0_mm, "assumed"},
 };
 static_assert(std::size(step_drill_parameters) == step_drill_parameter_count);
 #undef KERF_DRILL_PARAMETERS
 
 constexpr kerf_drive drives[] = {
-    {"spindle_speed", "Commanded speed of the spindle; negative in reverse.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm},
+    {"spindle_speed", "Commanded speed of the spindle; negative in reverse. Below 30 rpm it cuts nothing.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm},
 };
 static_assert(std::size(drives) == drive_count);
 

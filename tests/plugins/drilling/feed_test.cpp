@@ -49,7 +49,7 @@ Felt steady(const ToolSetup& setup, double rate, double spacing = 0.25_mm) {
     return mean_between(feed(body, setup, rate, 4.0_mm), 2.5_mm, 4.0_mm);
 }
 
-// B1-a: fitted at 1000 and 1500 rpm, the law must meet the third speed of the same study within its spread.
+// B1-a: one line through three speeds of a study meets each within its spread; a law proportional to feed does not.
 TEST(DrillThrust, MeetsTheHumanFemurOfMacAvelia) {
     const struct { double rpm, thrust, thrust_sd, torque, torque_sd; } measured[] = {
         {1000, 198.4, 14.2, 186.3, 16.9}, {1250, 180.6, 14.0, 157.8, 16.1}, {1500, 176.3, 11.2, 140.2, 16.4}};
