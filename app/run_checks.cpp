@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/haptics/device_record.h"
 #include "core/procedure/document.h"
 #include "core/procedure/quantity.h"
 #include "core/procedure/read_procedure.h"
@@ -114,6 +113,22 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
         .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,
                  spacing != nullptr ? spacing->span : span_of_instrument(*document, instrument, "tool"),
                  what + " It needs a spacing of " + needed + " or less.", needed);
+}
+
+void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
+        const Rehearsal& rehearsal = procedure.rehearsals[i];
+        if (rehearsal.push * force_scale > device.friction) continue;
+        const double needed = std::ceil(1.5 * device.friction / force_scale);
+        Report(*document, diagnostics)
+            .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", i, "hand"),
+                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; at the force scale of 1/" +
+                         std::to_string(std::lround(1.0 / force_scale)) + " that is less at the device than its friction of " +
+                         quantity_text(device.friction, "N") + ", and it stands still. It needs a push of " + quantity_text(needed, "N") +
+                         " or more, or a slower feed: the scale follows from how hard bone resists at the fastest.",
+                     quantity_text(needed, "N"));
+    }
 }
 
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {

@@ -3,6 +3,7 @@
 
 #include "core/field/region.h"
 #include "core/field/tool_solid.h"
+#include "core/haptics/device_record.h"
 #include "core/procedure/procedure.h"
 #include "core/procedure/source.h"
 
@@ -20,6 +21,9 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
 [[nodiscard]] double coarsest_spacing(const ToolSolid& cutting);
 /// Warns of a blade whose kerf is under two voxels, and of a turning tool whose hole is under four.   [main]
 void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
+
+/// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.   [main]
+void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,

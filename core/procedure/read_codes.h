@@ -88,6 +88,7 @@ enum class Code {
     narrow_kerf = 706,       ///< under two voxels
     blade_beyond_region = 707,
     narrow_hole = 708,       ///< under four voxels
+    hand_held_by_friction = 709,
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -84,7 +84,7 @@ TEST(Scenes, TheLengthOfATickChangesNothing) {
 TEST(Scenes, MissedTicksAreNotRampedBackInto) {
     Found found;
     look_at_missed_ticks(nominal, found.report);
-    ASSERT_EQ(found.all.size(), 3u);
+    ASSERT_EQ(found.all.size(), 6u);
     for (const Finding& f : found.all) EXPECT_EQ(f.outcome, Outcome::pass) << f.measured;
 }
 
