@@ -77,6 +77,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         }
         plan::Task task;
         task.step = step.id;
+        task.instrument = step.instrument;
         task.bone_at = [&](double spacing) {
             Diagnostics ignored;
             return make_body(scene.anatomy, spacing, ignored);

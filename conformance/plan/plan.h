@@ -9,7 +9,7 @@ namespace kerf::plan {
 
 /// What a plan is made from.
 struct Task {
-    std::string step;  ///< id
+    std::string step, instrument;  ///< ids
     BoneAt bone_at;
     ToolSetup setup;   ///< as the procedure says, every feature in place
     ComponentInfo tool, force;

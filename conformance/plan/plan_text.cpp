@@ -48,21 +48,21 @@ std::string pitch_text(const Task& task, double pitch) {
 
 bool is_same(const Choice& a, const Choice& b) { return a.spacing == b.spacing && a.pitch == b.pitch; }
 
-/// What of the procedure a reader would have to write anew.
+/// What of the procedure a reader would have to write anew, as the patch of a variant.
 std::string to_write(const Task& task, const StepPlan& plan) {
+    const std::string indent = "        ", parameter = indent + "instruments." + task.instrument + ".parameters.";
     std::string text;
-    if (plan.chosen.spacing != task.spacing)
-        text += "    accuracy: {spacing: " + quantity_text(plan.chosen.spacing, "mm") + "}\n";
+    if (plan.chosen.spacing != task.spacing) text += indent + "accuracy.spacing: " + quantity_text(plan.chosen.spacing, "mm") + "\n";
     const auto pitch = pitch_of(task.force);
     if (pitch && plan.chosen.pitch != task.setup.force_parameters[pitch->param])
-        text += "    " + task.force.parameters[pitch->param].id + ": " + quantity_text(plan.chosen.pitch, pitch->unit) + "\n";
+        text += parameter + task.force.parameters[pitch->param].id + ": " + quantity_text(plan.chosen.pitch, pitch->unit) + "\n";
     for (const FeatureFound& feature : plan.features) {
         if (!feature.is_left_out) continue;
         for (const ComponentInfo* info : {&task.tool, &task.force})
             for (const FeatureInfo& line : info->features)
                 if (line.id == feature.id) {
                     const ParameterInfo& p = info->parameters[line.param];
-                    text += "    " + p.id + ": " + quantity_text(line.off, p.display_unit) + "\n";
+                    text += parameter + p.id + ": " + quantity_text(line.off, p.display_unit) + "\n";
                 }
     }
     return text;
@@ -102,7 +102,7 @@ std::string plan_text(const Task& task, const StepPlan& plan) {
             two_digits(plan.cost_as_written.p999, "us") + " in 999 of 1000\n";
     text += "  all of it along the planned way: a drill that leans or stalls may need what is left out\n";
     const std::string write = to_write(task, plan);
-    text += write.empty() ? "  the procedure is written so already\n" : "  to have it so, write\n" + write;
+    text += write.empty() ? "  the procedure is written so already\n" : "  to have it so, write under `variants:`\n    planned-" + plan.step + ":\n      patch:\n" + write;
     return text;
 }
 

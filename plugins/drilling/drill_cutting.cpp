@@ -40,7 +40,7 @@ Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         }
         const double land = cone.outer < drill.widest_radius() ? std::min(drill.land(), drill.pilot()) : drill.land();
         const double inside = inside_of_hole(tick, bone, cone.outer);
-        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, inside});
+        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, inside + drill.runout});
     }
     return levels;
 }

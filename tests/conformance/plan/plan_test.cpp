@@ -25,6 +25,7 @@ ComponentInfo info(const char* id) {
 Task drilling() {
     Task task;
     task.step = "hole";
+    task.instrument = "pilot";
     task.bone_at = [](double spacing) {
         return stability::make({.thickness = 6.0_mm, .spacing = spacing, .density = 1850.0, .shell = 2.0_mm, .inner = 400.0});
     };
@@ -60,6 +61,14 @@ TEST(Plan, WhoAsksForLessGetsACoarserModelAndBothGetWhatTheyAskedFor) {
     EXPECT_GT(loose.chosen.spacing, tight.chosen.spacing);
     EXPECT_GE(loose.chosen.pitch, tight.chosen.pitch);
     EXPECT_GT(loose.cost.p999, 0.0);
+}
+
+TEST(Plan, TriesNoSpacingAtWhichTheToolsOwnCutIsNotKnown) {
+    Task task = drilling();
+    task.coarsest = 0.4_mm;
+    const StepPlan plan = planned(task);
+    EXPECT_EQ(plan.tried.front().spacing, 0.35_mm);
+    EXPECT_LE(plan.chosen.spacing, 0.4_mm);
 }
 
 TEST(Plan, LeavesOutWhatChangesNothingAndKeepsWhatMakesTheForce) {
@@ -116,8 +125,8 @@ TEST(Plan, TextAndTableSayWhatTheyAreNotForAndWhatToWrite) {
     EXPECT_EQ(plan_csv(std::span(&plan, 1)).rfind("# For training and research; not for diagnosis", 0), 0u);
     const std::string text = plan_text(task, plan);
     EXPECT_NE(text.find("as accurate as asked for"), std::string::npos) << text;
-    EXPECT_NE(text.find("    friction: 0\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("accuracy: {spacing: "), std::string::npos) << text;
+    EXPECT_NE(text.find("        instruments.pilot.parameters.friction: 0\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("        accuracy.spacing: "), std::string::npos) << text;
 }
 
 }  // namespace
