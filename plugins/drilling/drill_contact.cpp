@@ -12,13 +12,12 @@ namespace kerf::drilling {
 namespace {
 
 constexpr std::size_t near_levels = 8, far_levels = 16, cone_levels = 4, around = 8;
-static_assert((near_levels + far_levels + 2 * cone_levels + 2) * around <= ContactPoints::most);
-constexpr double chuck_wider = 5e-3;  // [m] than the bit, on the radius [assumed]
+static_assert((near_levels + far_levels + 2 * cone_levels + 1) * around <= ContactPoints::most);
 constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
 using Slots = std::array<std::size_t, around>;
-constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9}, of_rear{15, 15, 15, 14, 14, 12, 13, 13}, of_chuck{0, 0, 2, 2, 4, 4, 6, 6};
+constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9}, of_rear{15, 15, 15, 14, 14, 12, 13, 13};
 
 /// A ring of points of radius `r` at `z` whose normals have these radial and axial parts.
 void add_ring(ContactPoints& points, double r, double z, double radial, double axial, double stiffness, double facing, const Slots& slots) noexcept {
@@ -71,8 +70,6 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
         if (z < -drill.length) break;
         add_ring(points, r, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, level < near_levels / 2 ? of_front : of_rear);
     }
-    // Nothing goes deeper than the chuck lets it.
-    add_ring(points, widest + chuck_wider, -drill.length, 0.0, 1.0, stiffness, grazing, of_chuck);
     return points;
 }
 

@@ -191,18 +191,5 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
     EXPECT_NEAR(-r.thrust / carried, 0.3, 0.015);
 }
 
-TEST(Chuck, LetsADrillNoDeeperThanItIsLong) {
-    for (const double speed : {1000.0_rpm, 0.0}) {
-        Rig rig({{"length", 8.0_mm}});
-        for (int i = 0; i < 8000; ++i) (void)rig.push(200.0);
-        EXPECT_NEAR(rig.depth(), 8.0_mm, 0.2_mm) << speed;
-        rig.simulation.command_drive(drilling::drive_spindle_speed, speed);
-        TickResult r;
-        for (int i = 0; i < 1000; ++i) r = rig.push(200.0);
-        EXPECT_NEAR(rig.depth(), 8.0_mm, 0.2_mm) << speed;
-        EXPECT_NEAR(r.thrust, 200.0, 5.0) << speed;
-    }
-}
-
 }  // namespace
 }  // namespace kerf
