@@ -16,7 +16,7 @@ constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/
 #define KERF_DRILL_PARAMETERS     {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"}, \
      {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"}, \
      {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"}, \
-     {"length", "From the tip to the chuck.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"}, \
+     {"length", "From the tip to the chuck, which bone does not stop.", dimension::length, "mm", 10.0_mm, 300.0_mm, 80.0_mm, "assumed"}, \
  {"corner", "Length behind the corner that still cuts sideways, as a share of the diameter.", dimension::none, "", 0.05, 1.0, 0.25, "assumed"}, \
      {"motor_torque", "The most the motor turns or brakes with.", dimension::torque, "N m", 10.0_Nmm, 20000.0_Nmm, 2000.0_Nmm, "assumed: order of battery-driven surgical drills"}, \
      {"runout", "How far the tip runs off the axis it turns about.", dimension::length, "mm", 0.0_mm, 0.5_mm, 0.0_mm, "a true bit; 0.05 mm is common"}, \
