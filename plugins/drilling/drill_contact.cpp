@@ -11,8 +11,10 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t near_levels = 8, far_levels = 16, cone_levels = 4, around = 8;
-static_assert((near_levels + far_levels + 2 * cone_levels + 1) * around <= ContactPoints::most);
+constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1, most_walls = TwistDrill::most_corners / 2, around = 8;
+/// Rings on each of so many cones: four if there are one or two.
+constexpr std::size_t rings_of(std::size_t cones) { return std::clamp<std::size_t>(8 / cones, 1, 4); }
+static_assert((near_levels + far_levels + most_cones + most_walls) * around <= ContactPoints::most);
 constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
@@ -29,15 +31,22 @@ void add_ring(ContactPoints& points, double r, double z, double radial, double a
 
 /// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
 ///
-///     k = 3 E I / (l³ + a³ (I/I_p − 1)),    I = ½ π d⁴/64
+///     k = 3 E I / Σ (x₂³ − x₁³) I/I_i,    I_i = ½ π d_i⁴/64
 ///
-/// with l the length from the chuck, a what of it is pilot, thinner than the shoulder behind it, and half of the round section's I
-/// left by the flutes [assumed]; E of stainless steel.
+/// summed over its pieces of one diameter d_i, from x₁ to x₂ behind z; I the shank's, and half of the round section's left by the
+/// flutes [assumed]. A cone counts as wide as it ends; what is wider than the shank as the shank. E of stainless steel.
 double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
     constexpr double steel = 193e9;  // [Pa]
-    const double d = 2.0 * drill.widest_radius(), d2 = d * d, l = std::max(drill.length + z, d);
-    const double a = drill.has_shoulder() ? std::max(0.0, drill.shoulder_depth + z) : 0.0, thinner = d2 / (drill.diameter * drill.diameter);
-    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / (l * l * l + a * a * a * (thinner * thinner - 1.0));
+    const double d = 2.0 * drill.shank_radius(), d2 = d * d, l = std::max(drill.length + z, d);
+    double bent = l * l * l, before = 0.0;  // [m³], [m³] x₁³
+    OutlineCorner piece{drill.point_depth(), drill.radius()};  // where it ends, and its radius
+    for (std::size_t i = 0; i <= drill.corner_count; ++i) {
+        const double x = std::max(0.0, piece.depth + z), x3 = x * x * x, thinner = d2 / (4.0 * piece.radius * piece.radius);
+        if (thinner > 1.0) bent += (x3 - before) * (thinner * thinner - 1.0);
+        before = x3;
+        if (i < drill.corner_count) piece = drill.corners[i];
+    }
+    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / bent;
     return bending * contact / (bending + contact);
 }
 
@@ -45,30 +54,32 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
     const TwistDrill::Cones cones = drill.cones();
+    const std::size_t rings = rings_of(cones.count);
     for (const Cone& cone : cones) {
         if (turning.removes()) break;
         const SinCos p = cone.half_angle;
         // A cone stands on bone ahead of it; it does not climb the wall of its hole.
         const double facing = std::max(std::min(0.6, p.sin - 0.1), grazing);
-        for (std::size_t level = 0; level < cone_levels; ++level) {
-            const double r = cone.inner + (cone.outer - cone.inner) * (0.1 + 0.25 * static_cast<double>(level));  // short of the wall of its hole
+        for (std::size_t ring = 0; ring < rings; ++ring) {
+            const double along = (0.4 + static_cast<double>(ring)) / static_cast<double>(rings);  // short of the wall of its hole
+            const double r = cone.inner + (cone.outer - cone.inner) * along;
             add_ring(points, r, cone.z_at(r), p.cos, p.sin, stiffness, facing, of_tip);
         }
-    }
-    if (!turning.removes() && drill.pilot() > 0.0) {
-        const double z = -drill.point_depth() - 0.5 * drill.pilot();
-        add_ring(points, drill.radius() - inside_of_hole(tick, bone, drill.radius()), z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, of_front);
+        if (&cone == &cones.last() || cone.straight <= 0.0) continue;
+        const double z = cone.end() - 0.5 * cone.straight;
+        add_ring(points, cone.outer - inside_of_hole(tick, bone, cone.outer), z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, of_front);
     }
     // Along the shank a diameter apart, and from the eighth on as far apart as it takes to come to its end. While bone is taken the land
     // behind the last cone is an edge; else it touches as the shank does.
-    const double widest = drill.widest_radius(), r = widest - inside_of_hole(tick, bone, widest), apart = 2.0 * widest;
+    const double widest = drill.widest_radius(), apart = 2.0 * widest;
+    const double of_head = widest - inside_of_hole(tick, bone, widest), of_shank = std::min(drill.shank_radius(), of_head), head = drill.head();
     const double front = cones.last().end() - (turning.removes() ? drill.land() + 0.25 * apart : 0.05 * apart);
     const double far = front - apart * near_levels;
     const double far_apart = std::max(apart, (drill.length + far) / static_cast<double>(far_levels));
     for (std::size_t level = 0; level < near_levels + far_levels; ++level) {
         const double z = level < near_levels ? front - apart * static_cast<double>(level) : far - far_apart * static_cast<double>(level - near_levels);
         if (z < -drill.length) break;
-        add_ring(points, r, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, level < near_levels / 2 ? of_front : of_rear);
+        add_ring(points, z > -head ? of_head : of_shank, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing, level < near_levels / 2 ? of_front : of_rear);
     }
     return points;
 }
@@ -81,7 +92,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     points.ask(bone, drill.widest_radius());
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};
-    if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.widest_radius();  // rubbing against the turn
+    if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
     points.write(channels, id_contact, rubs ? 1 : 0, follow);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
@@ -89,7 +100,7 @@ void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
     if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
         rub->d[2] = 1.0;
         rub->tau = tick.force[force_friction] * shank_force;
-        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.widest_radius());
+        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
     }
 }
 

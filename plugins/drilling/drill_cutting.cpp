@@ -16,7 +16,9 @@ struct Level {
 };
 class Levels {
 public:
-    static constexpr std::size_t rings = 3, most = 2 * (rings + 1);  ///< of two cones and their lands
+    static constexpr std::size_t most = 16;
+    /// On each of so many cones: all together, with a land for each that a wall follows, no more than there is room for.
+    [[nodiscard]] static std::size_t rings_of(std::size_t cones) noexcept { return std::clamp<std::size_t>(6 / cones, 1, 3); }
 
     void add(const Level& level) noexcept { level_[count_++] = level; }
     [[nodiscard]] std::size_t size() const noexcept { return count_; }
@@ -32,13 +34,15 @@ private:
 /// committed cut lags, which is a matter of the grid.
 Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
     Levels levels;
-    for (const Cone& cone : drill.cones()) {
+    const TwistDrill::Cones cones = drill.cones();
+    const std::size_t rings = Levels::rings_of(cones.count);
+    for (const Cone& cone : cones) {
         const double wide = cone.outer - cone.inner;
-        for (std::size_t ring = 0; ring < Levels::rings; ++ring) {
-            const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(Levels::rings) * wide;
-            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(Levels::rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
+        for (std::size_t ring = 0; ring < rings; ++ring) {
+            const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
+            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
         }
-        const double land = cone.outer < drill.widest_radius() ? std::min(drill.land(), drill.pilot()) : drill.land();
+        const double land = &cone == &cones.last() ? drill.land() : std::min(drill.land(), cone.straight);
         const double inside = inside_of_hole(tick, bone, cone.outer);
         if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, inside + drill.runout});
     }

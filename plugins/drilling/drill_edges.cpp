@@ -31,13 +31,12 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     lag = drill.lag_of_second_lip();
     // The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
     const auto farthest = [&](double wall) { return wall - bone.wall_error(wall); };
-    const double of_point = farthest(drill.radius()), of_shoulder = farthest(drill.widest_radius());
     for (int k = 0; k < lip_count; ++k) {
         const double side = k == 0 ? 1.0 : -1.0;
         for (std::size_t i = 0; i < lip.count; ++i) {
             const LipElement& el = lip.element[i];
             Vec3 at = place_of(el, drill.half_web(), side * a.cos, side * a.sin);
-            const double back = el.radius - (el.radius < drill.radius() ? of_point : of_shoulder);
+            const double back = el.radius - farthest(el.wall);
             if (back > 0.0) {
                 const double kept = std::max(0.0, 1.0 - back / el.radius);
                 at = {kept * at.x, kept * at.y, at.z + back * el.normal_radial / el.normal_axial};

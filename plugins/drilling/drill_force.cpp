@@ -87,7 +87,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
 
     // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engagement];
-    double load = tick.force[force_friction] * state.shank_force * drill.widest_radius(), feed_thrust = 0.0;
+    double load = tick.force[force_friction] * state.shank_force * drill.shank_radius(), feed_thrust = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
         if (advance.channel[c].id != id_feed) continue;
         feed_thrust = advance.lambda[c];

@@ -13,7 +13,10 @@ namespace kerf::drilling {
 
 /// Parameters in the order the tables in plugin.cpp declare them.
 enum ToolParameter : std::size_t { tool_diameter, tool_point_angle, tool_web, tool_length, tool_corner, tool_motor_torque, tool_runout, tool_helix_angle, tool_run_up, tool_inertia, tool_mass, tool_parameter_count,
-                                  /* a step drill has three more */ tool_shoulder_diameter = tool_parameter_count, tool_shoulder_angle, tool_shoulder_depth, step_drill_parameter_count };
+                                  /* a step drill has three more */ tool_shoulder_diameter = tool_parameter_count, tool_shoulder_angle, tool_shoulder_depth, step_drill_parameter_count,
+                                  /* a profile drill has these */ tool_shank_diameter = tool_parameter_count, tool_first_depth, tool_first_diameter,
+                                  profile_drill_parameter_count = tool_first_depth + 2 * TwistDrill::most_corners };
+static_assert(profile_drill_parameter_count != step_drill_parameter_count, "their number tells the tools apart");
 enum ForceParameter : std::size_t {
     force_thrust_edge,
     force_thrust_chip,

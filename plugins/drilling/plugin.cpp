@@ -12,7 +12,7 @@ using namespace literals;
 
 constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/s, least squares over 1000, 1250 and 1500 rpm [macavelia-2012]; docs/models/drilling.md";
 
-// What every drill has; a step drill has three more.
+// What every drill has.
 #define KERF_DRILL_PARAMETERS     {"diameter", "Diameter over the lips.", dimension::length, "mm", 0.5_mm, 20.0_mm, 3.2_mm, "the drill of [macavelia-2012]"}, \
      {"point_angle", "Full angle of the point.", dimension::angle, "deg", 60.0_deg, 160.0_deg, 118.0_deg, "standard grind"}, \
      {"web", "Web thickness at the point, as a share of the diameter.", dimension::none, "", 0.05, 0.4, 0.15, "assumed: common for surgical twist drills"}, \
@@ -35,6 +35,16 @@ constexpr kerf_param step_drill_parameters[] = {
     {"shoulder_depth", "From the tip to where that cone begins: no less than the point is deep, half of `diameter` over tan(`point_angle`/2).", dimension::length, "mm", 0.0_mm, 200.0_mm, 10.0_mm, "assumed"},
 };
 static_assert(std::size(step_drill_parameters) == step_drill_parameter_count);
+
+#define KERF_CORNER(N)     {"depth_" #N, "From the tip to corner " #N " of the outline behind the point; 0: there is none, nor a further one.", dimension::length, "mm", 0.0_mm, 200.0_mm, 0.0_mm, "as the tool is"},     {"diameter_" #N, "Diameter at corner " #N ": no less than at the one before.", dimension::length, "mm", 0.0_mm, 30.0_mm, 0.0_mm, "as the tool is"},
+
+constexpr kerf_param profile_drill_parameters[] = {
+    KERF_DRILL_PARAMETERS
+    {"shank_diameter", "Diameter behind the corners and the land, where it is thinner than they are; 0: as wide.", dimension::length, "mm", 0.0_mm, 30.0_mm, 0.0_mm, "as the tool is"},
+    KERF_CORNER(1) KERF_CORNER(2) KERF_CORNER(3) KERF_CORNER(4) KERF_CORNER(5) KERF_CORNER(6) KERF_CORNER(7) KERF_CORNER(8)
+};
+static_assert(std::size(profile_drill_parameters) == profile_drill_parameter_count);
+#undef KERF_CORNER
 #undef KERF_DRILL_PARAMETERS
 
 constexpr kerf_drive drives[] = {
@@ -86,21 +96,26 @@ constexpr kerf_signal signals[] = {
 };
 static_assert(std::size(signals) == signal_count);
 
-/// The cones and the land behind the last of them cut; the shank does not.
+/// The cones and the land behind the last of them cut; what is behind does not.
 kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) {
-    const double tip = drill.point_depth(), cone_end = drill.cones().last().end(), corner = drill.land() - cone_end, e = drill.runout;
-    if (out->profile_capacity < 6) return KERF_CAPACITY;
-    if (!(corner < drill.length)) return KERF_OUT_OF_RANGE;
+    const double tip = drill.point_depth(), widest = drill.widest_radius(), shank = drill.shank_radius(), e = drill.runout;
+    const double cone_end = drill.cones().last().end(), land_end = drill.land() - cone_end, head = drill.head(), neck = head + (widest - shank);
+    if (out->profile_capacity < TwistDrill::most_corners + 6) return KERF_CAPACITY;
+    if (!(neck < drill.length)) return KERF_OUT_OF_RANGE;
     kerf_profile_point* at = out->profile;
     *at++ = {0.0, e};
     *at++ = {-tip, drill.radius() + e};
-    if (drill.has_shoulder()) {
-        if (drill.shoulder_depth > tip) *at++ = {-drill.shoulder_depth, drill.radius() + e};
-        *at++ = {cone_end, drill.widest_radius() + e};
+    for (std::size_t i = 0; i < drill.corner_count; ++i) {
+        const OutlineCorner& corner = drill.corners[i];
+        if (-corner.depth < (at - 1)->z && corner.depth < land_end) *at++ = {-corner.depth, corner.radius + e};
     }
-    *at++ = {-corner, drill.widest_radius() + e};
+    *at++ = {-land_end, widest + e};
     out->cutting_count = static_cast<uint32_t>(at - out->profile);
-    *at++ = {-drill.length, drill.widest_radius() + e};
+    if (shank < widest) {
+        if (head > land_end) *at++ = {-head, widest + e};
+        *at++ = {-neck, shank + e};
+    }
+    *at++ = {-drill.length, shank + e};
     out->profile_count = static_cast<uint32_t>(at - out->profile);
     out->grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
     out->mass = mass;
@@ -114,12 +129,26 @@ kerf_status shape(const double* params, kerf_tool_shape* out) { return outline(d
 kerf_status step_shape(const double* params, kerf_tool_shape* out) {
     const TwistDrill drill = drill_of({params, step_drill_parameter_count});
     // The shoulder begins where the point has ended, and is wider.
-    if (!drill.has_shoulder() || drill.shoulder_depth < drill.point_depth()) return KERF_OUT_OF_RANGE;
+    if (!(drill.widest_radius() > drill.radius()) || params[tool_shoulder_depth] < drill.point_depth()) return KERF_OUT_OF_RANGE;
+    return outline(drill, params[tool_mass], out);
+}
+
+/// Corners go backwards from the point, and from one to the next the outline is straight or widens by a degree of half angle or more.
+kerf_status profile_shape(const double* params, kerf_tool_shape* out) {
+    constexpr double slightest = 0.0174550649282176;  // tan 1°
+    const TwistDrill drill = drill_of({params, profile_drill_parameter_count});
+    OutlineCorner last{drill.point_depth(), drill.radius()};
+    for (std::size_t i = 0; i < drill.corner_count; ++i) {
+        const double longer = drill.corners[i].depth - last.depth, wider = drill.corners[i].radius - last.radius;
+        if (!(longer > 1.0_um) || (wider != 0.0 && wider < slightest * longer)) return KERF_OUT_OF_RANGE;
+        last = drill.corners[i];
+    }
     return outline(drill, params[tool_mass], out);
 }
 
 constexpr kerf_tool twist_drill{sizeof(kerf_tool), drives, drive_count, &shape};
 constexpr kerf_tool step_drill{sizeof(kerf_tool), drives, drive_count, &step_shape};
+constexpr kerf_tool profile_drill{sizeof(kerf_tool), drives, drive_count, &profile_shape};
 
 constexpr kerf_force cutting{sizeof(kerf_force),
                              sizeof(DrillCutting::State),
@@ -136,6 +165,8 @@ constexpr kerf_component components[] = {
      tool_parameter_count, std::size(tool_features), &twist_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_TOOL, "step_drill", "Twist drill with a wider part behind the point: countersink, taper, step.",
      step_drill_parameters, step_drill_parameter_count, std::size(tool_features), &step_drill, nullptr, tool_features},
+    {sizeof(kerf_component), KERF_KIND_TOOL, "profile_drill", "Drill of any outline, with two lips all along what widens: several steps, an acorn, a ball on a thin shank.",
+     profile_drill_parameters, profile_drill_parameter_count, std::size(tool_features), &profile_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_FORCE, "drill_cutting",
      "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.", force_parameters,
      force_parameter_count, std::size(force_features), nullptr, &cutting, force_features},

@@ -13,8 +13,25 @@ double TwistDrill::rake_at(double at, SinCos h) const noexcept {
 
 TwistDrill::Cones TwistDrill::cones() const noexcept {
     Cones all{{Cone{half_point, 0.0, radius(), 0.0}}, 1};
-    if (has_shoulder()) all.cone[all.count++] = {sin_cos_exact(0.5 * shoulder_angle), radius(), widest_radius(), -shoulder_depth};
+    OutlineCorner last{point_depth(), radius()};
+    for (std::size_t i = 0; i < corner_count; ++i) {
+        const double wider = corners[i].radius - last.radius, longer = corners[i].depth - last.depth;
+        if (wider > 0.0) {
+            const double slant = std::sqrt(wider * wider + longer * longer);
+            all.cone[all.count++] = {{wider / slant, longer / slant}, last.radius, corners[i].radius, -last.depth};
+        } else {
+            all.cone[all.count - 1].straight += longer;
+        }
+        last = corners[i];
+    }
+    for (std::size_t i = all.count - 1; i-- > 0;)
+        if (all.cone[i].straight <= 0.0) all.cone[i].wall = all.cone[i + 1].wall;
     return all;
+}
+
+double TwistDrill::head() const noexcept {
+    const double of_corners = corner_count > 0 ? corners[corner_count - 1].depth : 0.0;
+    return std::max(of_corners, land() - cones().last().end());
 }
 
 namespace {
@@ -31,6 +48,7 @@ void add_edge(Lip& lip, const Cone& cone, double b, double from, double pitch) n
         e.along = first + (static_cast<double>(i) + 0.5) * ds;
         e.radius = std::sqrt(e.along * e.along + b * b);
         e.z = cone.z_at(e.radius);
+        e.wall = cone.wall;
         const double cos_beta = e.along / e.radius;
         const double cos_i = std::sqrt(p.cos * p.cos + p.sin * p.sin * cos_beta * cos_beta);
         e.normal_axial = p.sin * cos_beta / cos_i;
@@ -44,11 +62,9 @@ void add_edge(Lip& lip, const Cone& cone, double b, double from, double pitch) n
 Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
     Lip lip;
     const double b = drill.half_web();
-    if (drill.has_shoulder()) {  // half of the room for either
-        const double most = 2.0 / static_cast<double>(largest_element_count);
-        pitch = std::max(pitch, most * drill.widest_radius());
-    }
-    for (const Cone& cone : drill.cones()) add_edge(lip, cone, b, std::max(cone.inner, drill.chisel_radius()), pitch);
+    const TwistDrill::Cones cones = drill.cones();
+    pitch = std::max(pitch, drill.widest_radius() / static_cast<double>(largest_element_count - cones.count));  // room for one piece more on each
+    for (const Cone& cone : cones) add_edge(lip, cone, b, std::max(cone.inner, drill.chisel_radius()), pitch);
     return lip;
 }
 

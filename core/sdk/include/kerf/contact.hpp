@@ -22,7 +22,7 @@ namespace kerf {
 /// point's, the choice between two would chatter. Add the points, ask the bone, write the channels.   [haptic, nonblocking]
 class ContactPoints {
 public:
-    static constexpr std::size_t most = 272, most_slots = KERF_MAX_CHANNELS;
+    static constexpr std::size_t most = 304, most_slots = KERF_MAX_CHANNELS;
 
     /// @param at, outwards  on the tool's surface, unit normal; tool frame [m]
     /// @param stiffness     [N/m]
