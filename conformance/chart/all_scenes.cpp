@@ -9,7 +9,7 @@ using namespace literals;
 
 std::vector<Scene> all_scenes() {
     return {slab_scene(0.0),    slab_scene(10.0_deg), slab_scene(30.0_deg),  femur_scene(),
-            trochanter_scene(), pedicle_scene(0.0),   pedicle_scene(5.0_mm), fast_scene()};
+            trochanter_scene(), pedicle_scene(0.0),   pedicle_scene(medial_breach), fast_scene()};
 }
 
 }  // namespace kerf::chart

@@ -5,6 +5,7 @@
 
 #include "conformance/chart/scene.h"
 #include "conformance/chart/vertebra_phantom.h"  // the text of the anatomy, put there by CMakeLists.txt
+#include "conformance/drawing/svg.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 #include "kerf/assert.hpp"
@@ -16,13 +17,13 @@ using namespace literals;
 
 Scene pedicle_scene(double medial) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text("vertebra-phantom.yaml", vertebra_phantom, diagnostics);
+    const auto anatomy = read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom, diagnostics);
     KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(),
                 "the anatomy in procedures/ reads without error");
     Scene scene;
     scene.id = medial == 0.0 ? "pedicle" : "pedicle-breach";
-    scene.title = std::string("Pedicle of the vertebra phantom, 3.2 mm drill, ") +
-                  (medial == 0.0 ? "along the planned axis" : "5 mm towards the canal");
+    scene.title = std::string("Pedicle of L4, a phantom, 3.2 mm drill, ") +
+                  (medial == 0.0 ? "along the planned axis" : drawing::figure(1e3 * medial) + " mm towards the canal");
     scene.drill.diameter = 3.2_mm;
     scene.drill.point_angle = 118.0_deg;
     scene.is_oblique = true;

@@ -142,7 +142,7 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
                       "the measurements among themselves, no check of a law: densities are not reported"});
 
     // Past the shell that the drill enters by; the breach goes through the canal's wall after that.
-    const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(5.0_mm);
+    const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(medial_breach);
     constexpr double past_entry = 6.0_mm, to = 26.0_mm;
     const double safe_peak = peak_thrust(safe, law, past_entry, to),
                  breach_peak = peak_thrust(breach, law, past_entry, to);

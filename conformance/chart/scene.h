@@ -39,8 +39,10 @@ void go_to(Scene& scene, double to, double speed);
 [[nodiscard]] Scene femur_scene();
 /// Into the trochanter along the neck: 1.5 mm of cortex over cancellous bone, neck at 125° to the shaft (E.1).
 [[nodiscard]] Scene trochanter_scene();
-/// The pedicle of procedures/anatomy/vertebra-phantom.yaml, 3.2 mm drill, `medial` [m] beside the planned axis.
+/// The pedicle of procedures/anatomy/vertebra-l4-phantom.yaml, 3.2 mm drill, `medial` [m] beside the planned axis.
 [[nodiscard]] Scene pedicle_scene(double medial);
+/// [m] so far beside the axis the drill goes 1.3 mm into the canal.
+inline constexpr double medial_breach = 6.3e-3;
 /// Pecks at 100 mm/s, out and in at up to 1 m/s, then through 0.5 mm of bone at 1 m/s.
 [[nodiscard]] Scene fast_scene();
 
