@@ -96,18 +96,26 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
                why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
-double coarsest_spacing(const ToolSolid& cutting) { return cutting.is_prism() ? cutting.thickness() / 2.0 : narrowest_bore(cutting) / 4.0; }
+namespace {
+
+/// Of what a tool leaves: a saw's kerf, the narrowest hole of what turns [m].
+double width_of_cut(const ToolSolid& cutting) { return cutting.is_prism() ? cutting.thickness() : narrowest_bore(cutting); }
+double coarsest_for(const ToolSolid& cutting, double width) { return width / (cutting.is_prism() ? 2.0 : 4.0); }
+
+}  // namespace
+
+double coarsest_spacing(const ToolSolid& cutting) { return coarsest_for(cutting, width_of_cut(cutting)); }
 
 void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
-    const double coarsest = coarsest_spacing(cutting);
+    const double width = width_of_cut(cutting), coarsest = coarsest_for(cutting, width);
     if (procedure.spacing <= coarsest * (1.0 + 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
     const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ": ", needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
     const std::string what = cutting.is_prism()
-                                 ? "The saw's kerf of " + in_mm(cutting.thickness()) + " is narrower than two" + voxels + "its slot is lost between samples."
-                                 : "The hole that `" + instrument + "` makes, " + in_mm(narrowest_bore(cutting)) + " wide, is narrower than four" + voxels +
+                                 ? "The saw's kerf of " + in_mm(width) + " is narrower than two" + voxels + "its slot is lost between samples."
+                                 : "The hole that `" + instrument + "` makes, " + in_mm(width) + " wide, is narrower than four" + voxels +
                                        "its wall is not known where it is, and the tool meets bone that it has cut.";
     Report(*document, diagnostics)
         .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,

@@ -12,7 +12,8 @@ namespace {
 /// Circles on what cuts sideways, from the tip backwards.
 struct Level {
     double radius, z, width, normal_radial;
-    double inside;  ///< [m] how far inside what it cuts its points lie
+    bool is_land = false;
+    double inside = 0.0;  ///< [m] of a land: how far inside the hole it has cut its points lie
 };
 class Levels {
 public:
@@ -40,11 +41,11 @@ Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         const double wide = cone.outer - cone.inner;
         for (std::size_t ring = 0; ring < rings; ++ring) {
             const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
-            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos, 0.0});
+            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos});
         }
         const double land = &cone == &cones.last() ? drill.land() : std::min(drill.land(), cone.straight);
         const double inside = inside_of_hole(tick, bone, cone.outer);
-        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, inside + drill.runout});
+        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout});
     }
     return levels;
 }
@@ -59,13 +60,14 @@ void take_up_play(const Levels& levels, kerf_bone_sample* of_way) noexcept {
     const kerf_bone_sample* at = of_way;
     for (const Level& level : levels)
         for (std::size_t a = 0; a < std::size(azimuth); ++a, ++at)
-            if (level.inside == 0.0 && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
+            if (!level.is_land && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
     for (const Level& level : levels)
         for (const auto& [along, across] : azimuth) {
+            kerf_bone_sample& here = *of_way++;
+            if (!level.is_land) continue;
             const double hole = level.radius + level.inside, aside = across * level.radius;
             const double play = std::sqrt(hole * hole - aside * aside) - along * level.radius;
-            of_way->gap = std::max(0.0, of_way->gap - std::max(0.0, play - of_cones));
-            ++of_way;
+            here.gap = std::max(0.0, here.gap - std::max(0.0, play - of_cones));
         }
 }
 

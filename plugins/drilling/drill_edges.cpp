@@ -28,7 +28,6 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     drill = of;
     lip = make_lip(drill, tick.force[force_element_pitch]);
     const SinCos a = sin_cos_exact(angle);
-    lag = drill.lag_of_second_lip();
     // The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
     const auto farthest = [&](double wall) { return wall - bone.wall_error(wall); };
     for (int k = 0; k < lip_count; ++k) {
@@ -76,7 +75,7 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
     const double along = going[2], feed = travel.feed_rate / n;
     const double per_feed = std::clamp(along / slowest, 0.0, 1.0) / std::max(along, slowest);
     const EvenChip even(feed / lip_count, edge_depth);
-    const auto of_lip = share_of_lips(lag, feed);
+    const auto of_lip = share_of_lips(drill.lag_of_second_lip(), feed);
     for (std::size_t i = 0; i < count; ++i) {
         if (resistance[i] <= 0.0) continue;
         double share = 1.0;

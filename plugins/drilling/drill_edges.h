@@ -30,7 +30,6 @@ struct Edges {
     std::array<kerf_bone_sample, most_edge_points> sample;
     std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
-    double lag = 0.0;  ///< [m] of the second lip behind the first one's cut
     std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
 
     [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
