@@ -4,6 +4,7 @@
 
 #include "dental_implant.h"
 #include "hsieh_2006.h"
+#include "kerf/refusal.hpp"
 #include "kerf/units.hpp"
 #include "touch_count.h"
 #include "tsai_2007.h"
@@ -43,8 +44,8 @@ static_assert(std::size(drives) == drive_count);
 kerf_status shape(const double* params, kerf_tool_shape* out) {
     const PaperDrill drill = paper_drill({params, tool_parameter_count});
     if (out->profile_capacity < 4) return KERF_CAPACITY;
-    const double land = 0.5 * drill.radius;
-    if (!(drill.point_depth() + land < drill.length)) return KERF_OUT_OF_RANGE;
+    const double land = 0.5 * drill.radius, end = drill.point_depth() + land;
+    if (!(end < drill.length)) return refuse(out, "`length` is ", in_mm(drill.length), "; it needs more than ", in_mm(end), ", where the land behind the point ends.");
     out->profile[0] = {0.0, 0.0};
     out->profile[1] = {-drill.point_depth(), drill.radius};
     out->profile[2] = {-drill.point_depth() - land, drill.radius};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace kerf {
 
@@ -18,6 +19,18 @@ kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, dou
     return in;
 }
 
+namespace {
+
+/// In a plugin's words, as far as they are fit to print.
+std::string why_refused(const kerf_tool_shape& shape) {
+    const char* end = std::find(std::begin(shape.refusal), std::end(shape.refusal), '\0');
+    std::string words(shape.refusal, end);
+    std::replace_if(words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7f; }, ' ');
+    return words.empty() ? "it refused them." : words;
+}
+
+}  // namespace
+
 bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     constexpr std::uint32_t capacity = 64;
     constexpr double heaviest = 20.0;  // [kg]
@@ -28,7 +41,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     shape.profile_capacity = capacity;
     shape.kind = KERF_SOLID_REVOLUTION;
     if (setup.tool->tool->shape(setup.tool_parameters.data(), &shape) != KERF_OK) {
-        error = std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: it refused them.";
+        error = std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
         return false;
     }
     bool is_sound = shape.profile_count >= 2 && shape.profile_count <= capacity && shape.cutting_count >= 2 &&

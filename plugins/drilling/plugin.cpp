@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drill_force.h"
+#include "kerf/refusal.hpp"
 #include "kerf/units.hpp"
 
 namespace kerf::drilling {
@@ -101,7 +102,8 @@ kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) 
     const double tip = drill.point_depth(), widest = drill.widest_radius(), shank = drill.shank_radius(), e = drill.runout;
     const double cone_end = drill.cones().last().end(), land_end = drill.land() - cone_end, head = drill.head(), neck = head + (widest - shank);
     if (out->profile_capacity < TwistDrill::most_corners + 6) return KERF_CAPACITY;
-    if (!(neck < drill.length)) return KERF_OUT_OF_RANGE;
+    if (!(neck < drill.length))
+        return refuse(out, "`length` is ", in_mm(drill.length), "; it needs more than what is cut with and the land behind it, ", in_mm(neck), ".");
     kerf_profile_point* at = out->profile;
     *at++ = {0.0, e};
     *at++ = {-tip, drill.radius() + e};
@@ -128,8 +130,10 @@ kerf_status shape(const double* params, kerf_tool_shape* out) { return outline(d
 
 kerf_status step_shape(const double* params, kerf_tool_shape* out) {
     const TwistDrill drill = drill_of({params, step_drill_parameter_count});
-    // The shoulder begins where the point has ended, and is wider.
-    if (!(drill.widest_radius() > drill.radius()) || params[tool_shoulder_depth] < drill.point_depth()) return KERF_OUT_OF_RANGE;
+    if (!(drill.widest_radius() > drill.radius()))
+        return refuse(out, "`shoulder_diameter` is ", in_mm(params[tool_shoulder_diameter]), "; it needs more than `diameter`, ", in_mm(drill.diameter), ".");
+    if (params[tool_shoulder_depth] < drill.point_depth())
+        return refuse(out, "`shoulder_depth` is ", in_mm(params[tool_shoulder_depth]), "; it needs the depth of the point or more, ", in_mm(drill.point_depth()), ".");
     return outline(drill, params[tool_mass], out);
 }
 
@@ -140,7 +144,13 @@ kerf_status profile_shape(const double* params, kerf_tool_shape* out) {
     OutlineCorner last{drill.point_depth(), drill.radius()};
     for (std::size_t i = 0; i < drill.corner_count; ++i) {
         const double longer = drill.corners[i].depth - last.depth, wider = drill.corners[i].radius - last.radius;
-        if (!(longer > 1.0_um) || (wider != 0.0 && wider < slightest * longer)) return KERF_OUT_OF_RANGE;
+        const char nth[] = {static_cast<char>('1' + i), '\0'};
+        if (!(longer > 1.0_um))
+            return refuse(out, "`depth_", nth, "` is ", in_mm(drill.corners[i].depth), "; it needs more than the depth of ", i == 0 ? "the point" : "the corner before",
+                          ", ", in_mm(last.depth), ".");
+        if (wider != 0.0 && wider < slightest * longer)
+            return refuse(out, "`diameter_", nth, "` is ", in_mm(2.0 * drill.corners[i].radius), "; it needs that of ", i == 0 ? "the point" : "the corner before", ", ",
+                          in_mm(2.0 * last.radius), ", or a degree of half angle more: ", in_mm(2.0 * (last.radius + slightest * longer)), ".");
         last = drill.corners[i];
     }
     return outline(drill, params[tool_mass], out);

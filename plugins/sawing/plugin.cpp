@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "kerf/refusal.hpp"
 #include "kerf/units.hpp"
 #include "saw_force.h"
 
@@ -72,14 +73,18 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
     const SawBlade blade = blade_of({params, tool_parameter_count});
     const bool is_whole = std::floor(blade.tooth_count) == blade.tooth_count;
     constexpr double widest = 60.0_deg;
-    if (!is_whole || !(blade.half_sweep() < widest)) return KERF_OUT_OF_RANGE;
+    if (!is_whole) return refuse(out, "`tooth_count` is ", Figure(blade.tooth_count), "; it needs a whole number.");
+    if (!(blade.half_sweep() < widest))
+        return refuse(out, "front and swing reach ", Figure(blade.half_sweep() / 1.0_deg, " deg"), " to either side; less than ", Figure(widest / 1.0_deg, " deg"),
+                      " is needed: fewer teeth, a smaller `tooth_pitch` or `arc`, or a larger `radius`.");
     kerf_profile_point* at = out->profile;
     for (std::uint32_t i = 0; i <= pieces; ++i) {
         const Vec3 front = blade.on_front(sin_cos_exact(blade.half_sweep() * i / pieces));
         *at++ = {front.z, front.x};
     }
     const kerf_profile_point end = *(at - 1);
-    if (!(blade.tooth_height - end.z < 0.9 * blade.radius)) return KERF_OUT_OF_RANGE;
+    const double deepest = 0.9 * blade.radius + end.z;
+    if (!(blade.tooth_height < deepest)) return refuse(out, "`tooth_height` is ", in_mm(blade.tooth_height), "; with this front it needs less than ", in_mm(deepest), ".");
     *at++ = {end.z - blade.tooth_height, end.radius};
     out->cutting_count = static_cast<std::uint32_t>(at - out->profile);
     *at++ = {-blade.radius, end.radius};

@@ -147,18 +147,21 @@ TEST(ProfileDrill, ShankThinnerThanItsHoleTouchesNothing) {
     EXPECT_EQ(pressed(2.35_mm), 0);
 }
 
-TEST(ProfileDrill, RefusesWhatIsNoOutline) {
-    const auto is_taken = [](std::map<std::string, double> set, const Corners& corners) {
+TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
+    const auto refusal = [](std::map<std::string, double> set, const Corners& corners) {
         ToolOutline outline;
         std::string why;
-        return outline_of(profile_drill(std::move(set), corners), outline, why);
+        (void)outline_of(profile_drill(std::move(set), corners), outline, why);
+        return why;
     };
-    EXPECT_TRUE(is_taken({}, {{4.0_mm, 1.6_mm}, {5.0_mm, 2.0_mm}, {8.0_mm, 2.0_mm}, {9.0_mm, 3.0_mm}}));
-    EXPECT_FALSE(is_taken({}, {{0.5_mm, 2.0_mm}})) << "beside the point";
-    EXPECT_FALSE(is_taken({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}})) << "a step without depth";
-    EXPECT_FALSE(is_taken({}, {{4.0_mm, 1.0_mm}})) << "narrower again";
-    EXPECT_FALSE(is_taken({}, {{40.0_mm, 1.601_mm}})) << "a taper that is none";
-    EXPECT_FALSE(is_taken({{"length", 10.0_mm}}, {{9.0_mm, 1.6_mm}, {9.8_mm, 3.0_mm}})) << "longer than the drill";
+    const std::string begin = "tool `profile_drill` cannot be made from these parameters: ";
+    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {5.0_mm, 2.0_mm}, {8.0_mm, 2.0_mm}, {9.0_mm, 3.0_mm}}), "");
+    EXPECT_EQ(refusal({}, {{0.5_mm, 2.0_mm}}), begin + "`depth_1` is 0.5 mm; it needs more than the depth of the point, 0.961 mm.");
+    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}), begin + "`depth_2` is 4 mm; it needs more than the depth of the corner before, 4 mm.");
+    EXPECT_EQ(refusal({}, {{4.0_mm, 1.0_mm}}), begin + "`diameter_1` is 2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 3.31 mm.");
+    EXPECT_EQ(refusal({}, {{40.0_mm, 1.601_mm}}), begin + "`diameter_1` is 3.2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 4.56 mm.");
+    EXPECT_EQ(refusal({{"length", 10.0_mm}}, {{9.0_mm, 1.6_mm}, {9.8_mm, 3.0_mm}}),
+              begin + "`length` is 10 mm; it needs more than what is cut with and the land behind it, 10.6 mm.");
 }
 
 TEST(ProfileDrill, SwitchedOffItStandsOnItsHeadAsABlunterToolDoes) {

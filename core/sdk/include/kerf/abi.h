@@ -105,6 +105,8 @@ typedef struct kerf_tool_shape {
     double mass;             /* out: of the tool with its handpiece [kg]; 0: it has none */
     double centre_z;         /* out, with a mass: where its centre lies on the axis [m] */
     double gyration;         /* out, with a mass: its radius of gyration about that centre [m], > 0 */
+    char refusal[240];       /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, what they are and what is
+                                needed; UTF-8, ends with NUL. Empty when asked */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {
