@@ -135,6 +135,8 @@ constexpr kerf_param tsai_parameters[] = {
     KERF_VOXEL,
     KERF_SHANK,
     KERF_SOFTER,
+    {"torque_arm", "T_thrust over this length is added to the thrust, as a force; 0: it is not.", dimension::length, "mm", 0.0, 300.0_mm, 0.0,
+     "[tsai-2007] section 5.2 adds it and states no length: off"},
 };
 static_assert(std::size(tsai_parameters) == Tsai2007::force_parameter_count);
 

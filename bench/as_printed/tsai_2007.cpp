@@ -94,11 +94,15 @@ Lateral lateral_force(double f_radius, double f_tang, SinCos alpha) noexcept {
     return {alpha.cos * f_radius - alpha.sin * f_tang, alpha.sin * f_radius + alpha.cos * f_tang};
 }
 
+double rendered_thrust(const DrillingSums& sum, double arm) noexcept {
+    return sum.thrust + (arm > 0.0 ? sum.torque_thrust / arm : 0.0);
+}
+
 void Tsai2007::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
     const DrillingSums sum = sums_of(tick, bone, state);
     const Lateral to = lateral_force(sum.radius, sum.tang, sin_cos_exact(state.angle));
-    // Thrust pushes the drill out; torques are not rendered (5.2, last paragraph).
-    channels.push(Vec3{to.x, to.y, -sum.thrust} + sideways_force(tick, bone, state), {0, 0, 0});
+    // Thrust pushes the drill out; T_tang and T_radius are not represented (5.2, last paragraph).
+    channels.push(Vec3{to.x, to.y, -rendered_thrust(sum, tick.force[P::torque_arm])} + sideways_force(tick, bone, state), {0, 0, 0});
 }
 
 void Tsai2007::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,

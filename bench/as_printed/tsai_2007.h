@@ -44,6 +44,10 @@ struct DrillingSums {
     double torque_tang = 0.0, torque_radius = 0.0, torque_thrust = 0.0;  ///< [N·m]
 };
 
+/// The force along the axis [N] that is rendered: F_thrust, and T_thrust "as a cyclic force adding to" it (5.2, last paragraph), as the
+/// paper's device has no torques. By which length [m] a torque becomes a force is not stated: `arm`; 0 leaves it out.
+[[nodiscard]] double rendered_thrust(const DrillingSums& sum, double arm) noexcept;
+
 struct Tsai2007 {
     using State = LastInterval;
     enum Parameter : std::size_t {
@@ -59,6 +63,7 @@ struct Tsai2007 {
         voxel_width,
         shank,
         softer,
+        torque_arm,
         force_parameter_count
     };
     enum Signal : std::size_t { f_tang, f_radius, t_tang, t_radius, t_thrust, signal_count };

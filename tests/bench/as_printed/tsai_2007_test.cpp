@@ -47,26 +47,72 @@ TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
     EXPECT_GT(std::hypot(force.x, force.y), std::abs(force.z)) << "where there is no sideways force at all";
 }
 
-TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equal lips cancels
-    kerf_bone_query whole_bone{};
-    whole_bone.tissue_count = 1;
-    whole_bone.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
-        for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
-    };
-    const double tool[] = {5.4_mm, 118.0_deg, 0.15, 100.0_mm}, drive[] = {1000.0_rpm};
+/// The law of a 5.4 mm drill at 8 mm/s and 1000 rpm, both lips in whole cortical bone.
+struct InWholeBone {
+    kerf_bone_query query{};
+    std::vector<double> tool{5.4_mm, 118.0_deg, 0.15, 100.0_mm}, drive{1000.0_rpm};
     std::vector<double> force;
-    for (const auto& info : test::printed_plugins().catalog())
-        if (info.id == "tsai_2007")
-            for (const auto& parameter : info.parameters) force.push_back(parameter.def);
     Tsai2007::State state;
-    state.rate[2] = 8.0_mm_per_s;
-    double signals[Tsai2007::signal_count] = {};
-    kerf_action action[KERF_MAX_ACTIONS];
-    kerf_commit_out out{};
-    out.action = action;
-    Actions actions(out);
-    Tsai2007::commit({1e-3, tool, force, drive}, BoneQuery(whole_bone), {}, state, signals, actions);
-    EXPECT_GT(signals[Tsai2007::t_thrust], 100.0_Nmm);
+
+    InWholeBone() {
+        query.tissue_count = 1;
+        query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+            for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
+        };
+        for (const auto& info : test::printed_plugins().catalog())
+            if (info.id == "tsai_2007")
+                for (const auto& parameter : info.parameters) force.push_back(parameter.def);
+        state.rate[2] = 8.0_mm_per_s;
+    }
+    [[nodiscard]] Tick tick() const { return {1e-3, tool, force, drive}; }
+    [[nodiscard]] double t_thrust() const {
+        State after = state;
+        double signals[Tsai2007::signal_count] = {};
+        kerf_action action[KERF_MAX_ACTIONS];
+        kerf_commit_out out{};
+        out.action = action;
+        Actions actions(out);
+        Tsai2007::commit(tick(), BoneQuery(query), {}, after, signals, actions);
+        return signals[Tsai2007::t_thrust];
+    }
+    [[nodiscard]] kerf_law law() {
+        kerf_law out{sizeof(kerf_law), 0, channel, {}, {}};
+        Channels channels(out);
+        Tsai2007::resist(tick(), BoneQuery(query), state, channels);
+        return out;
+    }
+
+private:
+    using State = Tsai2007::State;
+    kerf_channel channel[KERF_MAX_CHANNELS] = {};
+};
+
+TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equal lips cancels
+    EXPECT_GT(InWholeBone().t_thrust(), 100.0_Nmm);
+}
+
+// 00-18: the paper's device has no torques, so its T_thrust is rendered along the axis. By which length is not said, and that decides what
+// it costs.
+TEST(Tsai2007, TThrustAddedToTheThrustIsAHundredthOfItOrAThird) {
+    InWholeBone bone;
+    bone.tool[0] = 3.2_mm;
+    bone.state.rate[2] = 2.0_mm_per_s;  // the measured point that the coefficients come from
+    const auto thrust = [&](double arm) {
+        bone.force[Tsai2007::torque_arm] = arm;
+        return -bone.law().wrench[2];
+    };
+    const double without = thrust(0.0);
+    EXPECT_NEAR(without, 198.4, 0.1);
+    EXPECT_NEAR(bone.t_thrust(), 103.0_Nmm, 1.0_Nmm);
+    EXPECT_NEAR(thrust(100.0_mm) - without, 1.03, 0.01) << "N, over the way to the haptic point";
+    EXPECT_NEAR(thrust(1.6_mm) - without, 64.5, 0.5) << "N, over the drill's radius";
+}
+
+TEST(Tsai2007, UnlessAskedForNoTorqueIsRendered) {
+    InWholeBone bone;
+    EXPECT_EQ(bone.force[Tsai2007::torque_arm], 0.0);
+    const kerf_law law = bone.law();
+    for (const int torque : {3, 4, 5}) EXPECT_EQ(law.wrench[torque], 0.0) << torque;
 }
 
 TEST(Tsai2007, NoProcedureFindsIt) {
