@@ -194,7 +194,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(plan, "--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
                not_empty(out_help));
     plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which are the values if "
-                 "it has none.\nExit code: 0 if a plan keeps both, 1 if none does.\n" +
+                 "it has none; the torque about the shaft counts as force does. Only for a budget that it has is anything else looked for than the coarsest "
+                 "that is accurate.\nExit code: 0 if a plan keeps both, 1 if none does.\n" +
                  std::string(notice_line) + ".");
 
     CLI::App* stability = add("stability", "Put the haptic loop where methods are known to fail, and print what it does");

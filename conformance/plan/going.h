@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Apart {
     double force = 0.0;   ///< RMS|F − F_ref| / RMS|F_ref|
     double torque = 0.0;  ///< RMS(T − T_ref) / RMS T_ref
     double volume = 0.0;  ///< |V − V_ref| / V_ref
+    /// The worse of the force's error and, where it counts, the torque's: what a hand would feel of it.
+    [[nodiscard]] double felt(bool torque_counts) const noexcept { return torque_counts ? std::max(force, torque) : force; }
 };
 [[nodiscard]] Apart apart(const Met& met, const Met& reference);
 

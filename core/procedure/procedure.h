@@ -104,12 +104,13 @@ struct Rehearsal {
 
 /// How true a procedure asks its forces and volumes to be, of what the same physics gives on the finest field [–].
 struct Accuracy {
-    double force = 0.07;   ///< a hand feels no less [pang-1991]
+    double force = 0.07;   ///< a hand feels no less [pang-1991]; of the torque about the shaft as well
     double volume = 0.02;  ///< of bone removed
 };
 /// What it may cost.
 struct Budget {
-    double tick = 300e-6;  ///< [s] of the processor, 999 ticks of 1000
+    double tick = 300e-6;   ///< [s] of the processor, 999 ticks of 1000
+    bool is_given = false;  ///< by the procedure: only then is there anything to keep `kerf plan` looking
 };
 
 /// The same procedure with a few values changed.

@@ -513,6 +513,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     if (const Node* node = map.find("budget")) {
         MapReader budget(*node, shapes::budget, "budget", report);
         budget.quantity("tick", procedure.budget.tick);
+        procedure.budget.is_given = budget.find("tick") != nullptr;
         budget.finish();
     }
     if (const Node* node = map.find("haptics")) {

@@ -63,12 +63,12 @@ const Shape needs{"needs", "What the anatomy must have, by name: no coordinates 
 
 const Shape accuracy{"accuracy", "How true the simulation is asked to be.", {
     {optional, "spacing", length(0.05_mm, 2.0_mm), "Between the samples of the bone's distance field.", "0.25 mm"},
-    {optional, "force", quantity(dimension::none, "%", 0.001, 0.5), "How far a force may be off what the finest field gives, for `kerf plan`.", "7 %"},
+    {optional, "force", quantity(dimension::none, "%", 0.001, 0.5), "How far a force, and where there is one a torque, may be off what the finest field gives, for `kerf plan`.", "7 %"},
     {optional, "volume", quantity(dimension::none, "%", 0.0005, 0.5), "How far the removed volume may be off, for `kerf plan`.", "2 %"},
 }};
 
 const Shape budget{"budget", "What the simulation may cost.", {
-    {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms), "Of the processor, in 999 ticks of 1000, for `kerf plan`.", "300 us"},
+    {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms), "Of the processor, in 999 ticks of 1000: `kerf plan` looks for what keeps it.", "300 us"},
 }};
 
 const Shape haptics{"haptics", "What the hand holds, and how the tool hangs on it.", {
