@@ -219,15 +219,23 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
     return outcome.is_kept ? exit_pass : exit_not_passed;
 }
 
-ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins) {
+/// The papers' laws, which only `stability` and `chart` show.
+void scan_papers(PluginRegistry& papers, const std::string& folder) {
+    papers.scan({folder});
+    for (const auto& refusal : papers.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
+}
+
+ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
     using namespace stability;
+    PluginRegistry papers;
+    scan_papers(papers, printed_folder);
     std::printf("%s.\n%s\n", notice_line, table_head().c_str());
     const stability::Report print_line = [](const Finding& finding) {
         std::printf("%s\n", table_line(finding).c_str());
         std::fflush(stdout);
     };
     std::string error;
-    const auto findings = run_suite(plugins, line.plugin, line.is_quick, print_line, error);
+    const auto findings = run_suite(plugins, papers, line.plugin, line.is_quick, print_line, error);
     if (!error.empty()) return complain(error, exit_bad_input);
     std::fputs(tally(findings).c_str(), stdout);
     const std::string out = line.out.empty() ? "out/stability" : line.out;
@@ -238,8 +246,7 @@ ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugin
 
 ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
     PluginRegistry printed;
-    printed.scan({printed_folder});
-    for (const auto& refusal : printed.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
+    scan_papers(printed, printed_folder);
     if (printed.plugins().empty())
         std::fprintf(stderr, "kerf: the papers as printed are not in %s: the chart goes without them.\n", printed_folder.c_str());
     std::printf("%s.\n", notice_line);
@@ -346,7 +353,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "run") return run(line, plugins);
     if (line.command == "validate") return validate(line, plugins);
     if (line.command == "plan") return plan(line, plugins);
-    if (line.command == "stability") return look_at_stability(line, plugins);
+    if (line.command == "stability") return look_at_stability(line, plugins, printed);
     if (line.command == "chart") return draw_chart(line, plugins, printed);
     if (line.command == "expand") return expand(line, plugins);
     if (line.command == "explain") return explain(line);

@@ -4,42 +4,75 @@
 #include <cmath>
 
 #include "conformance/stability/bone_block.h"
-#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/led_tool.h"
 #include "conformance/stability/scenes.h"
 
 namespace kerf::stability {
 
-void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
-    constexpr double above = -0.3e-3, deep = 3e-3, shallow = 1e-3;  // [m]
-    constexpr double feed = 2e-3, travel = 5e-3;                    // [m/s]
-    constexpr int longest = 20000;                                  // [ticks]
-    const Body body = make({.thickness = 16e-3});
+namespace {
+
+constexpr double above = -0.3e-3, deep = 3e-3, shallow = 1e-3;  // [m]
+
+struct BackAgain {
+    bool is_out = false;
+    double most = 0.0;                ///< [N] of bone on the way back in, before the front
+    double deepest = 0.0, end = 0.0;  ///< [m] of the tip
+    [[nodiscard]] bool is_empty() const noexcept { return is_out && most < 0.05 && end > shallow + 1e-3; }
+};
+
+BackAgain out_and_in(const LedTool& tool) {
+    constexpr double feed = 2e-3, travel = 5e-3;  // [m/s]
+    constexpr int longest = 20000;                // [ticks]
+    for (int i = 0; i < run_up; ++i) tool.go(above);
+    BackAgain again;
+    double hand = above, last = tool.tip();
+    const auto go = [&](double speed, const auto& until) {
+        for (int i = 0; i < longest && !until(); ++i) {
+            last = tool.tip();
+            hand += speed * Simulation::dt;
+            tool.go(hand);
+            again.deepest = std::max(again.deepest, tool.tip());
+        }
+    };
+    go(feed, [&] { return tool.tip() >= deep; });
+    go(-travel, [&] { return tool.tip() <= shallow; });
+    again.is_out = tool.tip() <= shallow;
+    // Up to a tick's travel before the front: from there on it is bone.
+    go(travel, [&] {
+        const bool is_there = tool.tip() >= again.deepest - 1.5 * travel * Simulation::dt;
+        if (!is_there && tool.tip() > last) again.most = std::max(again.most, std::abs(tool.thrust()));
+        return is_there;
+    });
+    again.end = tool.tip();
+    return again;
+}
+
+Finding finding_of(const BackAgain& again) {
+    Finding finding{.test = "S-12", .scene = "out of a hole and in again", .hand = led};
+    finding.measured = "at most " + figure(again.most, "N") + " of bone down to " + figure(1e3 * again.end, "mm") +
+                       " of " + figure(1e3 * again.deepest, "mm");
+    finding.criterion = "< 0.05 N of bone before the front";
+    finding.outcome = passes(again.is_empty());
+    return finding;
+}
+
+}  // namespace
+
+void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report) {
+    const BoneBlock block{.thickness = 16e-3};
+    const Body body = make(block);
+    Finding as_printed{.test = "S-12", .scene = "out of a hole and in again", .hand = led, .reason = no_papers};
+    if (printed != nullptr) {
+        PrintedLoop loop(block, body.grid(), printed->setup, at_depth(above), Simulation::dt);
+        as_printed = finding_of(out_and_in(led_by(loop, printed->setup)));
+        as_printed.reason = "its bone stays until the drilling ends";
+    }
+    as_printed.method = Method::as_printed;
+    report(as_printed);
     for (const DeviceRecord& device : scope.devices) {
         KerfLoop loop(body, tool.setup, gains_under_push(device, push_of(device), tool, body), above);
-        loop.wait(above, run_up);
-        double hand = above, deepest = 0.0, most = 0.0;
-        const auto go = [&](double speed, const auto& until) {
-            for (int i = 0; i < longest && !until(); ++i) {
-                hand += speed * Simulation::dt;
-                (void)loop.answer(hand);
-                deepest = std::max(deepest, loop.tip());
-            }
-        };
-        go(feed, [&] { return loop.tip() >= deep; });
-        go(-travel, [&] { return loop.tip() <= shallow; });
-        const bool is_out = loop.tip() <= shallow;
-        // Up to a tick's travel before the front: from there on it is bone.
-        go(travel, [&] {
-            const bool is_there = loop.tip() >= deepest - 1.5 * travel * Simulation::dt;
-            if (!is_there && loop.last().rate[2] > 0.0) most = std::max(most, std::abs(loop.last().thrust));
-            return is_there;
-        });
-        Finding finding{.test = "S-12", .scene = "out of a hole and in again", .hand = led};
+        Finding finding = finding_of(out_and_in(led_by(loop)));
         finding.device = device.id;
-        finding.measured = "at most " + figure(most, "N") + " of bone down to " + figure(1e3 * loop.tip(), "mm") +
-                           " of " + figure(1e3 * deepest, "mm");
-        finding.criterion = "< 0.05 N of bone before the front";
-        finding.outcome = passes(is_out && most < 0.05 && loop.tip() > shallow + 1e-3);
         report(finding);
     }
 }

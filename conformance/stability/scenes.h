@@ -9,6 +9,8 @@
 /// planning or deciding treatment.
 namespace kerf::stability {
 
+// `printed`: the papers' law with its tool, for tests of the law itself; none: those are not applicable.
+
 /// S-04: a shell that is thinner than a tick's way.   [main]
 void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-05: the law creeps over the grid's cells.   [main]
@@ -18,7 +20,7 @@ void look_at_noise(const Scope& scope, const ToolUnderTest& tool, const Report& 
 /// S-07: a probe lies flat on bone, then has twice as many points.   [main]
 void look_at_flat(const Scope& scope, const Report& report);
 /// S-12: out of a hole and into it again.   [main]
-void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report);
 /// S-15: through a shell of 1 mm into air.   [main]
 void look_at_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-16: across a border behind which bone resists a tenth.   [main]

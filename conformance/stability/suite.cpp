@@ -10,11 +10,14 @@
 
 namespace kerf::stability {
 
-std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string& plugin, bool is_quick,
-                               const Report& as_found, std::string& error) {
+std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegistry& papers, const std::string& plugin,
+                               bool is_quick, const Report& as_found, std::string& error) {
     std::vector<Finding> findings;
     const auto tool = find_tool(plugins, plugin, error);
     if (!tool) return findings;
+    std::string why_no_papers;  // said in the rows that want them
+    const auto found = find_tool(papers, "bench.as_printed", why_no_papers);
+    const ToolUnderTest* const printed = found ? &*found : nullptr;
     const Report report = [&](const Finding& finding) {
         findings.push_back(finding);
         if (as_found) as_found(finding);
@@ -26,7 +29,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string&
     look_at_creep(scope, *tool, report);
     look_at_noise(scope, *tool, report);
     look_at_flat(scope, report);
-    look_at_re_entry(scope, *tool, report);
+    look_at_re_entry(scope, *tool, printed, report);
     look_at_breakthrough(scope, *tool, report);
     look_at_border(scope, *tool, report);
     look_at_many_contacts(scope, report);

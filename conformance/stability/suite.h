@@ -11,9 +11,9 @@
 namespace kerf::stability {
 
 /// Everything the suite looks at, in the order of the tests. Deterministic: no clock, fixed seeds.   [main]
-/// `plugin`: whose first tool and force are looked at. Error: it is not there.
-[[nodiscard]] std::vector<Finding> run_suite(const PluginRegistry& plugins, const std::string& plugin, bool is_quick,
-                                             const Report& as_found, std::string& error);
+/// `plugin`: whose first tool and force are looked at. Error: it is not there. `papers`: where the papers' laws are, if they were built.
+[[nodiscard]] std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegistry& papers, const std::string& plugin,
+                                             bool is_quick, const Report& as_found, std::string& error);
 
 /// Whether what Kerf itself does fails nowhere. What is rendered as the papers print it may fail: that is what it is
 /// there to show.
