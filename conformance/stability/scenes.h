@@ -14,7 +14,7 @@ namespace kerf::stability {
 /// S-04: a shell that is thinner than a tick's way.   [main]
 void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-05: the law creeps over the grid's cells.   [main]
-void look_at_creep(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+void look_at_creep(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report);
 /// S-06: counts of the encoder against a slow feed, and against none.   [main]
 void look_at_noise(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-07: a probe lies flat on bone, then has twice as many points.   [main]

@@ -26,7 +26,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     look_at_cutting(scope, *tool, report);
     look_at_walls(scope, report);
     look_at_tunnelling(scope, *tool, report);
-    look_at_creep(scope, *tool, report);
+    look_at_creep(scope, *tool, printed, report);
     look_at_noise(scope, *tool, report);
     look_at_flat(scope, report);
     look_at_re_entry(scope, *tool, printed, report);
