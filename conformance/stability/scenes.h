@@ -24,7 +24,7 @@ void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolU
 /// S-15: through a shell of 1 mm into air.   [main]
 void look_at_breakthrough(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-16: across a border behind which bone resists a tenth.   [main]
-void look_at_border(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+void look_at_border(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report);
 /// S-17: many points meet a plane at once.   [main]
 void look_at_many_contacts(const Scope& scope, const Report& report);
 /// S-19: the motor is switched off under a push.   [main]

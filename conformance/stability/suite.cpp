@@ -31,7 +31,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     look_at_flat(scope, report);
     look_at_re_entry(scope, *tool, printed, report);
     look_at_breakthrough(scope, *tool, report);
-    look_at_border(scope, *tool, report);
+    look_at_border(scope, *tool, printed, report);
     look_at_many_contacts(scope, report);
     look_at_switching_off(scope, *tool, report);
     look_at_missed_ticks(scope, report);
