@@ -2,37 +2,40 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "conformance/stability/bone_block.h"
-#include "conformance/stability/kerf_loop.h"
+#include "conformance/stability/led_tool.h"
 #include "conformance/stability/scenes.h"
+#include "core/haptics/work_force.h"
 
 namespace kerf::stability {
 
 namespace {
 
+constexpr double above = -0.5e-3, deep = 3.5e-3;  // [m] from where, to where
+const BoneBlock block{.thickness = 8e-3};
+
 struct Drilled {
-    std::vector<double> thrust, torque;  ///< every 10 ms [N, N·m]
+    std::vector<double> thrust, torque;  ///< at equal ways [N, N·m]
     double removed = 0.0;                ///< [m³]
 };
 
-/// The same way at the same speed, with ticks of another length: led, and the law rendered as it is or solved.
-Drilled drill(const ToolUnderTest& tool, const CouplingGains& gains, double period, KerfLoop::Way way) {
-    constexpr double above = -0.5e-3, feed = 2e-3, seconds = 2.0, each = 10e-3;
-    const Body body = make({.thickness = 8e-3});
-    KerfLoop loop(body, tool.setup, gains, above, way, 0.0, period);
-    loop.wait(above, static_cast<int>(std::lround(run_up * Simulation::dt / period)));
+/// The same way at the same speed, with ticks of another length.
+Drilled drill(const LedTool& tool, double feed, double period) {
+    constexpr int samples = 125;  // at whole milliseconds, of even number
+    const auto ticks_in = [&](double seconds) { return static_cast<int>(std::lround(seconds / period)); };
+    const double seconds = (deep - above) / feed;
+    const int every = ticks_in(seconds / samples);
+    for (int i = 0; i < ticks_in(run_up * Simulation::dt); ++i) tool.go(above);
     Drilled drilled;
-    const int every = static_cast<int>(std::lround(each / period)), ticks = static_cast<int>(std::lround(seconds / period));
-    for (int i = 1; i <= ticks; ++i) {
-        (void)loop.answer(above + feed * period * i);
+    for (int i = 1; i <= ticks_in(seconds); ++i) {
+        tool.go(above + feed * period * i);
         if (i % every != 0) continue;
-        drilled.thrust.push_back(loop.last().thrust);
-        drilled.torque.push_back(loop.last().torque);
+        drilled.thrust.push_back(tool.thrust());
+        drilled.torque.push_back(tool.torque());
     }
-    loop.simulation().finish();
-    drilled.removed = loop.simulation().present().removed();
     return drilled;
 }
 
@@ -46,28 +49,62 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
     return std::sqrt(difference / whole);
 }
 
+/// Who makes the force: the papers' law or the plugin's at a prescribed motion, or the plugin's, solved.
+enum class Law { printed, prescribed, solved };
+
+Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double feed, double period) {
+    if (law == Law::printed) {
+        PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
+        return drill(led_by(loop, tool.setup), feed, period);
+    }
+    KerfLoop loop(body, tool.setup, gains, above, law == Law::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct, 0.0, period);
+    Drilled drilled = drill(led_by(loop), feed, period);
+    loop.simulation().finish();
+    drilled.removed = loop.simulation().present().removed();
+    return drilled;
+}
+
+/// With the strongest motor, which keeps its speed at every feed here.
+ToolUnderTest strong(ToolUnderTest tool) {
+    const kerf_component& info = *tool.setup.tool;
+    for (std::uint32_t i = 0; i < info.param_count; ++i)
+        if (std::strcmp(info.params[i].id, "motor_torque") == 0) tool.setup.tool_parameters[i] = info.params[i].max;
+    return tool;
+}
+
 }  // namespace
 
-void look_at_loop_rate(const Scope& scope, const ToolUnderTest& tool, const Report& report) {
-    const Body body = make({.thickness = 8e-3});
+void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, const ToolUnderTest* printed, const Report& report) {
+    const Body body = make(block);
     const DeviceRecord& device = scope.devices.front();
-    const CouplingGains gains = gains_under_push(device, push_of(device), tool, body);
-    for (const auto way : {KerfLoop::Way::direct, KerfLoop::Way::solved}) {
-        const Drilled at_1_khz = drill(tool, gains, 1e-3, way);
-        for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
-            const Drilled other = drill(tool, gains, period, way);
-            const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
-            const double removed = other.removed / at_1_khz.removed - 1.0;
-            Finding finding{.test = "P-05",
-                            .scene = way == KerfLoop::Way::direct ? "loop rate, prescribed feed" : "loop rate, solved",
-                            .hand = led};
-            finding.device = device.id;
-            finding.measured = figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") + ", torque " +
-                               figure(100.0 * torque, "%") + ", bone taken " + figure(100.0 * removed, "%") +
-                               " off 1000 Hz";
-            finding.criterion = "each within 2 %";
-            finding.outcome = passes(thrust <= 0.02 && torque <= 0.02 && std::abs(removed) <= 0.02);
+    const ToolUnderTest tool = strong(of);
+    for (const Law law : {Law::printed, Law::prescribed, Law::solved}) {
+        Finding finding{.test = "P-05", .hand = led};
+        finding.scene = law == Law::solved ? "loop rate, solved" : "loop rate, prescribed feed";
+        finding.method = law == Law::printed ? Method::as_printed : Method::kerf;
+        finding.criterion = "each within 2 %";
+        if (law == Law::solved) finding.device = device.id;
+        if (law == Law::printed && printed == nullptr) {
+            finding.reason = no_papers;
             report(finding);
+            continue;
+        }
+        for (const double feed : {0.5e-3, 2e-3, 8e-3}) {
+            // Scaled so that the push feeds the tool at this rate.
+            const CouplingGains gains = gains_for(device, std::min(1.0, push_of(device) / work_force(tool.setup, body, feed)));
+            const auto at = [&](double period) { return drill_with(law, law == Law::printed ? *printed : tool, gains, body, feed, period); };
+            const Drilled at_1_khz = at(1e-3);
+            for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
+                const Drilled other = at(period);
+                const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
+                const double removed = law == Law::printed ? 0.0 : other.removed / at_1_khz.removed - 1.0;
+                finding.measured = figure(1e3 * feed, "mm/s, ") + figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") +
+                                   ", torque " + figure(100.0 * torque, "%") +
+                                   (law == Law::printed ? "" : ", bone taken " + figure(100.0 * removed, "%")) + " off 1000 Hz";
+                finding.outcome = passes(thrust <= 0.02 && torque <= 0.02 && std::abs(removed) <= 0.02);
+                if (law == Law::printed) finding.reason = "its bone stays until the drilling ends";
+                report(finding);
+            }
         }
     }
 }

@@ -32,7 +32,7 @@ void look_at_switching_off(const Scope& scope, const ToolUnderTest& tool, const 
 /// S-21: the loop misses ticks while a hand moves on a wall.   [main]
 void look_at_missed_ticks(const Scope& scope, const Report& report);
 /// P5: the same way with ticks of another length.   [main]
-void look_at_loop_rate(const Scope& scope, const ToolUnderTest& tool, const Report& report);
+void look_at_loop_rate(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report);
 /// A9: a lever cycle gives no work.   [main]
 void look_at_lever(const Scope& scope, const Report& report);
 

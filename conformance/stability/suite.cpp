@@ -35,7 +35,7 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     look_at_many_contacts(scope, report);
     look_at_switching_off(scope, *tool, report);
     look_at_missed_ticks(scope, report);
-    look_at_loop_rate(scope, *tool, report);
+    look_at_loop_rate(scope, *tool, printed, report);
     look_at_lever(scope, report);
     return findings;
 }
