@@ -40,11 +40,10 @@ struct Crossing {
 Crossing cross(const LedTool& tool, const ToolUnderTest& of, double feed, double tilt, double period = Simulation::dt) {
     constexpr double approach = 2e-3, margin = 0.2e-3;
     const int ticks_per_nominal = static_cast<int>(std::lround(Simulation::dt / period)), longest = 20000 * ticks_per_nominal;
-    double hand = above, angle = 0.0, was = above;
+    double angle = 0.0, was = above;
     const auto go = [&](double speed) {
         was = tool.tip();
-        hand += speed * period;
-        tool.go(hand);
+        tool.move(speed);
         angle += 2.0 * pi * tool.turning() * period;
     };
     for (int i = 0; i < run_up * ticks_per_nominal; ++i) go(0.0);
@@ -192,10 +191,10 @@ void look_at_prescribed(const ToolUnderTest& tool, const ToolUnderTest* printed,
             const auto crossing_at = [&](double tilt) {
                 if (method == Method::kerf) {
                     KerfLoop loop(body, of->setup, CouplingGains{}, above, KerfLoop::Way::direct, tilt);
-                    return cross(led_by(loop), *of, feed, tilt);
+                    return cross(led_by(loop, above, Simulation::dt), *of, feed, tilt);
                 }
                 PrintedLoop loop(block, body.grid(), of->setup, at_depth(above, tilt), Simulation::dt);
-                return cross(led_by(loop, of->setup, tilt), *of, feed, tilt);
+                return cross(led_by(loop, of->setup, above, tilt, Simulation::dt), *of, feed, tilt);
             };
             const Crossing straight = crossing_at(0.0), tilted = crossing_at(tilted_by * pi / 180.0);
             tell(finding_of(scene, 0.0, straight));
@@ -219,7 +218,7 @@ void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const 
                 const auto in_parts = [&](int parts) {
                     const double period = Simulation::dt / parts, turned = tilt * pi / 180.0;
                     KerfLoop loop(body, tool.setup, gains, above, KerfLoop::Way::solved, turned, period);
-                    return cross(led_by(loop), tool, feed, turned, period);
+                    return cross(led_by(loop, above, period), tool, feed, turned, period);
                 };
                 const std::string scene = "border 10 : 1 at " + figure(1e3 * feed, "mm/s") + ", by a spring";
                 const Crossing whole = in_parts(1);

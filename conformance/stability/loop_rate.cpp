@@ -28,10 +28,10 @@ Drilled drill(const LedTool& tool, double feed, double period) {
     const auto ticks_in = [&](double seconds) { return static_cast<int>(std::lround(seconds / period)); };
     const double seconds = (deep - above) / feed;
     const int every = ticks_in(seconds / samples);
-    for (int i = 0; i < ticks_in(run_up * Simulation::dt); ++i) tool.go(above);
+    for (int i = 0; i < ticks_in(run_up * Simulation::dt); ++i) tool.move(0.0);
     Drilled drilled;
     for (int i = 1; i <= ticks_in(seconds); ++i) {
-        tool.go(above + feed * period * i);
+        tool.move(feed);
         if (i % every != 0) continue;
         drilled.thrust.push_back(tool.thrust());
         drilled.torque.push_back(tool.torque());
@@ -55,10 +55,10 @@ enum class Law { printed, prescribed, solved };
 Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double feed, double period) {
     if (law == Law::printed) {
         PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
-        return drill(led_by(loop, tool.setup), feed, period);
+        return drill(led_by(loop, tool.setup, above, 0.0, period), feed, period);
     }
     KerfLoop loop(body, tool.setup, gains, above, law == Law::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct, 0.0, period);
-    Drilled drilled = drill(led_by(loop), feed, period);
+    Drilled drilled = drill(led_by(loop, above, period), feed, period);
     loop.simulation().finish();
     drilled.removed = loop.simulation().present().removed();
     return drilled;

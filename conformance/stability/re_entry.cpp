@@ -23,14 +23,13 @@ struct BackAgain {
 BackAgain out_and_in(const LedTool& tool) {
     constexpr double feed = 2e-3, travel = 5e-3;  // [m/s]
     constexpr int longest = 20000;                // [ticks]
-    for (int i = 0; i < run_up; ++i) tool.go(above);
+    for (int i = 0; i < run_up; ++i) tool.move(0.0);
     BackAgain again;
-    double hand = above, last = tool.tip();
+    double last = tool.tip();
     const auto go = [&](double speed, const auto& until) {
         for (int i = 0; i < longest && !until(); ++i) {
             last = tool.tip();
-            hand += speed * Simulation::dt;
-            tool.go(hand);
+            tool.move(speed);
             again.deepest = std::max(again.deepest, tool.tip());
         }
     };
@@ -39,7 +38,8 @@ BackAgain out_and_in(const LedTool& tool) {
     again.is_out = tool.tip() <= shallow;
     // Up to a tick's travel before the front: from there on it is bone.
     go(travel, [&] {
-        const bool is_there = tool.tip() >= again.deepest - 1.5 * travel * Simulation::dt;
+        const double way = std::max(travel * Simulation::dt, tool.tip() - last);
+        const bool is_there = tool.tip() >= again.deepest - 1.5 * way;
         if (!is_there && tool.tip() > last) again.most = std::max(again.most, std::abs(tool.thrust()));
         return is_there;
     });
@@ -64,17 +64,28 @@ void look_at_re_entry(const Scope& scope, const ToolUnderTest& tool, const ToolU
     Finding as_printed{.test = "S-12", .scene = "out of a hole and in again", .hand = led, .reason = no_papers};
     if (printed != nullptr) {
         PrintedLoop loop(block, body.grid(), printed->setup, at_depth(above), Simulation::dt);
-        as_printed = finding_of(out_and_in(led_by(loop, printed->setup)));
+        as_printed = finding_of(out_and_in(led_by(loop, printed->setup, above, 0.0, Simulation::dt)));
         as_printed.reason = "its bone stays until the drilling ends";
     }
     as_printed.method = Method::as_printed;
     report(as_printed);
     for (const DeviceRecord& device : scope.devices) {
         KerfLoop loop(body, tool.setup, gains_under_push(device, push_of(device), tool, body), above);
-        Finding finding = finding_of(out_and_in(led_by(loop)));
+        Finding finding = finding_of(out_and_in(led_by(loop, above, Simulation::dt)));
         finding.device = device.id;
         report(finding);
     }
+    at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
+        const double push = push_of(device);
+        Port port(settings, above);
+        port.go_along(true);
+        KerfLoop loop(body, tool.setup, gains_under_push(device, push, tool, body, settings.delay), above);
+        Finding finding = finding_of(out_and_in(moved_at(port, loop, push)));
+        finding.device = device.id;
+        finding.hand = settings.hand.id;
+        finding.delay = settings.delay;
+        report(finding);
+    });
 }
 
 }  // namespace kerf::stability

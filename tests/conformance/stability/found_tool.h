@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "conformance/stability/scope.h"
 #include "conformance/stability/tool_under_test.h"
 #include "tests/support/drill_rig.h"
 
@@ -13,6 +14,19 @@ namespace kerf::stability {
 inline ToolUnderTest the_drill() {
     std::string error;
     const auto tool = find_tool(test::plugins(), "kerf.drilling", error);
+    if (!tool) throw std::runtime_error(error);
+    return *tool;
+}
+
+/// The papers' drill and law, as they were built.
+inline ToolUnderTest the_papers_drill() {
+    static const PluginRegistry papers = [] {
+        PluginRegistry registry;
+        registry.scan({KERF_BUILD_DIR "/lib/kerf-bench"});
+        return registry;
+    }();
+    std::string error;
+    const auto tool = find_tool(papers, "bench.as_printed", error);
     if (!tool) throw std::runtime_error(error);
     return *tool;
 }
