@@ -58,6 +58,7 @@ TEST(Scenes, ASlowFeedIsNoiseAtTheDevicesRateAndQuietSolved) {
     look_at_noise(nominal, the_drill(), found.report);
     EXPECT_EQ(found.only("feed of 0.5 mm/s", Method::as_printed).outcome, Outcome::fail);
     found.expect_that_kerf_passes();
+    EXPECT_EQ(found.count("hold still, +-1 count", Method::kerf, Outcome::pass), 2) << "led, and held by a hand";
 }
 
 TEST(Scenes, AFastHandTunnelsAsPrintedAndFeelsTheShellSolved) {
