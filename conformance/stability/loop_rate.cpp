@@ -14,7 +14,7 @@ namespace kerf::stability {
 
 namespace {
 
-constexpr double above = -0.5e-3, deep = 3.5e-3;  // [m] from where, to where
+constexpr double above = -0.5e-3, way = 4e-3;  // [m] from where, and how far
 const BoneBlock block{.thickness = 8e-3};
 
 struct Drilled {
@@ -22,12 +22,12 @@ struct Drilled {
     double removed = 0.0;                ///< [m³]
 };
 
-/// The same way at the same speed, with ticks of another length.
-Drilled drill(const LedTool& tool, double feed, double period) {
-    constexpr int samples = 125;  // at whole milliseconds, of even number
+/// The same way of the hand at the same speed, with ticks of another length.
+Drilled drill(const LedTool& tool, double hand_way, double feed, double period) {
+    constexpr double samples = 125.0, longest_tick = 2e-3;  // sampled at whole ticks of whatever length
     const auto ticks_in = [&](double seconds) { return static_cast<int>(std::lround(seconds / period)); };
-    const double seconds = (deep - above) / feed;
-    const int every = ticks_in(seconds / samples);
+    const double seconds = hand_way / feed;
+    const int every = ticks_in(longest_tick * std::round(seconds / samples / longest_tick));
     for (int i = 0; i < ticks_in(run_up * Simulation::dt); ++i) tool.move(0.0);
     Drilled drilled;
     for (int i = 1; i <= ticks_in(seconds); ++i) {
@@ -52,13 +52,15 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 /// Who makes the force: the papers' law or the plugin's at a prescribed motion, or the plugin's, solved.
 enum class Law { printed, prescribed, solved };
 
-Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double feed, double period) {
+Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double push, double feed, double period) {
     if (law == Law::printed) {
         PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
-        return drill(led_by(loop, tool.setup, above, 0.0, period), feed, period);
+        return drill(led_by(loop, tool.setup, above, 0.0, period), way, feed, period);
     }
     KerfLoop loop(body, tool.setup, gains, above, law == Law::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct, 0.0, period);
-    Drilled drilled = drill(led_by(loop, above, period), feed, period);
+    // Solved: as far again as the push stretches the coupling, or the tool would hardly have set out.
+    const double hand_way = law == Law::solved ? way + push / gains.stiffness : way;
+    Drilled drilled = drill(led_by(loop, above, period), hand_way, feed, period);
     loop.simulation().finish();
     drilled.removed = loop.simulation().present().removed();
     return drilled;
@@ -91,8 +93,9 @@ void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, const ToolUn
         }
         for (const double feed : {0.5e-3, 2e-3, 8e-3}) {
             // Scaled so that the push feeds the tool at this rate.
-            const CouplingGains gains = gains_for(device, std::min(1.0, push_of(device) / work_force(tool.setup, body, feed)));
-            const auto at = [&](double period) { return drill_with(law, law == Law::printed ? *printed : tool, gains, body, feed, period); };
+            const double push = push_of(device);
+            const CouplingGains gains = gains_for(device, std::min(1.0, push / work_force(tool.setup, body, feed)));
+            const auto at = [&](double period) { return drill_with(law, law == Law::printed ? *printed : tool, gains, body, push, feed, period); };
             const Drilled at_1_khz = at(1e-3);
             for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
                 const Drilled other = at(period);
