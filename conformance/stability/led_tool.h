@@ -45,14 +45,18 @@ struct LedTool {
             [told] { return told; }};
 }
 /// The hand at a port means to move so, and pulls the handle along with `most` [N] at most. What it means stays so near that it pulls no
-/// harder. `beside`: what the encoder is off [m]. The port outlives what is made of it.
+/// harder; while it means to stand it goes on until the handle is where it was to stop. `beside`: what the encoder is off [m]. The port
+/// outlives what is made of it.
 [[nodiscard]] inline LedTool moved_at(Port& port, KerfLoop& loop, double most, std::function<double()> beside = {}) {
     constexpr double stiffness = 500.0, damping = 5.0;  // [N/m] [N·s/m] stable at the lightest handle [judgement]
-    double meant = port.depth();
-    return watched(loop, [&port, &loop, most, meant, beside = std::move(beside)](double speed) mutable {
+    constexpr double to_stand = 0.2;                    // [s] in which it brings the handle back to there, stable at the heaviest [judgement]
+    double meant = port.depth(), stop = port.depth();
+    return watched(loop, [&port, &loop, most, meant, stop, beside = std::move(beside)](double speed) mutable {
         const PortSettings& settings = port.settings();
         const double farthest = most / stiffness, friction = speed == 0.0 ? 0.0 : std::copysign(settings.friction, speed);
-        meant = std::clamp(meant + speed * settings.period, port.depth() - farthest, port.depth() + farthest);
+        if (speed != 0.0) stop = port.depth();
+        const double back = (stop - port.depth()) * settings.period / to_stand;
+        meant = std::clamp(meant + speed * settings.period + back, port.depth() - farthest, port.depth() + farthest);
         const double push = stiffness * (meant - port.depth()) + damping * (speed - port.rate()) + friction;
         port.step(loop.answer(port.reported() + (beside ? beside() : 0.0)), std::clamp(push, -most, most));
     });

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double quick_feed = 2e-3, slow_feed = 0.5e-3;  // [m/s]
 constexpr double engaged = 2.5e-3;                       // [m] of the tip: the coupling is stretched by then as far as the feed asks
-constexpr int longest = 20000, slow_ticks = 2000, still_ticks = 1000, looked_at = 500;
+constexpr int longest = 20000, slow_ticks = 2000, stopping_ticks = 2000, still_ticks = 1000, looked_at = 500;
 
 struct Heard {
     double mean = 0.0, rms = 0.0;  ///< [N]
@@ -52,12 +52,13 @@ struct Hand {
     std::function<double()> tip;                                  ///< [m] deep
 };
 
-/// Into the bone, then slowly on, then held still while the encoder wavers by a count to either side.
+/// Into the bone, then slowly on, then held still: first until the bone has given way as far as it will, then while the encoder wavers by a count to either side.
 Listened listen(const Hand& hand) {
     for (int i = 0; i < run_up; ++i) (void)hand.move(0.0, 0.0);
     for (int i = 0; i < longest && hand.tip() < engaged; ++i) (void)hand.move(quick_feed, 0.0);
     std::vector<double> fed, held;
     for (int i = 0; i < slow_ticks; ++i) fed.push_back(hand.move(slow_feed, 0.0));
+    for (int i = 0; i < stopping_ticks; ++i) (void)hand.move(0.0, 0.0);
     std::uint32_t random = 6;
     for (int i = 0; i < still_ticks; ++i) {
         random = random * 1664525u + 1013904223u;
