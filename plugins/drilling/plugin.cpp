@@ -153,6 +153,13 @@ kerf_status profile_shape(const double* params, kerf_tool_shape* out) {
                           in_mm(2.0 * last.radius), ", or a degree of half angle more: ", in_mm(2.0 * (last.radius + slightest * longer)), ".");
         last = drill.corners[i];
     }
+    const auto depth_of = [&](std::size_t i) { return params[tool_first_depth + 2 * i]; };
+    const auto diameter_of = [&](std::size_t i) { return params[tool_first_depth + 2 * i + 1]; };
+    for (std::size_t i = drill.corner_count; i < TwistDrill::most_corners; ++i) {
+        const char nth[] = {static_cast<char>('1' + i), '\0'}, missing[] = {static_cast<char>('1' + drill.corner_count), '\0'};
+        if (depth_of(i) > 0.0 || diameter_of(i) > 0.0)
+            return refuse(out, "corner ", nth, " is given, but `depth_", missing, "` is 0 mm; corners need numbers from 1 on without a gap, each a depth and a diameter.");
+    }
     return outline(drill, params[tool_mass], out);
 }
 

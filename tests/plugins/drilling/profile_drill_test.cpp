@@ -160,6 +160,10 @@ TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
     EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}), begin + "`depth_2` is 4 mm; it needs more than the depth of the corner before, 4 mm.");
     EXPECT_EQ(refusal({}, {{4.0_mm, 1.0_mm}}), begin + "`diameter_1` is 2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 3.31 mm.");
     EXPECT_EQ(refusal({}, {{40.0_mm, 1.601_mm}}), begin + "`diameter_1` is 3.2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 4.56 mm.");
+    EXPECT_EQ(refusal({{"depth_3", 9.0_mm}, {"diameter_3", 4.0_mm}}, {{4.0_mm, 1.6_mm}}),
+              begin + "corner 3 is given, but `depth_2` is 0 mm; corners need numbers from 1 on without a gap, each a depth and a diameter.");
+    EXPECT_EQ(refusal({{"diameter_1", 4.0_mm}}, {}),
+              begin + "corner 1 is given, but `depth_1` is 0 mm; corners need numbers from 1 on without a gap, each a depth and a diameter.");
     EXPECT_EQ(refusal({{"length", 10.0_mm}}, {{9.0_mm, 1.6_mm}, {9.8_mm, 3.0_mm}}),
               begin + "`length` is 10 mm; it needs more than what is cut with and the land behind it, 10.6 mm.");
 }
