@@ -141,10 +141,18 @@ void look_at_creep(const Scope& scope, const ToolUnderTest& tool, const ToolUnde
             }
             for (const Way& way : ways) {
                 const Crept crept = creep_in(place, method == Method::kerf ? tool : *printed, gains, way.along, method);
+                if (!(crept.force > 0.0)) {
+                    finding.measured = std::string(way.name) + ": no force";
+                    finding.outcome = Outcome::not_applicable;
+                    finding.reason = "the tool meets no bone on this way, or does not cut when it goes so slowly";
+                    report(finding);
+                    continue;
+                }
+                finding.reason = "";
                 finding.measured = std::string(way.name) + ": step " + figure(100.0 * crept.step / crept.force, "%") + " of " +
                                    figure(crept.force, "N") + ", " + figure(100.0 * crept.swing / crept.force, "%") +
                                    " from least to most";
-                finding.outcome = passes(crept.force > 0.0 && crept.step <= crept.force / 31.0);
+                finding.outcome = passes(crept.step <= crept.force / 31.0);
                 report(finding);
             }
         }

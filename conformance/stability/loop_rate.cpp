@@ -16,6 +16,7 @@ namespace {
 
 constexpr double above = -0.5e-3, way = 4e-3;  // [m] from where, and how far
 const BoneBlock block{.thickness = 8e-3};
+constexpr double least_torque = 0.07;  // [–] of what the thrust gives at the rim: a hand tells no less, and a blade's teeth cancel
 
 struct Drilled {
     std::vector<double> thrust, torque;  ///< at equal ways [N, N·m]
@@ -37,6 +38,12 @@ Drilled drill(const LedTool& tool, double hand_way, double feed, double period) 
         drilled.torque.push_back(tool.torque());
     }
     return drilled;
+}
+
+double rms(const std::vector<double>& all) {
+    double sum = 0.0;
+    for (const double one : all) sum += one * one;
+    return std::sqrt(sum / static_cast<double>(all.size()));
 }
 
 /// RMS of the difference, of the RMS of the first [–].
@@ -100,11 +107,12 @@ void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, const ToolUn
             for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
                 const Drilled other = at(period);
                 const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
+                const bool torque_counts = rms(at_1_khz.torque) >= least_torque * rms(at_1_khz.thrust) * tool.radius;
                 const double removed = law == Law::printed ? 0.0 : other.removed / at_1_khz.removed - 1.0;
                 finding.measured = figure(1e3 * feed, "mm/s, ") + figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") +
-                                   ", torque " + figure(100.0 * torque, "%") +
+                                   ", torque " + (torque_counts ? figure(100.0 * torque, "%") : "next to none") +
                                    (law == Law::printed ? "" : ", bone taken " + figure(100.0 * removed, "%")) + " off 1000 Hz";
-                finding.outcome = passes(thrust <= 0.02 && torque <= 0.02 && std::abs(removed) <= 0.02);
+                finding.outcome = passes(thrust <= 0.02 && (!torque_counts || torque <= 0.02) && std::abs(removed) <= 0.02);
                 if (law == Law::printed) finding.reason = "its bone stays until the drilling ends";
                 report(finding);
             }

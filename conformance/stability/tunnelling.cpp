@@ -65,6 +65,13 @@ void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Rep
         }
     }
     Finding finding{.test = "S-04", .scene = "0.5 mm shell at 1 m/s: bone taken", .hand = led};
+    ToolOutline outline;
+    std::string error;
+    if (outline_of(tool.setup, outline, error) && outline.cutting.is_prism()) {
+        finding.reason = "what is swept is known of a tool that turns; a blade is not led through a plate by its whole height";
+        report(finding);
+        return;
+    }
     const double share = taken(tool, gains_for(scope.devices.front(), 1.0));
     finding.measured = figure(100.0 * (share - 1.0), "%") + " off what was swept";
     finding.criterion = "within 1 %";
