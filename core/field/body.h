@@ -47,8 +47,7 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
 
 /// Share of a level set's inside at distance `d` [quanta], over a ramp of `ramp` voxels: 1 inside, ½ on the border.
 [[nodiscard]] inline float coverage(float d, float ramp = 0.25f) noexcept {
-    const float c = 0.5f - d * (quantum_in_voxels / ramp);
-    return c < 0.0f ? 0.0f : (c > 1.0f ? 1.0f : c);
+    return std::min(std::max(0.5f - d * (quantum_in_voxels / ramp), 0.0f), 1.0f);
 }
 
 /// Distance to the bone before any cut [m].   [any] pure, nonblocking.
@@ -62,7 +61,7 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
 /// little more: the end of a lip runs along the wall of its own hole and must not feel it.
 [[nodiscard]] inline float engagement(float uncut, float cut) noexcept {
     const float there = coverage(uncut), left = coverage(cut, 0.1f);
-    return there < left ? there : left;
+    return std::min(left, there);
 }
 
 /// Weights of the materials at a place: front to back, a partition of unity (resolutions B2).

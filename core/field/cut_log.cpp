@@ -74,7 +74,7 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     Travel way = way_from(open_from_);
     const double further = largest_motion(*solid_, farthest_, now);
     const bool has_turned = way.motion < farthest_motion_ || way.motion < further;
-    double aside = way_from(corner_).aside;
+    double aside = way_aside_ > 0.0 ? way_from(corner_).aside : way.aside;  // without one the corner is where it began
     const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
     if (further >= reversal_voxels * h && (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
         close_at(farthest_, tick);

@@ -11,7 +11,7 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1, most_walls = TwistDrill::most_corners / 2, around = 8;
+constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1, most_walls = TwistDrill::most_lands - 1, around = 8;
 /// Rings on each of so many cones: four if there are one or two.
 constexpr std::size_t rings_of(std::size_t cones) { return std::clamp<std::size_t>(8 / cones, 1, 4); }
 static_assert((near_levels + far_levels + most_cones + most_walls) * around <= ContactPoints::most);

@@ -43,7 +43,7 @@ Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
             const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
             levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos});
         }
-        const double land = &cone == &cones.last() ? drill.land() : std::min(drill.land(), cone.straight);
+        const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
         const double inside = inside_of_hole(tick, bone, cone.outer);
         if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout});
     }
@@ -53,22 +53,26 @@ Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
 constexpr double c = 0.70710678118654752440;
 constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
 
-/// Points of a land lie inside the hole that it has cut, so that it runs free there. Where a cone stands at the front, with no
-/// way to go to it, the land beside it has none either: what it would go through its own hole does not count.
-void take_up_play(const Levels& levels, kerf_bone_sample* of_way) noexcept {
+/// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it has gone of its play
+/// does not count as a way to the front. Where a cone stands at the front, with no way to go to it, the land beside it has none either.
+void take_up_play(const Levels& levels, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
     double of_cones = 1e300;
     const kerf_bone_sample* at = of_way;
     for (const Level& level : levels)
         for (std::size_t a = 0; a < std::size(azimuth); ++a, ++at)
             if (!level.is_land && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
-    for (const Level& level : levels)
+    const OwnHole* hole_of_land = holes.data();
+    for (const Level& level : levels) {
+        const double gone = level.is_land ? (hole_of_land++)->along(way) / level.inside : 0.0;  // [–] of its play
         for (const auto& [along, across] : azimuth) {
             kerf_bone_sample& here = *of_way++;
             if (!level.is_land) continue;
             const double hole = level.radius + level.inside, aside = across * level.radius;
             const double play = std::sqrt(hole * hole - aside * aside) - along * level.radius;
-            here.gap = std::max(0.0, here.gap - std::max(0.0, play - of_cones));
+            const double left = std::min(of_cones, play * std::clamp(1.0 - gone, 0.0, 1.0));
+            here.gap = std::max(0.0, here.gap - (play - left));
         }
+    }
 }
 
 }  // namespace
@@ -119,7 +123,7 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
 }
 
 void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
-                      Channels& channels) noexcept {
+                      const OwnHoles& holes, Channels& channels) noexcept {
     const Levels levels = levels_of(drill, tick, bone);
     constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
     const std::size_t per_way = levels.size() * std::size(azimuth);
@@ -145,7 +149,7 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     kerf_bone_sample* next = sample.data();
     for (std::size_t n = 0; n < std::size(ways); ++n) {
-        take_up_play(levels, next);
+        take_up_play(levels, ways[n], holes, next);
         double least = 1e300;
         for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
             if (one->engagement > 0.0) least = std::min(least, one->gap);
@@ -169,6 +173,12 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
         if (total > 0.0)
             sum.write(rate_at({0, 0, z / total}, ways[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
     }
+}
+
+void move_in_holes(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Vec6& rate, double advance, OwnHoles& holes) noexcept {
+    OwnHole* hole = holes.data();
+    for (const Level& level : levels_of(drill, tick, bone))
+        if (level.is_land) (hole++)->move(rate, tick.dt, advance, level.z, level.width, level.inside);
 }
 
 }  // namespace kerf::drilling

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drill_edges.h"
+#include "own_hole.h"
 
 /// What the turning edges put into the law: feed, heel, sideways.
 namespace kerf::drilling {
@@ -18,6 +19,9 @@ struct Turning {
     [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
 };
 
+/// Of each land, from the tip backwards.
+using OwnHoles = std::array<OwnHole, TwistDrill::most_lands>;
+
 /// Lips, chisel edge and heel. Shares the feed out among the edges.   [haptic, nonblocking]
 void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept;
 
@@ -27,6 +31,8 @@ void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, co
 /// back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the turn,
 /// sums to the mean. Bone is asked for where the ring is, not where the lips are now.
 void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
-                      Channels& channels) noexcept;
+                      const OwnHoles& holes, Channels& channels) noexcept;
+/// Moves the lands in their holes: `rate` for a tick, in which the front went `advance` ≥ 0 [m] into bone.   [haptic, nonblocking]
+void move_in_holes(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Vec6& rate, double advance, OwnHoles& holes) noexcept;
 
 }  // namespace kerf::drilling

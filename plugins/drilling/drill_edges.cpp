@@ -24,18 +24,21 @@ double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double refer
     return s.engagement * m;
 }
 
-void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept {
-    drill = of;
-    lip = make_lip(drill, tick.force[force_element_pitch]);
+Edges::Edges(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept
+    : drill(of), lip(make_lip(of, tick.force[force_element_pitch])) {
     const SinCos a = sin_cos_exact(angle);
     // The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
-    const auto farthest = [&](double wall) { return wall - bone.wall_error(wall); };
+    double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
     for (int k = 0; k < lip_count; ++k) {
         const double side = k == 0 ? 1.0 : -1.0;
         for (std::size_t i = 0; i < lip.count; ++i) {
             const LipElement& el = lip.element[i];
+            if (el.wall != wall) {
+                wall = el.wall;
+                farthest = wall - bone.wall_error(wall);
+            }
             Vec3 at = place_of(el, drill.half_web(), side * a.cos, side * a.sin);
-            const double back = el.radius - farthest(el.wall);
+            const double back = el.radius - farthest;
             if (back > 0.0) {
                 const double kept = std::max(0.0, 1.0 - back / el.radius);
                 at = {kept * at.x, kept * at.y, at.z + back * el.normal_radial / el.normal_axial};
@@ -64,6 +67,7 @@ void Edges::ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, d
     // that shape, which it meets within half a turn; who of the two takes how much is a matter of shares.
     if (drill.runout > 0.0)
         for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + drill.runout * outwards(point[i]);
+    for (std::size_t i = 0; i < count; ++i) out[i] = outwards(point[i]);
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
@@ -82,7 +86,7 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
         if (i < lip_points) {
             const LipElement& el = element(i);
             const Vec3 rate = linear(going) + cross(angular(going), point[i]);
-            const double aside = el.normal_radial * dot(rate, outwards(point[i])) + el.normal_axial * (rate.z - along);
+            const double aside = el.normal_radial * dot(rate, out[i]) + el.normal_axial * (rate.z - along);
             share = std::clamp(of_lip[i < lip.count ? 0 : 1] + aside * per_feed / el.normal_axial, 0.0, most);
         }
         takes[i] = even.taken(share, sample[i].gap - least);
@@ -115,7 +119,7 @@ EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_r
         const double normal = width * force_per_width(thickness, k.thrust, edge * built_up[nth]);
         const double cutting = width * force_per_width(thickness, k.cutting, edge * built_up[nth]);
         // normal (n_r r̂ + n_z ẑ) on the bone and −cutting t̂ on the tool, with t̂ = ẑ × r̂ the way it runs
-        const Vec3 out = outwards(at);
+        const Vec3 out = e.out[i];
         const double radial = normal * el.normal_radial, axial = normal * el.normal_axial;
         const double nx = radial * out.x, ny = radial * out.y, fx = cutting * out.y, fy = -cutting * out.x;
         sum.normal[0] += nx;

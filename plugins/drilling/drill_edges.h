@@ -27,6 +27,7 @@ struct Edges {
     TwistDrill drill;
     Lip lip;
     std::array<Vec3, most_edge_points> point;
+    std::array<Vec3, most_edge_points> out;  ///< of each, the unit vector from the axis to it; nothing on the axis
     std::array<kerf_bone_sample, most_edge_points> sample;
     std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
     std::size_t lip_points = 0, chisel_points = 0, count = 0;
@@ -37,7 +38,7 @@ struct Edges {
     std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
 
     /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
-    void ask(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    Edges(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
     /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along its own normal,
     ///
     ///     c_0 = c_k + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2

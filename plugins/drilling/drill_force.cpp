@@ -68,11 +68,10 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
     const Turning turning = turning_of(state);
     const TwistDrill drill = drill_of(tick.tool);
     if (turning.drags()) {
-        Edges edges;
-        edges.ask(drill, tick, bone, state.angle);
+        Edges edges(drill, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
         add_feed_cutting(edges, tick, turning, state.travel, channels);
-        if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, channels);
+        if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, state.holes, channels);
     }
     add_contact(drill, tick, bone, turning, state.shank_force, channels);
     channels.push({}, {0, 0, -state.reaction});
@@ -94,12 +93,12 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
         if (turning.removes()) load -= advance.channel[c].follow[5] * feed_thrust;
     }
     if (!turning.removes()) {
-        Edges edges;
-        edges.ask(drill, tick, bone, state.angle);
+        Edges edges(drill, tick, bone, state.angle);
         engaged = edges.engagement();
         load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
+    move_in_holes(drill, tick, bone, advance.rate, is_cutting ? state.travel.feed_rate * tick.dt : 0.0, state.holes);
     const double feed = state.travel.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
     signals[signal_chip_thickness] = is_cutting ? feed / lip_count * drill.half_point.sin : 0.0;

@@ -34,6 +34,7 @@ struct OutlineCorner {
 /// What a drill with two lips is made of. Tool frame: origin at the tip, +z out of the tip.
 struct TwistDrill {
     static constexpr std::size_t most_corners = 8;
+    static constexpr std::size_t most_lands = most_corners / 2 + 1;  ///< one behind each cone that a wall follows, and behind the last
 
     double diameter;     ///< [m]
     double point_angle;  ///< [rad] full

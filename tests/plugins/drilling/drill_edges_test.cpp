@@ -54,10 +54,9 @@ struct Lips {
     ToolSetup setup = test::twist_drill();
     kerf_bone_query query = whole_bone();
     Tick tick{Simulation::dt, setup.tool_parameters, setup.force_parameters, setup.drives};
-    std::unique_ptr<Edges> edges = std::make_unique<Edges>();
+    std::unique_ptr<Edges> edges = std::make_unique<Edges>(drill_of(tick.tool), tick, BoneQuery(query), 0.0);
     static constexpr double n = 1000.0_rpm;
 
-    Lips() { edges->ask(drill_of(tick.tool), tick, BoneQuery(query), 0.0); }
     const Edges& going(const Vec6& rate) {
         edges->share_out({std::max(0.0, rate[2]), rate}, n, edges->least_gap(), edge_depth);
         return *edges;

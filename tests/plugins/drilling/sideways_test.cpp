@@ -16,42 +16,60 @@ using namespace literals;
 //
 //     F = (2 / 2π) ∫ cos θ (K_e (1 − e^(−t/t_e)) + K_c t) dθ b,    t = s cos θ / (2 n),    −π/2 … π/2
 //
-// of which the law has three azimuths, ±45° apart.
-TEST(Sideways, ALandIsResistedByItsLength) {
+// of which the law has three azimuths, ±45° apart. Of its length [N/m], at `rate` [m/s].
+double of_land(double rate) {
     const double turns = 1000.0 / 60.0, edge = 27.163e3, edge_depth = 4.0_um, chip = 284.77e6;  // as calibrated: docs/models/drilling.md
-    const auto of_land = [&](double rate) {
-        double sum = 0.0;
-        for (const double facing : {1.0, std::sqrt(0.5), std::sqrt(0.5)}) {
-            const double t = rate * facing / (2.0 * turns);
-            sum += 2.0 / 8.0 * facing * (edge * (1.0 - std::exp(-t / edge_depth)) + chip * t);
-        }
-        return sum;  // [N/m]
+    double sum = 0.0;
+    for (const double facing : {1.0, std::sqrt(0.5), std::sqrt(0.5)}) {
+        const double t = rate * facing / (2.0 * turns);
+        sum += 2.0 / 8.0 * facing * (edge * (1.0 - std::exp(-t / edge_depth)) + chip * t);
+    }
+    return sum;
+}
+
+/// What a drill resists that stands 6 mm deep, drawn back by `withdrawn` from where it drilled to, and goes sideways at `rate` [N].
+double pushed(const ToolSetup& setup, double spacing, double rate, double withdrawn) {
+    const Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+    const auto go = [&](const Pose& pose) {
+        const TickResult r = simulation.tick_direct({pose});
+        simulation.after_tick();
+        return -r.bone_on_tool[0];
     };
-    const auto pushed = [](double spacing, double corner, double rate) {
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"corner", corner}, {"motor_torque", 20.0}});
-        const Body body = test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
-        const auto go = [&](const Pose& pose) {
-            const TickResult r = simulation.tick_direct({pose});
-            simulation.after_tick();
-            return -r.bone_on_tool[0];
-        };
-        constexpr double bottom = 6.0_mm;
-        for (double depth = -0.5_mm; depth < bottom; depth += 2.0_um) (void)go(test::at_depth(depth));
-        double sum = 0.0;
-        int count = 0;
-        for (double aside = 0.0; aside < 0.8_mm; aside += rate * Simulation::dt) {
-            const double felt = go(test::at_depth(bottom, 0.0, {aside, 0, 0}));
-            if (aside < 0.3_mm) continue;
-            sum += felt;
-            ++count;
-        }
-        return sum / count;
+    constexpr double stands = 6.0_mm;
+    for (double depth = -0.5_mm; depth < stands + withdrawn; depth += 2.0_um) (void)go(test::at_depth(depth));
+    for (double back = withdrawn; back > 0.0; back -= 2.0_um) (void)go(test::at_depth(stands + back));
+    double sum = 0.0;
+    int count = 0;
+    for (double aside = 0.0; aside < 0.8_mm; aside += rate * Simulation::dt) {
+        const double felt = go(test::at_depth(stands, 0.0, {aside, 0, 0}));
+        if (aside < 0.3_mm) continue;
+        sum += felt;
+        ++count;
+    }
+    return sum / count;
+}
+
+// At the front, and drawn back from it. (There it took for nothing what it took.)
+TEST(Sideways, ALandIsResistedByItsLength) {
+    const auto drill = [](double corner) { return test::twist_drill({{"diameter", 3.2_mm}, {"corner", corner}, {"motor_torque", 20.0}}); };
+    for (const double spacing : {0.5_mm, 0.25_mm})
+        for (const double rate : {1.0_mm_per_s, 10.0_mm_per_s})
+            for (const double withdrawn : {0.0, 0.5_mm, 2.0_mm}) {
+                const double more = pushed(drill(1.0), spacing, rate, withdrawn) - pushed(drill(0.25), spacing, rate, withdrawn);
+                EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << rate << ", " << withdrawn;
+            }
+}
+
+// (Of a pilot, only what lies a land's length behind its corner cost anything.) The shank behind the shoulder stands out of the bone: it would bend.
+TEST(Sideways, SoIsAPilotByItsOwn) {
+    const auto drill = [](double shoulder) {
+        return test::step_drill({{"diameter", 3.2_mm}, {"shoulder_diameter", 4.5_mm}, {"shoulder_depth", shoulder}, {"motor_torque", 20.0}});
     };
     for (const double spacing : {0.5_mm, 0.25_mm})
-        for (const double rate : {1.0_mm_per_s, 10.0_mm_per_s}) {
-            const double more = pushed(spacing, 1.0, rate) - pushed(spacing, 0.25, rate);
-            EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << rate;
+        for (const double withdrawn : {0.0, 0.5_mm}) {
+            const double rate = 1.0_mm_per_s, more = pushed(drill(4.5_mm), spacing, rate, withdrawn) - pushed(drill(3.5_mm), spacing, rate, withdrawn);
+            EXPECT_NEAR(more / (1.0_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << withdrawn;
         }
 }
 

@@ -50,6 +50,7 @@ public:
         for (std::size_t i = 0; i < count_; ++i) {
             touch_[i] = touch(i, found[i]);
             depth_[i] = -found[i].distance;
+            if (depth_[i] <= deep) continue;
             const double beyond = std::min(1.0, depth_[i] / deep - 1.0);  // looked for from there on, and told by nothing else from twice that
             if (beyond <= 0.0) continue;
             Wall& wall = walls[wall_count++] = {i, beyond};
