@@ -6,6 +6,7 @@
 #include <iterator>
 #include <cmath>
 
+#include "conformance/rms.h"
 #include "core/procedure/plain_numbers.h"
 
 namespace kerf::plan {
@@ -21,17 +22,6 @@ std::string in_mm(double metres) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g mm", 1e3 * metres);
     return text;
-}
-
-double rms(const std::vector<Vec3>& all) {
-    double sum = 0.0;
-    for (const Vec3 v : all) sum += dot(v, v);
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, all.size())));
-}
-double rms(const std::vector<double>& all) {
-    double sum = 0.0;
-    for (const double v : all) sum += v * v;
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, all.size())));
 }
 
 /// A way of modelling the step, and what it is made of.

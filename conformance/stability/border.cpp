@@ -2,7 +2,6 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,18 +85,13 @@ struct TwoLips {
     double half_point;                ///< [rad]
 };
 
-std::optional<double> parameter(const ToolSetup& setup, const char* id) {
-    for (std::uint32_t i = 0; i < setup.tool->param_count; ++i)
-        if (std::strcmp(setup.tool->params[i].id, id) == 0) return setup.tool_parameters[i];
-    return std::nullopt;
-}
-
 std::optional<TwoLips> lips_of(const ToolSetup& setup) {
-    const auto diameter = parameter(setup, "diameter"), point = parameter(setup, "point_angle"), web = parameter(setup, "web");
-    if (!diameter || !point || !web) return std::nullopt;
+    const auto at = [&](const char* id) { return tool_parameter(setup, id); };
+    if (!at("diameter") || !at("point_angle") || !at("web")) return std::nullopt;
+    const double diameter = setup.tool_parameters[*at("diameter")], point = setup.tool_parameters[*at("point_angle")], web = setup.tool_parameters[*at("web")];
     constexpr double chisel_angle = 55.0 * pi / 180.0;  // from the lips, standard grind
-    const double half_web = 0.5 * *web * *diameter;
-    return TwoLips{0.5 * *diameter, half_web / std::sin(chisel_angle), half_web, 0.5 * *point};
+    const double half_web = 0.5 * web * diameter;
+    return TwoLips{0.5 * diameter, half_web / std::sin(chisel_angle), half_web, 0.5 * point};
 }
 
 /// How far the force across the lips is off what they give by geometry alone, and that force: RMS over the crossing [N].

@@ -2,9 +2,9 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
+#include "conformance/rms.h"
 #include "conformance/stability/bone_block.h"
 #include "conformance/stability/led_tool.h"
 #include "conformance/stability/scenes.h"
@@ -40,12 +40,6 @@ Drilled drill(const LedTool& tool, double hand_way, double feed, double period) 
     return drilled;
 }
 
-double rms(const std::vector<double>& all) {
-    double sum = 0.0;
-    for (const double one : all) sum += one * one;
-    return std::sqrt(sum / static_cast<double>(all.size()));
-}
-
 /// RMS of the difference, of the RMS of the first [–].
 double apart(const std::vector<double>& a, const std::vector<double>& b) {
     double difference = 0.0, whole = 0.0;
@@ -75,9 +69,7 @@ Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gain
 
 /// With the strongest motor, which keeps its speed at every feed here.
 ToolUnderTest strong(ToolUnderTest tool) {
-    const kerf_component& info = *tool.setup.tool;
-    for (std::uint32_t i = 0; i < info.param_count; ++i)
-        if (std::strcmp(info.params[i].id, "motor_torque") == 0) tool.setup.tool_parameters[i] = info.params[i].max;
+    if (const auto torque = tool_parameter(tool.setup, "motor_torque")) tool.setup.tool_parameters[*torque] = tool.setup.tool->params[*torque].max;
     return tool;
 }
 

@@ -3,6 +3,7 @@
 #include "conformance/stability/tool_under_test.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/haptics/work_force.h"
 
@@ -47,6 +48,12 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
     found.full_depth = -widest->z;
     found.radius = widest->radius;
     return found;
+}
+
+std::optional<std::size_t> tool_parameter(const ToolSetup& setup, const char* id) noexcept {
+    for (std::uint32_t i = 0; i < setup.tool->param_count; ++i)
+        if (std::strcmp(setup.tool->params[i].id, id) == 0) return i;
+    return std::nullopt;
 }
 
 double push_of(const DeviceRecord& device) noexcept { return std::min(5.0, 0.8 * device.peak_force); }

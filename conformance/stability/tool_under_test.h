@@ -20,6 +20,9 @@ struct ToolUnderTest {
 [[nodiscard]] std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std::string& plugin,
                                                      std::string& error);
 
+/// Where a tool's parameters have one by its id.   [any] pure.
+[[nodiscard]] std::optional<std::size_t> tool_parameter(const ToolSetup& setup, const char* id) noexcept;
+
 /// The push at which a device is looked at [N]: 5 N, or what it can hold with something to spare.
 [[nodiscard]] double push_of(const DeviceRecord& device) noexcept;
 /// The default gains, scaled so that this push feeds the tool into the body at 2 mm/s.   [main]
