@@ -19,6 +19,7 @@ constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
 using Slots = std::array<std::size_t, around>;
+constexpr std::uint32_t shank_slots = 0xff00;
 constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9}, of_rear{15, 15, 15, 14, 14, 12, 13, 13};
 
 /// A ring of points of radius `r` at `z` whose normals have these radial and axial parts.
@@ -48,6 +49,15 @@ double shank_stiffness(const TwistDrill& drill, double z, double contact) noexce
     }
     const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / bent;
     return bending * contact / (bending + contact);
+}
+
+/// [N] with which the bone at `at` can hold as much of the shank as a ring stands for.
+double crushing_force(const TwistDrill& drill, const BoneQuery& bone, Vec3 at) noexcept {
+    kerf_bone_sample here;
+    bone.sample({&at, 1}, Vec3{0, 0, 1}, {&here, 1});
+    double pressure = 0.0;
+    for (std::uint32_t i = 0; i < bone.tissue_count(); ++i) pressure += here.weight[i] * crushing_pressure(here.density[i]);
+    return pressure * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
 }
 
 ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning) noexcept {
@@ -86,22 +96,25 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
 
 }  // namespace
 
-void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const HoleLine& hole,
                  double shank_force, Channels& channels) noexcept {
     ContactPoints points = points_of(drill, tick, bone, turning);
-    points.ask(bone, drill.widest_radius());
+    points.ask(bone, drill.widest_radius(), [&](Vec3 at, Vec3 outwards, double stiffness) {
+        const double gone = outwards.z == 0.0 ? hole.gone(at, outwards) : 0.0;  // of the shank
+        return gone > 0.0 ? std::min(gone, crushing_force(drill, bone, at) / stiffness) : 0.0;
+    });
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};
     if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
     points.write(channels, id_contact, rubs ? 1 : 0, follow);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
-    if (!rubs) return;
-    if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
+    if (kerf_channel* rub = rubs ? channels.add(KERF_FRICTION, id_rub) : nullptr) {
         rub->d[2] = 1.0;
         rub->tau = tick.force[force_friction] * shank_force;
         rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
     }
+    return (points.deep_slots() & shank_slots) != 0;
 }
 
 double shank_force_of(const Advance& advance) noexcept {

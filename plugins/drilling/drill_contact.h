@@ -2,16 +2,17 @@
 #pragma once
 
 #include "drill_cutting.h"
+#include "hole_line.h"
 
 /// Where the drill touches without cutting: the shank always, the tip as far as it does not cut.
 namespace kerf::drilling {
 
 /// As many contact channels as the law has room for, and friction along the shaft for what the shank carried in the last
-/// tick [N].
+/// tick [N]. Whether the drill no longer fits into its hole: so bent that only the hole's line may know where its wall is.
 ///
 /// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
 /// [haptic, nonblocking]
-void add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const HoleLine& hole,
                  double shank_force, Channels& channels) noexcept;
 
 /// What contact channels across the shaft carried together [N]: the shank's share.   [haptic, nonblocking]

@@ -17,7 +17,7 @@ using namespace literals;
 constexpr double slowest_cut = 30.0_rpm;
 constexpr double dragging_time = 2.0_ms;
 
-enum Note : std::size_t { note_engagement };  // share of the edges in bone
+enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole
 
 Turning turning_of(const DrillCutting::State& state) noexcept {
     return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
@@ -73,7 +73,8 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         add_feed_cutting(edges, tick, turning, state.travel, channels);
         if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, state.holes, channels);
     }
-    add_contact(drill, tick, bone, turning, state.shank_force, channels);
+    const bool is_bent = add_contact(drill, tick, bone, turning, state.hole, state.shank_force, channels);
+    channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
     channels.push({}, {0, 0, -state.reaction});
 }
 
@@ -83,6 +84,8 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const TwistDrill drill = drill_of(tick.tool);
     state.travel.advance(advance.rate, tick.dt, turning.n);
     state.shank_force = shank_force_of(advance);
+    if (advance.note.empty() || advance.note[note_is_bent] > 0.0) state.hole.move(advance.rate, tick.dt);
+    else state.hole = {};
 
     // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engagement];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drill_cutting.h"
+#include "hole_line.h"
 #include "kerf/force.hpp"
 
 /// What a twist drill feels: lips and chisel edge that cut, a shank that touches and rubs, a motor that turns it.
@@ -12,7 +13,8 @@ struct DrillCutting {
     struct State {
         double angle = 0.0;          ///< [rad] of the first lip about the shaft
         Travel travel;
-        OwnHoles holes;
+        OwnHoles holes;              ///< of its lands
+        HoleLine hole;               ///< of its shank
         double shank_force = 0.0;    ///< [N] what the shank carried in the last tick
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse

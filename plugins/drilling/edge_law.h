@@ -30,6 +30,16 @@ struct EdgeCoefficients {
     return bone.edge * built_up + bone.chip * t;
 }
 
+/// The pressure [Pa] under which bone of density `rho` [kg/m³] is crushed.
+///
+///     S = 68 MPa (ρ / 1 g/cm³)²    at 1/s
+///
+/// [any] pure.   Source: [carter-hayes-1977].
+[[nodiscard]] inline double crushing_pressure(double rho) noexcept {
+    const double grams_per_cm3 = 1e-3 * rho;
+    return 68e6 * grams_per_cm3 * grams_per_cm3;
+}
+
 /// How much less than the reference tissue a tissue of density `rho` [kg/m³] resists [–].
 ///
 ///     m(ρ) = (ρ / ρ_ref)²

@@ -28,5 +28,10 @@ TEST(EdgeLaw, RisesWithTheChip) {
 
 TEST(EdgeLaw, HalfTheDensityResistsAQuarter) { EXPECT_DOUBLE_EQ(resistance_of_density(900.0, 1800.0), 0.25); }
 
+TEST(CrushingPressure, OfSpongyAndOfWholeBone) {
+    EXPECT_NEAR(crushing_pressure(300.0), 6.12e6, 1.0);
+    EXPECT_NEAR(crushing_pressure(1850.0), 232.73e6, 1e3);
+}
+
 }  // namespace
 }  // namespace kerf::drilling
