@@ -19,7 +19,6 @@ constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
 using Slots = std::array<std::size_t, around>;
-constexpr std::uint32_t shank_slots = 0xff00;
 constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9}, of_rear{15, 15, 15, 14, 14, 12, 13, 13};
 
 /// A ring of points of radius `r` at `z` whose normals have these radial and axial parts.
@@ -49,15 +48,6 @@ double shank_stiffness(const TwistDrill& drill, double z, double contact) noexce
     }
     const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / bent;
     return bending * contact / (bending + contact);
-}
-
-/// [N] with which the bone at `at` can hold as much of the shank as a ring stands for.
-double crushing_force(const TwistDrill& drill, const BoneQuery& bone, Vec3 at) noexcept {
-    kerf_bone_sample here;
-    bone.sample({&at, 1}, Vec3{0, 0, 1}, {&here, 1});
-    double pressure = 0.0;
-    for (std::uint32_t i = 0; i < bone.tissue_count(); ++i) pressure += here.weight[i] * crushing_pressure(here.density[i]);
-    return pressure * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
 }
 
 ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning) noexcept {
@@ -94,15 +84,43 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
     return points;
 }
 
+/// [N] with which bone can hold as much of the shank as a ring stands for.
+double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std::uint32_t tissues) noexcept {
+    double pressure = 0.0;
+    for (std::uint32_t i = 0; i < tissues; ++i) pressure += bone.weight[i] * crushing_pressure(bone.density[i]);
+    return pressure * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
+}
+
+/// Where the shank lies deep in bone it is held by no more than crushes that; where it finds no wall, by the one of the hole that it was pulled
+/// out of. Whether it lies so deep anywhere.
+bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleLine& hole, ContactPoints& points) noexcept {
+    std::array<ContactPoints::Deep, ContactPoints::most> deep;
+    std::array<Vec3, ContactPoints::most> at;
+    std::array<kerf_bone_sample, ContactPoints::most> here;
+    std::size_t count = 0;
+    for (const ContactPoints::Deep& one : points.deep()) {
+        if (points.outwards(one.point).z != 0.0) continue;  // of the tip
+        at[count] = points.at(one.point);
+        deep[count++] = one;
+    }
+    if (count == 0) return false;
+    bone.sample({at.data(), count}, Vec3{0, 0, 1}, {here.data(), count});
+    for (std::size_t n = 0; n < count; ++n) {
+        const std::size_t i = deep[n].point;
+        const double borne = crushing_force(drill, here[n], bone.tissue_count()) / points.stiffness(i);
+        if (!deep[n].is_found) points.hold(i, std::min(hole.gone(at[n], points.outwards(i)), borne));
+        else if (points.depth(i) > borne) points.set_depth(i, borne);
+    }
+    return true;
+}
+
 }  // namespace
 
 bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const HoleLine& hole,
                  double shank_force, Channels& channels) noexcept {
     ContactPoints points = points_of(drill, tick, bone, turning);
-    points.ask(bone, drill.widest_radius(), [&](Vec3 at, Vec3 outwards, double stiffness) {
-        const double gone = outwards.z == 0.0 ? hole.gone(at, outwards) : 0.0;  // of the shank
-        return gone > 0.0 ? std::min(gone, crushing_force(drill, bone, at) / stiffness) : 0.0;
-    });
+    points.ask(bone, drill.widest_radius());
+    const bool is_bent = hold_bent_shank(drill, bone, hole, points);
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};
     if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
@@ -114,7 +132,7 @@ bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bon
         rub->tau = tick.force[force_friction] * shank_force;
         rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
     }
-    return (points.deep_slots() & shank_slots) != 0;
+    return is_bent;
 }
 
 double shank_force_of(const Advance& advance) noexcept {

@@ -127,34 +127,35 @@ TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
     EXPECT_NEAR(stepped.x, finest.x, 0.1_mm);
 }
 
-// (Bent by more than its radius it was let go: a hand of 0.02 N took a shank through spongy bone.)
-TEST(PulledAside, AShankIsHeldHoweverFarItIsPulled) {
-    struct Pull {
-        std::vector<double> force;  ///< [N] across, of the bone on the tool, millimetre by millimetre
-        double back_in_the_middle = 0.0;
-    };
-    const auto pull = [](double depth_of_hole, double spacing) {
+/// A drill in bone, pulled aside and let back.
+struct Pull {
+    std::vector<double> force;  ///< [N] across, of the bone on the tool, millimetre by millimetre
+    double back_in_the_middle = 0.0;
+
+    Pull(double density, double depth_of_hole, double spacing) {
         Body body = test::block({-5.0_mm, -5.0_mm, -24.0_mm}, {16.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
-        body.materials = {{"bone", 300.0, {}}};
+        body.materials = {{"bone", density, {}}};
         const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
         Simulation simulation(body, setup, test::outline(setup), test::gains(1.0 / 128.0), test::at_depth(-0.1_mm));
         const auto go = [&](double depth, double aside) {
-            const double force = -simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})}).bone_on_tool[0];
+            const double across = -simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})}).bone_on_tool[0];
             simulation.after_tick();
-            return force;
+            return across;
         };
         for (double depth = -0.1_mm; depth < depth_of_hole; depth += 4.0_um) (void)go(depth, 0.0);
-        Pull found;
         for (double aside = 0.0; aside < 10.0_mm; aside += 10.0_um) {
-            const double force = go(depth_of_hole, aside);
-            if (aside >= (1.0 + static_cast<double>(found.force.size())) * 1.0_mm) found.force.push_back(force);
+            const double across = go(depth_of_hole, aside);
+            if (aside >= (1.0 + static_cast<double>(force.size())) * 1.0_mm) force.push_back(across);
         }
         for (double aside = 10.0_mm; aside > 0.0; aside -= 10.0_um) (void)go(depth_of_hole, aside);
-        for (int tick = 0; tick < 2000; ++tick) found.back_in_the_middle = go(depth_of_hole, 0.0);
-        return found;
-    };
+        for (int tick = 0; tick < 2000; ++tick) back_in_the_middle = go(depth_of_hole, 0.0);
+    }
+};
+
+// (Bent by more than its radius it was let go: a hand of 0.02 N took a shank through spongy bone.)
+TEST(PulledAside, AShankIsHeldHoweverFarItIsPulled) {
     for (const double depth : {8.0_mm, 20.0_mm}) {
-        const Pull coarse = pull(depth, 0.5_mm), fine = pull(depth, 0.25_mm);
+        const Pull coarse(300.0, depth, 0.5_mm), fine(300.0, depth, 0.25_mm);
         ASSERT_EQ(coarse.force.size(), 9u);
         for (std::size_t i = 2; i < coarse.force.size(); ++i) {
             EXPECT_GT(fine.force[i], fine.force[i - 1] + 2.0) << "N, " << depth << ", after " << i + 1 << " mm";
@@ -162,6 +163,17 @@ TEST(PulledAside, AShankIsHeldHoweverFarItIsPulled) {
         }
         EXPECT_NEAR(fine.back_in_the_middle, 0.0, 0.05) << "N, " << depth;
         EXPECT_NEAR(coarse.back_in_the_middle, 0.0, 0.05) << "N, " << depth;
+    }
+}
+
+// 68 MPa (ρ / 1 g/cm³)² crush it. Four channels of those that stand for the shank push back here, of a diameter's length each: less than all of it.
+TEST(PulledAside, WeakBoneIsCrushedByTheShank) {
+    const double bears = 68e6 * 0.1 * 0.1 * 3.2_mm * 20.0_mm;  // [N] along all of the shank in bone
+    for (const double spacing : {0.5_mm, 0.25_mm}) {
+        const Pull weak(100.0, 20.0_mm, spacing);
+        EXPECT_LT(weak.force.back(), bears) << "N";
+        EXPECT_GT(weak.force.back(), 0.4 * bears) << "N";
+        EXPECT_NEAR(weak.force.back(), weak.force[weak.force.size() - 3], 1.0) << "N, two millimetres before";
     }
 }
 

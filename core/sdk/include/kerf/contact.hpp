@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "kerf/assert.hpp"
@@ -42,31 +41,39 @@ public:
     /// Asks the bone about all of them. For one that lies deep the wall is looked for inside the tool, from no farther than `inwards`
     /// [m] behind it: the nearest surface of where it lies may be another one, or none that a fine grid knows of, and how firmly a hole
     /// holds a bent drill is no matter of either.
-    /// @param gone  (at, outwards, stiffness) → how far [m] a point that finds no wall there has gone into one, along its own normal, as the
-    ///              tool knows by itself; where it is not positive nothing holds it
-    template <class Gone>
-    void ask(const BoneQuery& bone, double inwards, const Gone& gone) noexcept {
+    void ask(const BoneQuery& bone, double inwards) noexcept {
         std::array<kerf_surface_point, most> found;
         bone.nearest({at_.data(), count_}, {found.data(), count_});
         const double deep = std::min(deep_contact, 0.25 * bone.reach());
         std::array<Wall, most> walls;
         std::size_t wall_count = 0;
-        deep_slots_ = 0;
+        deep_count_ = 0;
         for (std::size_t i = 0; i < count_; ++i) {
             touch_[i] = touch(i, found[i]);
             depth_[i] = -found[i].distance;
             if (depth_[i] <= deep) continue;
             const double beyond = std::min(1.0, depth_[i] / deep - 1.0);  // looked for from there on, and told by nothing else from twice that
             if (beyond <= 0.0) continue;
-            deep_slots_ |= 1u << slot_[i];
             Wall& wall = walls[wall_count++] = {i, beyond};
             wall.add(1.0 - beyond, touch_[i], depth_[i], 0.0);
         }
-        if (wall_count > 0) look_inside(bone, inwards, {walls.data(), wall_count}, gone);
+        if (wall_count > 0) look_inside(bone, inwards, {walls.data(), wall_count});
     }
-    void ask(const BoneQuery& bone, double inwards) noexcept { ask(bone, inwards, [](Vec3, Vec3, double) { return 0.0; }); }
-    /// The slots, bit by bit, in which a point lies so deep that its wall was looked for.
-    [[nodiscard]] std::uint32_t deep_slots() const noexcept { return deep_slots_; }
+    /// A point that lies so deep that its wall was looked for.
+    struct Deep {
+        std::size_t point;
+        bool is_found;  ///< else nothing holds it, unless `hold` says so
+    };
+    [[nodiscard]] std::span<const Deep> deep() const noexcept { return {deep_.data(), deep_count_}; }
+    [[nodiscard]] Vec3 at(std::size_t i) const noexcept { return at_[i]; }
+    [[nodiscard]] Vec3 outwards(std::size_t i) const noexcept { return outwards_[i]; }
+    [[nodiscard]] double stiffness(std::size_t i) const noexcept { return stiffness_[i]; }
+    [[nodiscard]] double depth(std::size_t i) const noexcept { return depth_[i]; }
+    /// It lies so deep [m] in a wall that faces it, as the tool knows by itself.
+    void hold(std::size_t i, double depth) noexcept {
+        touch_[i] = {1.0, depth > 0.0 ? 1.0 : 0.0};
+        depth_[i] = depth;
+    }
 
     /// Whether bone near it faces the point.
     [[nodiscard]] bool faces_bone(std::size_t i) const noexcept { return touch_[i].share > 0.0; }
@@ -157,8 +164,7 @@ private:
         return {against, std::clamp((against - facing_[i]) / ramp, 0.0, 1.0)};
     }
 
-    template <class Gone>
-    void look_inside(const BoneQuery& bone, double inwards, std::span<Wall> walls, const Gone& gone) noexcept {
+    void look_inside(const BoneQuery& bone, double inwards, std::span<Wall> walls) noexcept {
         const double longest = std::min(look_step, 0.5 * bone.reach());
         const auto looks = static_cast<std::size_t>(std::clamp(std::ceil(inwards / longest), 1.0, static_cast<double>(most_looks)));
         const double step = inwards / static_cast<double>(looks);
@@ -170,13 +176,12 @@ private:
                 for (std::size_t look = 1; look <= looks; ++look)
                     at[n * looks + look - 1] = at_[some[n].point] - static_cast<double>(look) * step * outwards_[some[n].point];
             bone.nearest({at.data(), some.size() * looks}, {found.data(), some.size() * looks});
-            for (std::size_t n = 0; n < some.size(); ++n) find_wall(some[n], {found.data() + n * looks, looks}, step, gone);
+            for (std::size_t n = 0; n < some.size(); ++n) find_wall(some[n], {found.data() + n * looks, looks}, step);
         }
     }
     /// `inside`: what was found at each step behind the point. The wall is where, from the farthest that lies in air on outwards, the
     /// first lies in bone; that one and the last in air tell of it together, the nearer the more, so that it moves without a jump.
-    template <class Gone>
-    void find_wall(Wall& wall, std::span<const kerf_surface_point> inside, double step, const Gone& gone) noexcept {
+    void find_wall(Wall& wall, std::span<const kerf_surface_point> inside, double step) noexcept {
         std::size_t in_air = inside.size();
         while (in_air > 0 && inside[in_air - 1].distance < 0.0) --in_air;
         const bool is_found = in_air > 0;
@@ -188,9 +193,8 @@ private:
             wall.add(share, touch(wall.point, air), -air.distance, step * static_cast<double>(in_air));
             const Touch seen = in_air > 1 ? touch(wall.point, inside[in_air - 2]) : touch_[wall.point];
             wall.add(wall.looked_for - share, seen, before, step * static_cast<double>(in_air - 1));
-        } else if (const double depth = gone(at_[wall.point], outwards_[wall.point], stiffness_[wall.point]); depth > 0.0) {
-            wall.add(wall.looked_for, {1.0, 1.0}, depth, 0.0);
         }
+        deep_[deep_count_++] = {wall.point, is_found};
         touch_[wall.point].share = wall.share;
         if (wall.share <= 0.0) return;
         touch_[wall.point].against = std::sqrt(wall.stiffness / wall.share);
@@ -202,7 +206,8 @@ private:
     std::array<std::size_t, most> slot_;
     std::array<Touch, most> touch_;
     std::size_t count_ = 0;
-    std::uint32_t deep_slots_ = 0;
+    std::array<Deep, most> deep_;
+    std::size_t deep_count_ = 0;
 };
 
 }  // namespace kerf
