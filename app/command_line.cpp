@@ -101,7 +101,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
                not_empty("the id of a rehearsal"));
     add_option(run, "--replay", line.replay, "SESSION", "The hand does what this session.db recorded, to the same bits",
                not_empty("the name of a session.db"));
-    add_option(run, "--out", line.out, "FOLDER",
+    add_option(run, "-o,--out", line.out, "FOLDER",
                "Where to write; out/ and the procedure's id if not given. Replaces a run, nothing else",
                not_empty(out_help));
     add_option(run, "--learner", line.learner, "CODE", "A code, never a name", is_code());
@@ -191,7 +191,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
                not_empty(yaml_help));
     add_changes(plan);
-    add_option(plan, "--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
+    add_option(plan, "-o,--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
                not_empty(out_help));
     plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which are the values if "
                  "it has none; the torque about the shaft counts as force does. Only for a budget that it has is anything else looked for than the coarsest "
@@ -203,7 +203,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(stability, "--plugin", line.plugin, "PLUGIN",
                "Whose first tool and force are looked at; kerf.drilling if not given",
                not_empty("the name of a plugin, as `kerf list` shows it"));
-    add_option(stability, "--out", line.out, "FOLDER",
+    add_option(stability, "-o,--out", line.out, "FOLDER",
                "Where stability.csv and stability.svg go; out/stability if not given", not_empty(out_help));
     stability->footer("Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
                       std::string(notice_line) + ".");

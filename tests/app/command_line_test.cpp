@@ -82,6 +82,13 @@ TEST(CommandLine, ReadsEveryOptionOfChart) {
     EXPECT_EQ(read({"chart", "--out", "p"}).out, "p");
 }
 
+TEST(CommandLine, WhatIsWrittenGoesWhereTheSameWordSaysWithEveryCommand) {
+    for (const char* option : {"-o", "--out"}) {
+        for (const char* command : {"run", "plan", "preview", "report", "import"}) EXPECT_EQ(read({command, "x", option, "place"}).out, "place") << command;
+        for (const char* command : {"stability", "chart"}) EXPECT_EQ(read({command, option, "place"}).out, "place") << command;
+    }
+}
+
 TEST(CommandLine, ReportsOneSession) {
     const CommandLine line = read({"report", "session.db", "--out", "r.html"});
     ASSERT_EQ(line.answer, "");
