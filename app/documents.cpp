@@ -2,6 +2,7 @@
 #include "app/documents.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -19,9 +20,14 @@ namespace {
 void check_data_file(const Node& node, const std::string& document, Report& report) {
     std::error_code ignored;
     if (node.kind != Node::Kind::scalar || std::filesystem::exists(found_data_file(node.text, document), ignored)) return;
+    const char* data = std::getenv("KERF_DATA");
+    const std::string first = node.text.substr(0, node.text.find('/'));
     report.error(Code::no_data_file, node.span,
-                 "There is no such file or folder, neither beside the document nor in KERF_DATA. Check its name, and that KERF_DATA "
-                 "names the folder with the data.");
+                 data != nullptr && *data != '\0'
+                     ? "There is no such file or folder, neither beside the document nor in `" + std::string(data) +
+                           "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that holds `" + first + "`."
+                     : "There is no such file or folder beside the document, and KERF_DATA is not set. Check its name; where the data lie in a folder of "
+                       "their own, name the one that holds `" + first + "`, as in `export KERF_DATA=/home/me/data`.");
 }
 
 /// Every file that the anatomy names must be there; what is in it is looked at when the bone is made.

@@ -293,6 +293,16 @@ TEST(Program, ValidateLooksIntoEveryVariantAndMakesTheBoneWhenAsked) {
     EXPECT_TRUE(has(with_bone.out, "E0611")) << with_bone.out;
 }
 
+TEST(Program, DataThatAreNotThereAreMissedByTheFolderThatKerfDataNames) {
+    const std::string l3 = "validate " + pedicle_screw + " --anatomy " KERF_SOURCE_DIR "/tests/real-data/l3.yaml";
+    const Ended unset = kerf(l3, "unset KERF_DATA;"), elsewhere = kerf(l3, "KERF_DATA=/nowhere");
+    EXPECT_EQ(unset.exit_code, 2);
+    EXPECT_TRUE(has(unset.out, "KERF_DATA is not set")) << unset.out;
+    EXPECT_TRUE(has(unset.out, "name the one that holds `volumes`, as in `export KERF_DATA=/home/me/data`")) << unset.out;
+    EXPECT_EQ(elsewhere.exit_code, 2);
+    EXPECT_TRUE(has(elsewhere.out, "neither beside the document nor in `/nowhere`, which KERF_DATA names")) << elsewhere.out;
+}
+
 TEST(Program, ExplainsEveryCodeItShows) {
     const Ended one = kerf("explain E0412");
     EXPECT_EQ(one.exit_code, 0);

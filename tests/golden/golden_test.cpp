@@ -31,10 +31,11 @@ const fs::path golden = KERF_SOURCE_DIR "/tests/golden";
 
 std::string name_of(int number) { return explanation_of(*find_code(std::to_string(number))).substr(0, 5); }
 
-/// A copy of the golden folder in which data files may be made; the program is in it meanwhile.
+/// A copy of the golden folder in which data files may be made; the program is in it meanwhile, and knows of no other data.
 class GoldenFolder {
 public:
     GoldenFolder() : before_(fs::current_path()) {
+        unsetenv("KERF_DATA");
         for (const auto& entry : fs::directory_iterator(golden))
             if (entry.path().extension() == ".yaml") fs::copy(entry.path(), folder_.path());
         fs::current_path(folder_.path());

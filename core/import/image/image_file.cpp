@@ -144,7 +144,7 @@ std::uint64_t size_of_file(const std::string& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (error || !std::filesystem::exists(status))
-        refuse("E0620", "there is no such file.", "Check the name, and that KERF_DATA names the folder with the data.");
+        refuse("E0620", "there is no such file.", "Check the name, and the folder it is in.");
     if (!std::filesystem::is_regular_file(status)) refuse("E0620", "this is no regular file.", "Name an image file.");
     const auto size = std::filesystem::file_size(file, error);
     if (error) refuse("E0620", "its size cannot be read.", "Check the permissions.");

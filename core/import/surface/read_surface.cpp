@@ -30,8 +30,7 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
 
     std::error_code wrong;
     if (!std::filesystem::exists(file, wrong))
-        return refuse({"E0640", "there is no such file.",
-                       "Check the name, and that KERF_DATA names the folder with the data."});
+        return refuse({"E0640", "there is no such file.", "Check the name, and the folder it is in."});
     if (!std::filesystem::is_regular_file(file, wrong))
         return refuse({"E0640", "this is no regular file.", "Name the file that holds the surface."});
     const std::uintmax_t size = std::filesystem::file_size(file, wrong);
