@@ -51,12 +51,17 @@ DocumentRequest request_of(const std::string& file, const CommandLine& line) {
     return {file, line.anatomy, {line.variant, line.settings}};
 }
 
-/// Reading the documents is quick; making the bone may take a minute.
+/// Making the bone may take minutes.
+std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics, ImportOptions options = {}) {
+    StillWorking sign_of_life("making the bone of " + file);
+    options.progress = [&](double share, const std::string& what) { sign_of_life.is_at(share, what); };
+    return make_scene(std::move(documents), diagnostics, options);
+}
+
 std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
                                 Diagnostics& diagnostics, const ImportOptions& options = {}) {
-    const StillWorking sign_of_life("reading " + file + " and making the bone");
     auto documents = check_documents(request_of(file, line), plugins, diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics, options) : std::nullopt;
+    return documents ? make_bone(std::move(*documents), file, diagnostics, options) : std::nullopt;
 }
 
 /// What import did, on stderr.
@@ -85,10 +90,7 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
             const Diagnostics of_variants = check_variants(request_of(file, line), *documents, plugins);
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
-        if (documents && line.is_with_bone) {
-            const StillWorking sign_of_life("making the bone of " + file);
-            print_notes(make_scene(*documents, one.diagnostics));
-        }
+        if (documents && line.is_with_bone) print_notes(make_bone(*documents, file, one.diagnostics));
     }
     std::fputs(findings_text(all, line.format).c_str(), stdout);
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })

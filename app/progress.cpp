@@ -11,41 +11,69 @@ namespace kerf {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr const char* clear_line = "\r\033[K";
+constexpr int seconds_per_line = 30;  // where lines stay
 
 bool is_on_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+/// Whether it is time for a line that stays.
+bool is_line_due() {
+    static Clock::time_point last = Clock::now();
+    const auto now = Clock::now();
+    if (now - last < std::chrono::seconds(seconds_per_line)) return false;
+    last = now;
+    return true;
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(100.0 * share)) + " %"; }
 
 }  // namespace
 
 void show_progress(double share, const std::string& what) {
-    if (!is_on_terminal()) return;
-    std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * share, what.c_str());
-    if (share >= 1.0) std::fputc('\n', stderr);
+    if (is_on_terminal()) {
+        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * share, what.c_str());
+        if (share >= 1.0) std::fputc('\n', stderr);
+    } else if (is_line_due()) {
+        std::fprintf(stderr, "%s  %s\n", percent(share).c_str(), what.c_str());
+    }
 }
 
 void show_work(const std::string& what) {
     if (is_on_terminal()) std::fprintf(stderr, "%s%s%s", clear_line, what.c_str(), what.empty() ? "" : " …");
+    else if (!what.empty() && is_line_due()) std::fprintf(stderr, "%s …\n", what.c_str());
 }
 
 StillWorking::StillWorking(std::string what) : what_(std::move(what)) {
-    if (!is_on_terminal()) return;
-    std::fprintf(stderr, "%s%s …", clear_line, what_.c_str());
-    clock_ = std::thread([this] {
+    const bool is_written_over = is_on_terminal();
+    if (is_written_over) std::fprintf(stderr, "%s%s …", clear_line, what_.c_str());
+    clock_ = std::thread([this, is_written_over] {
         std::unique_lock lock(mutex_);
-        for (int seconds = 1; !wake_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; }); ++seconds)
-            std::fprintf(stderr, "%s%s … %d s", clear_line, what_.c_str(), seconds);
+        const int step = is_written_over ? 1 : seconds_per_line;
+        for (int seconds = step; !wake_.wait_for(lock, std::chrono::seconds(step), [this] { return is_over_; }); seconds += step)
+            std::fprintf(stderr, is_written_over ? "\r\033[K%s" : "%s\n", text(seconds).c_str());
     });
 }
 
+void StillWorking::is_at(double share, const std::string& part) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+    part_ = part;
+}
+
+std::string StillWorking::text(int seconds) const {
+    return what_ + (part_.empty() ? "" : ": " + part_ + ", " + percent(share_)) + " … " + std::to_string(seconds) + " s";
+}
+
 StillWorking::~StillWorking() {
-    if (!clock_.joinable()) return;
     {
         const std::lock_guard lock(mutex_);
         is_over_ = true;
     }
     wake_.notify_one();
     clock_.join();
-    std::fputs(clear_line, stderr);
+    if (is_on_terminal()) std::fputs(clear_line, stderr);
 }
 
 }  // namespace kerf

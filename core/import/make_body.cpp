@@ -158,6 +158,17 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
     return false;
 }
 
+/// `distance`, and every hundredth of the way up the grid is told: who asks for it goes through the grid layer by layer, some twice.
+Distance told(const Distance& distance, const Grid& grid, const Progress& progress, const std::string& what) {
+    if (!progress) return distance;
+    const double low = grid.origin.z, height = grid.spacing * brick_edge * grid.bricks[2];
+    return [&distance, &progress, what, low, height, told_of = -1](Vec3 p) mutable {
+        const int hundredth = std::clamp(static_cast<int>(100.0 * (p.z - low) / height), 0, 100);
+        if (hundredth > told_of || hundredth + 50 < told_of /* begun anew */) progress(0.01 * (told_of = hundredth), what);
+        return distance(p);
+    };
+}
+
 void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
     for (const Tissue& tissue : anatomy.tissues) {
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -234,11 +245,14 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
 
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
-    const bool has_sheet = has_rooms && has_thin_wall(grid, outer, room);
-    if (!ct && !mesh && !check_thin_walls(phantom_walls(grid, has_sheet ? outer : bone, (least_wall_voxels + 1.0) * spacing), spacing, anatomy, diagnostics))
+    const auto say = [&](const Distance& distance, const std::string& what) { return told(distance, grid, options.progress, what); };
+    const std::string walls = "how thick its walls are", surface = "distances to its surface";
+    const bool has_sheet = has_rooms && has_thin_wall(grid, say(outer, walls), room);
+    const Distance& outside = has_sheet ? outer : bone;
+    if (!ct && !mesh && !check_thin_walls(phantom_walls(grid, say(outside, walls), (least_wall_voxels + 1.0) * spacing), spacing, anatomy, diagnostics))
         return std::nullopt;
-    body.surface = LevelSet::build(grid, has_sheet ? outer : bone);
-    if (has_sheet) body.hollow = LevelSet::build(grid, room);
+    body.surface = LevelSet::build(grid, say(outside, surface));
+    if (has_sheet) body.hollow = LevelSet::build(grid, say(room, surface));
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -254,7 +268,8 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
             }
         }
         // A shell lies between the surface and its own thickness below it.
-        if (!is_base) material.border = LevelSet::build(grid, [&](Vec3 p) { return -depth(p) - tissue.thickness; });
+        const Distance below = [&](Vec3 p) { return -depth(p) - tissue.thickness; };
+        if (!is_base) material.border = LevelSet::build(grid, say(below, "distances to the border of " + tissue.id));
         body.materials.push_back(std::move(material));
     }
     check_landmarks(anatomy, body, diagnostics);

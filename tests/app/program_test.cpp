@@ -351,6 +351,7 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
 
     EXPECT_EQ(WEXITSTATUS(status), 0);
     EXPECT_TRUE(has(seen, "making the bone of")) << seen;
+    EXPECT_TRUE(has(seen, "\r\033[KPhantom: ")) << seen;  // notes on a line of their own
     EXPECT_TRUE(has(seen, ": no errors")) << seen;
 }
 
