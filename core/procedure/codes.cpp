@@ -86,6 +86,7 @@ constexpr CodeEntry entries[] = {
     {405, "not three numbers", "A place or direction is not three numbers.", "All of x, y and z are needed.", "Write three numbers with blanks between them and one unit behind, as in `3.0 193.0 -60.5 mm`; a direction has no unit."},
     {406, "bound without an end", "A goal or limit has neither `at_least` nor `at_most`, or a pair that nothing fulfils.", "It would always hold, or never.", "Write one of them, or both in the right order."},
     {407, "degenerate", "A solid, an axis or a shell has no extent where it needs one, or something is given twice over.", "There would be no direction, no volume, or two answers.", "Follow the message: it names what has to move, or go."},
+    {408, "goal against limit", "A goal lies beyond a limit of its step, or two limits of a step exclude each other.", "Whoever did what the procedure asks for would fail by it.", "Write a goal within the limit, or move the limit; both places are shown."},
     {412, "out of range", "A value lies outside what is possible or plausible here.",
      "Most often the decimal point or the unit slipped. Where the range is a plugin's, it says for what its model was made.", "Write a value within the range that the message shows; `kerf describe` tells those of plugins."},
     {413, "too fine", "At this spacing the bone would take more memory than is allowed.", "Halving the spacing takes up to eight times the memory; running out of it in the middle of a run would lose the run.", "Write the spacing that the message names, or a coarser one."},

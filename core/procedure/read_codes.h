@@ -62,6 +62,7 @@ enum class Code {
     not_three_numbers = 405,
     empty_bound = 406,  ///< neither at_least nor at_most, or at_least above at_most
     degenerate = 407,   ///< a solid or axis without extent, a shell that is not one
+    contradiction = 408,  ///< a goal beyond a limit of its step, or two limits that nothing keeps
     out_of_range = 412,
     too_fine = 413,     ///< the bone would take too much memory
 

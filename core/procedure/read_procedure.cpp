@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "core/procedure/patch.h"
@@ -297,6 +298,51 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
     return limit;
 }
 
+/// A goal or limit of a step, and where it stands. What is refused already has no node.
+struct PlacedBound {
+    const Bound* bound = nullptr;
+    const Node* node = nullptr;
+    std::string name;
+    bool is_goal = false;
+};
+
+template <class T>
+void place_bounds(const std::vector<T>& things, const Node* list, bool is_goal, std::vector<PlacedBound>& bounds) {
+    for (std::size_t i = 0; list && i < things.size() && i < list->children.size(); ++i) {
+        const Node* node = list->children[i].find(things[i].quantity);
+        if (!node) continue;
+        bounds.push_back({&things[i].bound, node, things[i].quantity, is_goal});
+        if constexpr (std::is_same_v<T, Limit>) bounds.back().name = things[i].name();
+    }
+}
+
+/// Who reaches a goal must be able to keep the limits of its step, and who keeps one limit the others.
+void refuse_contradictions(const Step& step, const Node& item, Report& report) {
+    std::vector<PlacedBound> bounds;
+    place_bounds(step.goals, item.find("goals"), true, bounds);
+    place_bounds(step.limits, item.find("limits"), false, bounds);
+    const auto refuse = [&](const PlacedBound& one, const char* end, const PlacedBound& limit, const char* other_end) {
+        const Node *value = one.node->find(end), *limit_value = limit.node->find(other_end);
+        if (!value || !limit_value) return;
+        const auto words = [](const Node& bound, const char* key) { return std::string(key == std::string_view("at_least") ? "at least " : "at most ") + bound.text; };
+        const std::string got = quoted_id(one.name) + " must be " + words(*value, end), allowed = words(*limit_value, other_end);
+        report.error(Code::contradiction, value->span,
+                     one.is_goal ? "By this goal " + got + ", and by a limit of the same step " + allowed +
+                                       ": whoever reaches the goal breaks the limit. Write a goal within the limit, or move the limit."
+                                 : "By this limit " + got + ", and by another of the same step " + allowed + ": nothing keeps both. Change one of the two.",
+                     {}, report.because(limit_value->span, "the limit stands here."));
+    };
+    for (std::size_t l = 0; l < bounds.size(); ++l) {
+        const PlacedBound& limit = bounds[l];
+        for (std::size_t b = 0; b < bounds.size() && !limit.is_goal; ++b) {
+            const PlacedBound& one = bounds[b];
+            if (one.name != limit.name || (!one.is_goal && b <= l)) continue;
+            if (one.bound->at_least && limit.bound->at_most && *one.bound->at_least > *limit.bound->at_most) refuse(one, "at_least", limit, "at_most");
+            if (one.bound->at_most && limit.bound->at_least && *one.bound->at_most < *limit.bound->at_least) refuse(one, "at_most", limit, "at_least");
+        }
+    }
+}
+
 Step read_step(const Node& item, const Procedure& procedure, const std::vector<std::string>& instrument_ids,
                const Document& document, Report& report) {
     MapReader map(item, shapes::step, item_name(item, "step"), report);
@@ -323,6 +369,7 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
     if (const Node* limits = map.find("limits"))
         for (const Node& limit : read_list(*limits, "limits", report))
             step.limits.push_back(read_limit(limit, procedure, document, report));
+    refuse_contradictions(step, item, report);
     map.finish();
     return step;
 }

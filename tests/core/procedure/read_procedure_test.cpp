@@ -217,6 +217,20 @@ TEST(ReadProcedure, RefusesABoundThatNothingFulfils) {
     expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {at_least: 30 mm, at_most: 20 mm}}");
 }
 
+TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
+    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
+    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
+                   "{depth: {at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, reason: Too shallow.}\n");
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics)) << "it can be reached and kept";
+}
+
+TEST(ReadProcedure, RefusesLimitsThatNothingKeepsTogether) {
+    expect_refused(Code::contradiction, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
+                   "      - {clearance: {zone: canal, at_most: 2 mm}, reason: Far.}\n      - {depth: {at_most: 38 mm}, reason: Too deep.}\n"
+                   "      - {depth: {at_least: «38.1 mm»}, reason: Too shallow.}\n");
+}
+
 TEST(ReadProcedure, RefusesAParameterOutOfRangeAndSaysWhatToWrite) {
     expect_refused(Code::out_of_range, "diameter: 4 mm", "diameter: «65 mm»");
     Diagnostics diagnostics;
