@@ -2,6 +2,7 @@
 #include "app/run_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -151,6 +152,45 @@ void check_blade_fits(const Procedure& procedure, const std::string& instrument,
                "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) + (is_thick ? " across" : " of width") +
                    "; bone can be cut in a region of " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
                    ". Take a blade that fits in, or plan the axis so that the region is larger.");
+}
+
+namespace {
+
+/// How far the solid reaches beyond the region where there is bone, which goes on there as at the region's nearest face [m].
+double reach_beyond(const Body& body, const ToolSolid& cutting, const Pose& body_from_tool) {
+    double farthest = 0.0;
+    cutting.for_each_ring(body.grid().spacing, [&](const std::array<Vec3, 8>& ring) {
+        for (const Vec3 point : ring) {
+            const Vec3 p = body_from_tool * point;
+            const double beyond = body.region.distance_outside(p);
+            if (beyond > farthest && uncut_distance(body, locate(body.grid(), body.region.nearest(p))) < 0.0) farthest = beyond;
+        }
+    });
+    return farthest;
+}
+
+}  // namespace
+
+void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames, const std::vector<const ToolSolid*>& cutting,
+                               const Body& body, Diagnostics& diagnostics) {
+    if (!body.region.is_bounded()) return;
+    const auto document = document_of(procedure);
+    const Node* rehearsals = document->root.find("rehearsals");
+    Report report(*document, diagnostics);
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
+        const Node* path = rehearsals != nullptr && r < rehearsals->children.size() ? rehearsals->children[r].find("path") : nullptr;
+        for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
+            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            if (!procedure.steps[waypoint.step].cuts()) continue;  // what is held there has come apart before
+            const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
+            if (beyond < body.grid().spacing) continue;
+            const Vec3 size = body.region.high - body.region.low;
+            report.warning(Code::waypoint_beyond_region, path != nullptr && w < path->children.size() ? path->children[w].span : TextSpan{},
+                           "Here `" + procedure.steps[waypoint.step].instrument + "` would stand " + in_mm(beyond) +
+                               " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
+                               " around the planned axes: bone stands there like a wall, and the hand stops at it. Stay within, or give the anatomy an axis that leads as far.");
+        }
+    }
 }
 
 }  // namespace kerf

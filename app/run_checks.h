@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/field/body.h"
 #include "core/field/region.h"
 #include "core/field/tool_solid.h"
 #include "core/haptics/device_record.h"
 #include "core/procedure/procedure.h"
 #include "core/procedure/source.h"
+#include "core/procedure/step_monitor.h"
 
 /// What a procedure asks of a run, each complaint at its place in the document.
 namespace kerf {
@@ -28,5 +30,11 @@ void check_hands(const Procedure& procedure, const DeviceRecord& device, double 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,
                       Diagnostics& diagnostics);
+
+/// Warns of waypoints at which what cuts would stand in bone beyond the region in which bone can be cut: there bone stands like a wall.
+/// @param frames    one per step
+/// @param cutting   the cutting region of each step's tool   [main]
+void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames, const std::vector<const ToolSolid*>& cutting,
+                               const Body& body, Diagnostics& diagnostics);
 
 }  // namespace kerf

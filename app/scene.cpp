@@ -76,6 +76,9 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         scene.share_in_bone.push_back(found.share);
     }
     if (has_error(diagnostics)) return std::nullopt;
+    std::vector<const ToolSolid*> cutting;
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) cutting.push_back(&scene.tool(s).outline.cutting);
+    check_waypoints_in_region(scene.procedure, scene.frames, cutting, scene.body, diagnostics);
 
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
     double feed = 0.0;

@@ -175,6 +175,7 @@ constexpr CodeEntry entries[] = {
     {707, "blade beyond region", "A saw's blade does not fit into the region in which bone can be cut.", "It would stand against the region's border as against a wall.", "Take a smaller blade, or plan the axis so that the region is larger."},
     {708, "narrow hole", "A turning tool's hole is narrower than four voxels.", "A wall so sharply bent is not known where it is: the tool meets bone that it has cut, with newtons in three voxels and hundreds in two. Only a warning.", "Write the spacing that the message gives.", true},
     {709, "hand held by friction", "A rehearsal's hand pushes the device less than its own friction holds it.", "Forces are scaled down until the hardest bone, at the fastest feed, fits the device; so is the push, and the hand would stand where it starts. Only a warning.", "Write a larger `push:` or a slower `feed:`.", true},
+    {710, "waypoint beyond region", "A rehearsal leads the tool into bone beyond the region in which bone can be cut.", "Of a scan or a surface only what lies within 15 mm around the planned axes is read; beyond it bone stands like a wall, and the hand stops there. Only a warning.", "Keep the waypoint within the region, or give the anatomy an axis that leads as far.", true},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -90,6 +90,7 @@ enum class Code {
     blade_beyond_region = 707,
     narrow_hole = 708,       ///< under four voxels
     hand_held_by_friction = 709,
+    waypoint_beyond_region = 710,
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -294,6 +294,14 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              procedure.replace(procedure.find("blade_thickness: 0.8 mm"), 23, "tooth_count: 40");
              write(folder + "/E0707.yaml", procedure);
          }},
+        {710, [](const std::string& folder) {
+             surface(710, Surface().cube(100, 0, 0, 0).text)(folder);
+             std::filesystem::rename(folder + "/E0710.yaml", folder + "/large.yaml");
+             std::string procedure = contents_of(folder + "/hole.yaml");
+             procedure.replace(procedure.find("block.yaml"), 10, "large.yaml");
+             procedure.replace(procedure.find("{depth: 12 mm}"), 14, "{depth: 44 mm}");
+             write(folder + "/W0710.yaml", procedure);
+         }},
         {656, surface(656, Surface().cube(20, 0, 0, 0).cube(20, 7, 6, 5).text)},
         {657, surface(657, far_stl(), "block.stl", "unit: m, frame: LPS")},
         {660, [](const std::string& folder) {
