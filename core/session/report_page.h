@@ -84,18 +84,30 @@ const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
 /// Three digits that mean something, with a real minus sign.
 function sensible(v) {
   if (!Number.isFinite(v)) return "–";
-  const decimals = v === 0 ? 0 : clamp(2 - Math.floor(Math.log10(Math.abs(v))), 0, 4);
-  return withMinus(v.toFixed(decimals));
+  const power = powerFor(Math.abs(v)), digits = v / 10 ** power;
+  const decimals = v === 0 ? 0 : clamp(2 - Math.floor(Math.log10(Math.abs(digits))), 0, 4);
+  return withMinus(digits.toFixed(decimals)) + (power ? "\u00a0·\u00a0" + powerOfTen(power) : "");
 }
 const withMinus = text => /^-[0.]*$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 
-/// About `count` round numbers from `low` to `high`, and how many decimals they need.
+/// The power of a thousand in which numbers up to `size` are short; 0 where they are as they stand.
+function powerFor(size) { return size > 0 && (size < 1e-3 || size >= 1e6) ? 3 * Math.floor(Math.log10(size) / 3) : 0; }
+const powerOfTen = power => "10" + [...String(power)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
+/// What an axis says of itself: "thrust in N", or "thrust in 10⁻⁹ N" where its numbers are short by that.
+function axisTitle(name, unit, power) {
+  const scaled = [power ? powerOfTen(power) : "", unit].filter(word => word).join(" ");
+  return scaled ? name + " in " + scaled : name;
+}
+
+/// About `count` round numbers from `low` to `high`, their texts, and the power of ten in which those are.
 function roundTicks(low, high, count) {
   const raw = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw * 0.999);
   const ticks = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) ticks.push(i * step);
-  return { ticks, decimals: clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 6) };
+  const shortBy = powerFor(Math.max(Math.abs(low), Math.abs(high))), scale = 10 ** shortBy;
+  const decimals = clamp(-Math.floor(Math.log10(step / scale) + 1e-9), 0, 6);
+  return { ticks, texts: ticks.map(v => withMinus((v / scale).toFixed(decimals))), power: shortBy };
 }
 
 // ---- plots ----------------------------------------------------------------------------------------------------
@@ -112,7 +124,7 @@ let cursor = -1;  // index of a row, shared by all plots
 
 function rangeOf(values, from, to, accept) {
   let low = Infinity, high = -Infinity;
-  for (let i = from; i < to; ++i) if (accept(i)) { low = Math.min(low, values[i]); high = Math.max(high, values[i]); }
+  for (let i = from; i < to; ++i) if (accept(i) && Number.isFinite(values[i])) { low = Math.min(low, values[i]); high = Math.max(high, values[i]); }
   return low <= high ? [low, high] : [0, 1];
 }
 
@@ -199,24 +211,24 @@ class Plot {
     g.lineWidth = 1; g.strokeStyle = inkOf("grid"); g.fillStyle = inkOf("soft");
     const y = roundTicks(...this.yView, (base - this.top) / 34);
     g.textAlign = "right"; g.textBaseline = "middle";
-    for (const v of y.ticks) {
+    for (const [i, v] of y.ticks.entries()) {
       const py = Math.round(this.py(v)) + 0.5;
       g.beginPath(); g.moveTo(margin.left, py); g.lineTo(right, py); g.stroke();
-      g.fillText(withMinus(v.toFixed(y.decimals)), margin.left - 8, py);
+      g.fillText(y.texts[i], margin.left - 8, py);
     }
-    const x = roundTicks(...this.axis.view, (right - margin.left) / 90);
+    const x = roundTicks(...this.axis.view, (right - margin.left) / 90), xTitle = axisTitle(this.xName, this.xUnit, x.power);
     g.textAlign = "center"; g.textBaseline = "top";
-    for (const v of x.ticks) {
+    for (const [i, v] of x.ticks.entries()) {
       const px = Math.round(this.px(v)) + 0.5;
       g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, base); g.stroke();
-      if (px < right - g.measureText(this.xUnit).width - 20) g.fillText(withMinus(v.toFixed(x.decimals)), px, base + 6);
+      if (px < right - g.measureText(xTitle).width - 20) g.fillText(x.texts[i], px, base + 6);
     }
-    g.textAlign = "right"; g.fillText(this.xUnit, right, base + 6);
+    g.textAlign = "right"; g.fillText(xTitle, right, base + 6);
     g.strokeStyle = inkOf("line");
     const zero = Math.round(this.py(0)) + 0.5;
     g.beginPath(); g.moveTo(margin.left, zero); g.lineTo(right, zero); g.stroke();
     g.fillStyle = inkOf("ink"); g.textAlign = "left"; g.textBaseline = "top";
-    g.fillText(this.label, margin.left, 4);
+    g.fillText(axisTitle(this.name, this.unit, y.power), margin.left, 4);
   }
 
   drawLine(from, to) {
@@ -320,16 +332,16 @@ const timeAxis = new Axis(count ? rows.time[0] : 0, count ? rows.time[count - 1]
 if (count) {
   const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
   const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
-  const time = { x: rows.time, xUnit: "time in s", isTime: true };
-  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xUnit: "depth in mm", label: "thrust in N" });
-  new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, label: "thrust in N", namesEvents: true });
-  new Plot("plot-2", timeAxis, { ...time, y: rows.torque, label: "torque about the shaft in N·mm" });
-  new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, label: "force across the shaft in N" });
-  new Plot("plot-4", timeAxis, { ...time, y: rows.depth, label: "depth in mm" });
+  const time = { x: rows.time, xName: "time", xUnit: "s", isTime: true };
+  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xName: "depth", xUnit: "mm", name: "thrust", unit: "N" });
+  new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, name: "thrust", unit: "N", namesEvents: true });
+  new Plot("plot-2", timeAxis, { ...time, y: rows.torque, name: "torque about the shaft", unit: "N·mm" });
+  new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, name: "force across the shaft", unit: "N" });
+  new Plot("plot-4", timeAxis, { ...time, y: rows.depth, name: "depth", unit: "mm" });
   new Plot("plot-strip", timeAxis, { isStrip: true });
   if (data.signals.length) {
-    const choice = byId("signal"), plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, label: "" });
-    const choose = () => { const s = data.signals[choice.value]; plot.y = s.values; plot.label = s.name + (s.unit ? " in " + s.unit : ""); later(drawAll); };
+    const choice = byId("signal"), plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, name: "", unit: "" });
+    const choose = () => { const s = data.signals[choice.value]; Object.assign(plot, { y: s.values, name: s.name, unit: s.unit }); later(drawAll); };
     choice.addEventListener("change", choose);
     choose();
   }

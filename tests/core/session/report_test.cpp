@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -11,6 +13,7 @@
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
 #include "synthetic_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -157,6 +160,31 @@ TEST(Report, AMeshWithNumbersOutOfRangeDoesNotHarm) {
     const auto data = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(mesh)));
     const auto whole = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(test::synthetic_bone(4))));
     EXPECT_EQ(data["mesh"], whole["mesh"]);
+}
+
+/// What the page's script computes of numbers, as JavaScript would print it; empty where there is no node to run it.
+std::string computed_by_script(const std::string& expression) {
+    const std::string html = synthetic_report();
+    const std::size_t begin = html.find("const clamp ="), numbers = html.find("// ---- numbers"), end = html.find("// ---- plots");
+    EXPECT_TRUE(begin < numbers && numbers < end && end != std::string::npos);
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "numbers.js") << html.substr(begin, end - begin) << "\nconsole.log(JSON.stringify(" << expression << "));\n";
+    if (std::system(("node " + (folder / "numbers.js") + " > " + (folder / "out") + " 2> /dev/null").c_str()) != 0) return "";
+    return test::contents_of(folder / "out");
+}
+
+TEST(Report, TheNumbersOnAnAxisAreShortHoweverSmallOrLarge) {
+    if (computed_by_script("1") != "1\n") GTEST_SKIP() << "there is no node here to run the page's script";
+    const auto axis = [](const std::string& low, const std::string& high) {
+        return computed_by_script("(({texts, power}) => [texts, axisTitle('thrust', 'N', power)])(roundTicks(" + low + ", " + high + ", 2))");
+    };
+    EXPECT_EQ(axis("0", "60"), "[[\"0\",\"50\"],\"thrust in N\"]\n");
+    EXPECT_EQ(axis("0", "0.0012"), "[[\"0.000\",\"0.001\"],\"thrust in N\"]\n");
+    EXPECT_EQ(axis("0", "1.06e-9"), "[[\"0\",\"1\"],\"thrust in 10⁻⁹ N\"]\n");
+    EXPECT_EQ(axis("-2e-16", "2e-16"), "[[\"−200\",\"0\",\"200\"],\"thrust in 10⁻¹⁸ N\"]\n");
+    EXPECT_EQ(axis("0", "5e7"), "[[\"0\",\"50\"],\"thrust in 10⁶ N\"]\n");
+    EXPECT_EQ(computed_by_script("axisTitle('teeth', '', -6)"), "\"teeth in 10⁻⁶\"\n");
+    EXPECT_EQ(computed_by_script("[0, 12.345, -0.02, 1.234e-9].map(sensible)"), "[\"0\",\"12.3\",\"−0.0200\",\"1.23\u00a0·\u00a010⁻⁹\"]\n");
 }
 
 TEST(Report, ThrustOverDepthIsDrawnForThoseWithoutScripts) {
