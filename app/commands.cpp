@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -36,6 +38,24 @@ namespace {
 ExitCode complain(const std::string& error, ExitCode code) {
     std::fprintf(stderr, "kerf: %s\n", error.c_str());
     return code;
+}
+
+/// Why nothing could be written into `folder`, which need not exist yet; empty if it could. Asked before the minutes of work that go into it.
+std::string refusal_of_folder(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    fs::path there = fs::absolute(folder.empty() ? "." : folder, ignored);
+    while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
+    const std::string cannot = "`--out` is `" + folder + "`, where nothing can be written: `" + there.string() + "` ";
+    if (!fs::is_directory(there, ignored)) return cannot + "is a file. Give another folder.";
+    if (access(there.c_str(), W_OK | X_OK) != 0) return cannot + "may not be written. Give another folder.";
+    return "";
+}
+
+/// The same of a page. What is no page is never written over.
+std::string refusal_of_page(const std::string& file) {
+    if (std::filesystem::path(file).extension() != ".html") return "`--out` is `" + file + "`, and must be an .html file. Write `--out page.html`.";
+    return refusal_of_folder(std::filesystem::path(file).parent_path().string());
 }
 
 void print(const RunSummary& s) {
@@ -141,6 +161,7 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
 // ---- run ---------------------------------------------------------------------------------------------------------
 
 ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
 
@@ -197,7 +218,7 @@ ExitCode report(const CommandLine& line) {
     namespace fs = std::filesystem;
     const std::string file = line.out.empty() ? (fs::path(line.source).parent_path() / "report.html").string() : line.out;
     // Never the session itself, nor another record.
-    if (fs::path(file).extension() != ".html") return complain("`--out` is `" + file + "`, and must be an .html file. Write `--out report.html`.", exit_bad_input);
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(file); !refusal.empty()) return complain(refusal, exit_bad_input);
     std::error_code ignored;
     if (fs::equivalent(line.source, file, ignored)) return complain("the page would take the place of its session. Give another file with `--out`.", exit_bad_input);
 
@@ -213,6 +234,7 @@ ExitCode report(const CommandLine& line) {
 }
 
 ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
     const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
@@ -229,6 +251,8 @@ void scan_papers(PluginRegistry& papers, const std::string& folder) {
 
 ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
     using namespace stability;
+    const std::string out = line.out.empty() ? "out/stability" : line.out;
+    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry papers;
     scan_papers(papers, printed_folder);
     std::printf("%s.\n%s\n", notice_line, table_head().c_str());
@@ -240,13 +264,14 @@ ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugin
     const auto findings = run_suite(plugins, papers, line.plugin, line.is_quick, print_line, error);
     if (!error.empty()) return complain(error, exit_bad_input);
     std::fputs(tally(findings).c_str(), stdout);
-    const std::string out = line.out.empty() ? "out/stability" : line.out;
     if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
     std::printf("%s/stability.svg\n", out.c_str());
     return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
 }
 
 ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
+    const std::string out = line.out.empty() ? "out/chart" : line.out;
+    if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry printed;
     scan_papers(printed, printed_folder);
     if (printed.plugins().empty())
@@ -257,7 +282,6 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     std::string error;
     const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
     if (!error.empty()) return complain(error, exit_bad_input);
-    const std::string out = line.out.empty() ? "out/chart" : line.out;
     if (error = chart::write_chart(out, drawn); !error.empty()) return complain(error, exit_fault);
     std::printf("%s/chart.html\n", out.c_str());
     return exit_pass;
@@ -321,6 +345,7 @@ ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
 }
 
 ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
     Diagnostics diagnostics;
     const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
     std::fputs(to_text(diagnostics).c_str(), stderr);

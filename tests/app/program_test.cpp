@@ -97,6 +97,23 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     }
 }
 
+TEST(Program, WhereNothingCanBeWrittenIsSaidBeforeTheWorkAndNoOtherFileIsWrittenOver) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "notes.txt";
+    std::ofstream(file) << "mine";
+    for (const std::string& command : {"run " + pedicle_screw, "plan " + pedicle_screw, std::string("stability"), std::string("chart")})
+        for (const std::string& out : {file, file + "/deeper"}) {
+            const Ended ended = kerf(command + " --out " + out);
+            EXPECT_EQ(ended.exit_code, 2) << command;
+            EXPECT_EQ(ended.out, "") << command;
+            EXPECT_EQ(ended.err, "kerf: `--out` is `" + out + "`, where nothing can be written: `" + file + "` is a file. Give another folder.\n");
+        }
+    const Ended preview = kerf("preview " + pedicle_screw + " --out " + file);
+    EXPECT_EQ(preview.exit_code, 2);
+    EXPECT_EQ(preview.err, "kerf: `--out` is `" + file + "`, and must be an .html file. Write `--out page.html`.\n");
+    EXPECT_EQ(contents_of(file), "mine");
+}
+
 TEST(Program, ReportsFromTheSessionAloneByteForByteAndIntoNoOtherFile) {
     const TemporaryFolder folder, elsewhere;
     ASSERT_EQ(kerf("run " + pedicle_screw + " --set 'accuracy.spacing=0.5 mm' --out " + (folder / "run")).exit_code, 0);
