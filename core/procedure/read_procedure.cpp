@@ -251,6 +251,11 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
         const Shape& shape = *shapes::goal.find(quantity->key)->value.shape;
         MapReader bound(*quantity, shape, quantity->key, report);
         if (!shape.keys.empty()) read_bound_values(bound, shape, quantity->key, goal.bound, report);
+        if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
+            report.error(Code::empty_bound, quantity->find("at_most")->span,
+                         "By this goal `depth` must be at most " + quantity->find("at_most")->text +
+                             ", but a goal's depth is the deepest that the tip has been in bone: nothing fulfils it. Remove it: a step ends with the tool "
+                             "outside again.");
         bound.finish();
     }
     map.finish();

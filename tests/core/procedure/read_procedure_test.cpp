@@ -217,6 +217,10 @@ TEST(ReadProcedure, RefusesABoundThatNothingFulfils) {
     expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {at_least: 30 mm, at_most: 20 mm}}");
 }
 
+TEST(ReadProcedure, RefusesAGoalToBeOutsideWhichADeepestDepthNeverIs) {
+    expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{depth: {at_most: «-5 mm»}}");
+}
+
 TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
     expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
     expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
