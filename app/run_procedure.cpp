@@ -11,6 +11,7 @@
 #include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
+#include "core/procedure/read_map.h"
 #include "core/session/content_hash.h"
 #include "core/session/envelope.h"
 #include "core/session/recorder.h"
@@ -164,9 +165,10 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
                                : std::find_if(rehearsals.begin(), rehearsals.end(), [&](const Rehearsal& r) { return r.id == request.rehearsal; });
     if (rehearsal == rehearsals.end()) {
         outcome.is_bad_input = true;
-        outcome.error = rehearsals.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
-                                           : "there is no rehearsal `" + request.rehearsal + "`. Write one of:";
-        for (const auto& r : rehearsals) outcome.error += " `" + r.id + "`";
+        std::vector<std::string> known;
+        for (const auto& r : rehearsals) known.push_back(r.id);
+        outcome.error = known.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
+                                      : "there is no rehearsal `" + request.rehearsal + "`. Write " + listed(known) + ".";
         return outcome;
     }
 

@@ -95,6 +95,7 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
         EXPECT_NE(bad.err, "") << what;
         EXPECT_FALSE(std::filesystem::exists(out)) << what;
     }
+    EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err, "there is no rehearsal `nobody`. Write `expert` or `medial-breach`.\n"));
 }
 
 TEST(Program, WhereNothingCanBeWrittenIsSaidBeforeTheWorkAndNoOtherFileIsWrittenOver) {
