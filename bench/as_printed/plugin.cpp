@@ -37,7 +37,7 @@ static_assert(std::size(tool_parameters) == tool_parameter_count);
 
 constexpr kerf_drive drives[] = {
     {"spindle_speed", "Speed of the spindle; no motor is modelled.", dimension::frequency, "rpm", 0.0_rpm, 50000.0_rpm,
-     1000.0_rpm},
+     1000.0_rpm, 0.0},
 };
 static_assert(std::size(drives) == drive_count);
 
@@ -68,7 +68,7 @@ constexpr kerf_param saw_parameters[] = {
 static_assert(std::size(saw_parameters) == saw_parameter_count);
 
 constexpr kerf_drive saw_drives[] = {
-    {"oscillation", "u: oscillations; no motor is modelled.", dimension::frequency, "1/min", 0.0, 25000.0_rpm, 12000.0_rpm},
+    {"oscillation", "u: oscillations; no motor is modelled.", dimension::frequency, "1/min", 0.0, 25000.0_rpm, 12000.0_rpm, 0.0},
 };
 static_assert(std::size(saw_drives) == saw_drive_count);
 

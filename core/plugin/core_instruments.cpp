@@ -21,7 +21,7 @@ constexpr kerf_param force_parameters[] = {
     {"contact_stiffness", "Stiffness of bone where the jaws touch it.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 200.0_N_per_mm, "assumed"},
     {"bite", "The jaws hold bone that is no farther from their tip when they close.", dimension::length, "mm", 0.1_mm, 10.0_mm, 1.0_mm, "assumed"},
 };
-constexpr kerf_drive drives[] = {{"jaws", "0: open; 1: closed.", dimension::none, "", 0.0, 1.0, 0.0}};
+constexpr kerf_drive drives[] = {{"jaws", "0: open; 1: closed.", dimension::none, "", 0.0, 1.0, 0.0, 0.0}};
 
 /// The still jaws touch; closing, they hold what is at their tip. What is held is no obstacle to them: the core sees to that.
 struct Grasp {

@@ -44,6 +44,9 @@ std::string fault_of(const kerf_component& c) {
     if (c.kind != KERF_KIND_TOOL && c.kind != KERF_KIND_FORCE) return name + "is of no known kind (tool 1, force 2)";
     if (c.kind == KERF_KIND_TOOL && (c.tool == nullptr || c.tool->shape == nullptr)) return name + "has no tool table";
     if (c.kind == KERF_KIND_TOOL && c.tool->drive_count > KERF_MAX_DRIVES) return name + "has too many drives";
+    for (std::uint32_t i = 0; c.kind == KERF_KIND_TOOL && i < c.tool->drive_count; ++i)
+        if (const kerf_drive& d = c.tool->drives[i]; !(d.least >= 0.0 && d.least <= std::max(std::abs(d.min), std::abs(d.max))))
+            return name + "drive `" + (d.id != nullptr ? d.id : "") + "` takes no bone at any value of its range: `least` is outside it";
     if (c.kind == KERF_KIND_FORCE &&
         (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->reset == nullptr))
         return name + "has no complete force table (reset, resist, commit)";
@@ -75,7 +78,7 @@ bool is_shared_library(const std::string& path) {
 
 template <class D>
 ParameterInfo parameter_info(const D& d, const char* source) {
-    return {d.id, d.help, d.dimension, d.display_unit, d.min, d.max, d.def, source};
+    return {d.id, d.help, d.dimension, d.display_unit, d.min, d.max, d.def, source, 0.0};
 }
 
 }  // namespace
@@ -139,7 +142,10 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
         info.features.push_back({f.id, f.help, f.kind, f.param, f.off});
     }
     if (c.kind == KERF_KIND_TOOL)
-        for (std::uint32_t i = 0; i < c.tool->drive_count; ++i) info.drives.push_back(parameter_info(c.tool->drives[i], ""));
+        for (std::uint32_t i = 0; i < c.tool->drive_count; ++i) {
+            info.drives.push_back(parameter_info(c.tool->drives[i], ""));
+            info.drives.back().least = c.tool->drives[i].least;
+        }
     if (c.kind == KERF_KIND_FORCE)
         for (std::uint32_t i = 0; i < c.force->signal_count; ++i) {
             const kerf_signal& s = c.force->signals[i];

@@ -176,6 +176,7 @@ constexpr CodeEntry entries[] = {
     {708, "narrow hole", "A turning tool's hole is narrower than four voxels.", "A wall so sharply bent is not known where it is: the tool meets bone that it has cut, with newtons in three voxels and hundreds in two. Only a warning.", "Write the spacing that the message gives.", true},
     {709, "hand held by friction", "A rehearsal's hand pushes the device less than its own friction holds it.", "Forces are scaled down until the hardest bone, at the fastest feed, fits the device; so is the push, and the hand would stand where it starts. Only a warning.", "Write a larger `push:` or a slower `feed:`.", true},
     {710, "waypoint beyond region", "A rehearsal leads the tool into bone beyond the region in which bone can be cut.", "Of a scan or a surface only what lies within 15 mm around the planned axes is read; beyond it bone stands like a wall, and the hand stops there. Only a warning.", "Keep the waypoint within the region, or give the anatomy an axis that leads as far.", true},
+    {711, "too slow to cut", "A tool is commanded to go, but more slowly than it takes bone.", "It would rub on the bone, and the hand push for nothing. Only a warning.", "Write the speed that the message gives, or more; or 0 to switch it off.", true},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

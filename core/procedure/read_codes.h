@@ -91,6 +91,7 @@ enum class Code {
     narrow_hole = 708,       ///< under four voxels
     hand_held_by_friction = 709,
     waypoint_beyond_region = 710,
+    too_slow_to_cut = 711,
 };
 
 /// `E0412`; `W0412` for a warning.

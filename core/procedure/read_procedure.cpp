@@ -207,12 +207,25 @@ private:
         if (!is_kind(node, Node::Kind::map, instrument.id + ".drives", report_)) return;
         const std::vector<std::string> known = ids_of(tool.drives);
         for (const Node& child : node.children)
-            if (!set(child, instrument.id, tool, tool.drives, instrument.drives)) {
+            if (set(child, instrument.id, tool, tool.drives, instrument.drives)) {
+                warn_if_too_slow(child, tool, instrument);
+            } else {
                 const std::string meant = suggestion(child.key, known);
                 report_.error(Code::unknown_drive, child.key_span,
                               tool.id + " has no such drive" + (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
                               meant);
             }
+    }
+
+    void warn_if_too_slow(const Node& node, const ComponentInfo& tool, const Instrument& instrument) {
+        for (std::size_t i = 0; i < tool.drives.size(); ++i) {
+            const ParameterInfo& drive = tool.drives[i];
+            const double value = std::abs(instrument.drives[i]);
+            if (drive.id != node.key || !(value > 0.0 && value < drive.least)) continue;
+            const std::string least = quantity_text(drive.least, drive.display_unit);
+            report_.warning(Code::too_slow_to_cut, node.span,
+                            "Under " + least + " " + tool.id + " takes no bone: it only rubs. Write " + least + " or more, or 0 to switch it off.");
+        }
     }
 
     std::string suggestion(const std::string& key, const std::vector<std::string>& known) const {

@@ -12,9 +12,8 @@ namespace {
 
 using namespace literals;
 
-// From here on it cuts. Below it takes no bone: its edges only drag, less and less, while it sinks onto the bone that they
-// leave standing; so contact takes over without a blow.
-constexpr double slowest_cut = 30.0_rpm;
+// Below `slowest_cut` its edges only drag, less and less, while it sinks onto the bone that they leave standing; so contact takes over
+// without a blow.
 constexpr double dragging_time = 2.0_ms;
 
 enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole

@@ -36,6 +36,7 @@ enum ForceParameter : std::size_t {
     force_parameter_count
 };
 enum Drive : std::size_t { drive_spindle_speed, drive_count };
+inline constexpr double slowest_cut = 0.5;  ///< [1/s] from here on it takes bone
 enum Signal : std::size_t { signal_chip_thickness, signal_feed_per_revolution, signal_engagement, signal_drive_power, signal_spindle_speed, signal_count };
 
 [[nodiscard]] TwistDrill drill_of(std::span<const double> tool_parameters) noexcept;

@@ -49,7 +49,7 @@ static_assert(std::size(profile_drill_parameters) == profile_drill_parameter_cou
 #undef KERF_DRILL_PARAMETERS
 
 constexpr kerf_drive drives[] = {
-    {"spindle_speed", "Commanded speed of the spindle; negative in reverse. Below 30 rpm it cuts nothing.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm},
+    {"spindle_speed", "Commanded speed of the spindle; negative in reverse.", dimension::frequency, "rpm", -3000.0_rpm, 3000.0_rpm, 1000.0_rpm, slowest_cut},
 };
 static_assert(std::size(drives) == drive_count);
 

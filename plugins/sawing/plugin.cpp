@@ -31,7 +31,7 @@ constexpr kerf_param tool_parameters[] = {
 static_assert(std::size(tool_parameters) == tool_parameter_count);
 
 constexpr kerf_drive drives[] = {
-    {"stroke_rate", "Commanded oscillations: to and fro is one.", dimension::frequency, "1/min", 0.0_rpm, 25000.0_rpm, 12000.0_rpm},
+    {"stroke_rate", "Commanded oscillations: to and fro is one.", dimension::frequency, "1/min", 0.0_rpm, 25000.0_rpm, 12000.0_rpm, slowest_cut},
 };
 static_assert(std::size(drives) == drive_count);
 

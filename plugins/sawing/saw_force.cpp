@@ -11,9 +11,8 @@ namespace {
 
 using namespace literals;
 
-// From here on it cuts. Below it takes no bone: its teeth only drag, less and less, while it sinks onto the bone that they
-// leave standing; so contact takes over without a blow.
-constexpr double slowest_cut = 300.0_rpm;
+// Below `slowest_cut` its teeth only drag, less and less, while it sinks onto the bone that they leave standing; so contact takes over
+// without a blow.
 constexpr double dragging_time = 2.0_ms;
 // From here on forces are averaged over the oscillation: in ticks of a millisecond a faster one would alias.
 constexpr double averaged_from = 100.0;  // [1/s]

@@ -39,6 +39,7 @@ enum ForceParameter : std::size_t {
     force_parameter_count
 };
 enum Drive : std::size_t { drive_stroke_rate, drive_count };
+inline constexpr double slowest_cut = 5.0;  ///< [1/s] from here on it takes bone
 enum Signal : std::size_t {
     signal_chip_thickness,
     signal_engaged_teeth,

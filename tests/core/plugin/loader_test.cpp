@@ -2,9 +2,9 @@
 #include "core/plugin/loader.h"
 
 #include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -65,6 +65,27 @@ TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
     EXPECT_NE(refusal_of(entry, "libsaw.so").find("kind (effect 1, resolution 2)"), std::string::npos);
     component.features = nullptr;
     EXPECT_NE(refusal_of(entry, "libsaw.so").find("no table of its features"), std::string::npos);
+}
+
+TEST(Loader, RefusesADriveAtWhichTheToolNeverTakesBone) {
+    const PluginLoad load = load_plugin(drilling);
+    ASSERT_TRUE(load.plugin);
+    kerf_entry entry = load.plugin->entry();
+    kerf_component component = entry.components[0];
+    entry.components = &component;
+    entry.component_count = 1;
+    kerf_tool tool = *component.tool;
+    component.tool = &tool;
+    kerf_drive drive = tool.drives[0];
+    tool.drives = &drive;
+    tool.drive_count = 1;
+    EXPECT_GT(drive.least, 0.0);
+    EXPECT_EQ(refusal_of(entry, "libsaw.so"), "");
+
+    for (const double least : {drive.max + 1.0, -1.0, std::nan("")}) {
+        drive.least = least;
+        EXPECT_NE(refusal_of(entry, "libsaw.so").find("drive `spindle_speed`"), std::string::npos) << least;
+    }
 }
 
 std::string bad(const std::string& how) { return KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_" + how + ".so"; }
