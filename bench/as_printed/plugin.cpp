@@ -198,7 +198,7 @@ template <class Law, std::size_t N>
 constexpr kerf_force table_of(const kerf_signal (&signals)[N]) {
     static_assert(N == Law::signal_count);
     return {sizeof(kerf_force),      sizeof(typename Law::State), alignof(typename Law::State), signals, N, 1000000,
-            &ForceTable<Law>::reset, &ForceTable<Law>::resist,    &ForceTable<Law>::commit};
+            &ForceTable<Law>::begin, &ForceTable<Law>::resist,    &ForceTable<Law>::commit};
 }
 constexpr kerf_force tsai = table_of<Tsai2007>(tsai_signals);
 constexpr kerf_force touch = table_of<TouchCount>(touch_signals);

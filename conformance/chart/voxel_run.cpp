@@ -20,7 +20,8 @@ VoxelRun::VoxelRun(const Scene& scene, ToolSetup setup, const Fineness& fineness
       pose_(scene.pose_at(scene.depth.front())),
       deepest_(scene.depth.front()),
       state_(setup_.force->force->state_size / sizeof(std::max_align_t) + 1) {
-    setup_.force->force->reset(state_.data());
+    const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
+    setup_.force->force->begin(&in, state_.data());
 }
 
 Felt VoxelRun::tick(const Pose& next) {

@@ -13,7 +13,13 @@ PrintedLoop::PrintedLoop(const BoneBlock& block, const Grid& grid, const ToolSet
       period_(period),
       state_(setup.force->force->state_size / sizeof(std::max_align_t) + 1),
       signals_(KERF_MAX_SIGNALS) {
-    setup_.force->force->reset(state_.data());
+    const kerf_bone_query bone = query();
+    const kerf_tick_in in = tick_in_of(setup_, bone, period_);
+    setup_.force->force->begin(&in, state_.data());
+}
+
+kerf_bone_query PrintedLoop::query() const noexcept {
+    return {sizeof(kerf_bone_query), bone_.block.shell > 0.0 ? 2u : 1u, 0.0, &sample, &nearest, reinterpret_cast<const kerf_bone*>(&bone_)};
 }
 
 void PrintedLoop::sample(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*, std::uint32_t,
@@ -46,9 +52,8 @@ void PrintedLoop::nearest(const kerf_bone*, const kerf_vec3*, std::uint32_t coun
 }
 
 void PrintedLoop::go(const Pose& next) {
-    const kerf_bone_query query{sizeof(kerf_bone_query), bone_.block.shell > 0.0 ? 2u : 1u, 0.0, &sample, &nearest,
-                                reinterpret_cast<const kerf_bone*>(&bone_)};
-    kerf_tick_in in = tick_in_of(setup_, query, period_);
+    const kerf_bone_query bone = query();
+    kerf_tick_in in = tick_in_of(setup_, bone, period_);
     in.tick = tick_++;
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};

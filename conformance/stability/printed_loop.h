@@ -51,6 +51,7 @@ private:
         Grid grid;
         Pose pose;
     };
+    [[nodiscard]] kerf_bone_query query() const noexcept;
     static void sample(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out);
     static void nearest(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_surface_point* out);
 

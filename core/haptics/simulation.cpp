@@ -62,10 +62,11 @@ void Simulation::begin_with_tool() {
     void* aligned = state_storage_.get();
     std::size_t space = force.state_size + force.state_align;
     state_ = static_cast<std::byte*>(std::align(force.state_align, force.state_size, aligned, space));
-    force.reset(state_);
     std::fill(std::begin(signals_), std::end(signals_), 0.0);
     drives_.fill(0.0);
     std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
+    const kerf_tick_in in = tick_in(period_);
+    force.begin(&in, state_);
     double back = 0.0;
     for (const auto& body : bodies_)
         if (body->is_present) back = std::max(back, way_out_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_)).value_or(0.0));

@@ -42,10 +42,8 @@ void nearest_endless(const kerf_bone*, const kerf_vec3*, std::uint32_t count, ke
 }
 
 /// Lets a powered tool come to its speed in air.
-void run_up(const ToolSetup& setup, std::uint32_t tissues, void* state) {
+void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     constexpr int longest = 10000;  // ticks
-    const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
-    kerf_tick_in in = tick_in_of(setup, air, Simulation::dt);
     double signals[KERF_MAX_SIGNALS];
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_advance advance{};
@@ -68,8 +66,10 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     state = std::align(force.state_align, force.state_size, state, space);
 
     const auto tissues = static_cast<std::uint32_t>(body.materials.size());
-    force.reset(state);
-    run_up(setup, tissues, state);
+    const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
+    const kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
+    force.begin(&in_air, state);
+    run_up(setup, in_air, state);
 
     double largest = 0.0;
     for (std::size_t m = 0; m < body.materials.size(); ++m) {

@@ -90,7 +90,7 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
 }
 
 constexpr kerf_tool forceps{sizeof(kerf_tool), drives, std::size(drives), &shape};
-constexpr kerf_force grasp{sizeof(kerf_force),       sizeof(Grasp::State), alignof(Grasp::State), nullptr, 0, 5000, &ForceTable<Grasp>::reset,
+constexpr kerf_force grasp{sizeof(kerf_force),       sizeof(Grasp::State), alignof(Grasp::State), nullptr, 0, 5000, &ForceTable<Grasp>::begin,
                            &ForceTable<Grasp>::resist, &ForceTable<Grasp>::commit};
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "forceps", "Forceps, closed and opened by hand, that hold a piece of bone.", nullptr, 0, 0, &forceps, nullptr, nullptr},

@@ -48,8 +48,8 @@ std::string fault_of(const kerf_component& c) {
         if (const kerf_drive& d = c.tool->drives[i]; !(d.least >= 0.0 && d.least <= std::max(std::abs(d.min), std::abs(d.max))))
             return name + "drive `" + (d.id != nullptr ? d.id : "") + "` takes no bone at any value of its range: `least` is outside it";
     if (c.kind == KERF_KIND_FORCE &&
-        (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->reset == nullptr))
-        return name + "has no complete force table (reset, resist, commit)";
+        (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->begin == nullptr))
+        return name + "has no complete force table (begin, resist, commit)";
     if (c.kind == KERF_KIND_FORCE && c.force->signal_count > KERF_MAX_SIGNALS) return name + "has too many signals";
     for (std::uint32_t i = 0; i < c.param_count; ++i) {
         const kerf_param& p = c.params[i];

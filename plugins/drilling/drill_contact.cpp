@@ -50,13 +50,15 @@ double shank_stiffness(const TwistDrill& drill, double z, double contact) noexce
     return bending * contact / (bending + contact);
 }
 
-ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning) noexcept {
+}  // namespace
+
+ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, bool removes) noexcept {
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
     const TwistDrill::Cones cones = drill.cones();
     const std::size_t rings = rings_of(cones.count);
     for (const Cone& cone : cones) {
-        if (turning.removes()) break;
+        if (removes) break;
         const SinCos p = cone.half_angle;
         // A cone stands on bone ahead of it; it does not climb the wall of its hole.
         const double facing = std::max(std::min(0.6, p.sin - 0.1), grazing);
@@ -73,7 +75,7 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
     // behind the last cone is an edge; else it touches as the shank does.
     const double widest = drill.widest_radius(), apart = 2.0 * widest;
     const double of_head = widest - inside_of_hole(tick, bone, widest), of_shank = std::min(drill.shank_radius(), of_head), head = drill.head();
-    const double front = cones.last().end() - (turning.removes() ? drill.land() + 0.25 * apart : 0.05 * apart);
+    const double front = cones.last().end() - (removes ? drill.land() + 0.25 * apart : 0.05 * apart);
     const double far = front - apart * near_levels;
     const double far_apart = std::max(apart, (drill.length + far) / static_cast<double>(far_levels));
     for (std::size_t level = 0; level < near_levels + far_levels; ++level) {
@@ -84,6 +86,8 @@ ContactPoints points_of(const TwistDrill& drill, const Tick& tick, const BoneQue
     return points;
 }
 
+namespace {
+
 /// [N] with which bone can hold as much of the shank as a ring stands for.
 double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std::uint32_t tissues) noexcept {
     double pressure = 0.0;
@@ -93,12 +97,12 @@ double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std
 
 /// Where the shank lies deep in bone it is held by no more than crushes that; where it finds no wall, by the one of the hole that it was pulled
 /// out of. Whether it lies so deep anywhere.
-bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleLine& hole, ContactPoints& points) noexcept {
-    std::array<ContactPoints::Deep, ContactPoints::most> deep;
+bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleLine& hole, const ContactPoints& points, Contact& contact) noexcept {
+    std::array<Contact::Deep, ContactPoints::most> deep;
     std::array<Vec3, ContactPoints::most> at;
     std::array<kerf_bone_sample, ContactPoints::most> here;
     std::size_t count = 0;
-    for (const ContactPoints::Deep& one : points.deep()) {
+    for (const Contact::Deep& one : contact.deep()) {
         if (points.outwards(one.point).z != 0.0) continue;  // of the tip
         at[count] = points.at(one.point);
         deep[count++] = one;
@@ -108,23 +112,23 @@ bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleL
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = deep[n].point;
         const double borne = crushing_force(drill, here[n], bone.tissue_count()) / points.stiffness(i);
-        if (!deep[n].is_found) points.hold(i, std::min(hole.gone(at[n], points.outwards(i)), borne));
-        else if (points.depth(i) > borne) points.set_depth(i, borne);
+        if (!deep[n].is_found) contact.hold(i, std::min(hole.gone(at[n], points.outwards(i)), borne));
+        else if (contact.depth(i) > borne) contact.set_depth(i, borne);
     }
     return true;
 }
 
 }  // namespace
 
-bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const HoleLine& hole,
-                 double shank_force, Channels& channels) noexcept {
-    ContactPoints points = points_of(drill, tick, bone, turning);
-    points.ask(bone, drill.widest_radius());
-    const bool is_bent = hold_bent_shank(drill, bone, hole, points);
+bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                 const HoleLine& hole, double shank_force, Channels& channels) noexcept {
+    Contact contact(points);
+    contact.ask(bone, drill.widest_radius());
+    const bool is_bent = hold_bent_shank(drill, bone, hole, points, contact);
     const bool rubs = shank_force > 0.0;
     Vec6 follow{};
     if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
-    points.write(channels, id_contact, rubs ? 1 : 0, follow);
+    contact.write(channels, id_contact, rubs ? 1 : 0, follow);
 
     // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
     if (kerf_channel* rub = rubs ? channels.add(KERF_FRICTION, id_rub) : nullptr) {

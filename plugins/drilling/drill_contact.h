@@ -3,17 +3,21 @@
 
 #include "drill_cutting.h"
 #include "hole_line.h"
+#include "kerf/contact_points.hpp"
 
 /// Where the drill touches without cutting: the shank always, the tip as far as it does not cut.
 namespace kerf::drilling {
+
+/// Where the drill may touch, while it takes bone or as it is else.   [haptic, nonblocking]
+[[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, bool removes) noexcept;
 
 /// As many contact channels as the law has room for, and friction along the shaft for what the shank carried in the last
 /// tick [N]. Whether the drill no longer fits into its hole: so bent that only the hole's line may know where its wall is.
 ///
 /// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
 /// [haptic, nonblocking]
-bool add_contact(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const HoleLine& hole,
-                 double shank_force, Channels& channels) noexcept;
+bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                 const HoleLine& hole, double shank_force, Channels& channels) noexcept;
 
 /// What contact channels across the shaft carried together [N]: the shank's share.   [haptic, nonblocking]
 [[nodiscard]] double shank_force_of(const Advance& advance) noexcept;

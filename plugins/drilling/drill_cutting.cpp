@@ -3,66 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace kerf::drilling {
 
 namespace {
 
-/// Circles on what cuts sideways, from the tip backwards.
-struct Level {
-    double radius, z, width, normal_radial;
-    bool is_land = false;
-    double inside = 0.0;  ///< [m] of a land: how far inside the hole it has cut its points lie
-};
-class Levels {
-public:
-    static constexpr std::size_t most = 16;
-    /// On each of so many cones: all together, with a land for each that a wall follows, no more than there is room for.
-    [[nodiscard]] static std::size_t rings_of(std::size_t cones) noexcept { return std::clamp<std::size_t>(6 / cones, 1, 3); }
-
-    void add(const Level& level) noexcept { level_[count_++] = level; }
-    [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    [[nodiscard]] const Level* begin() const noexcept { return level_.data(); }
-    [[nodiscard]] const Level* end() const noexcept { return level_.data() + count_; }
-
-private:
-    std::array<Level, most> level_;
-    std::size_t count_ = 0;
-};
-
-/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
-/// committed cut lags, which is a matter of the grid.
-Levels levels_of(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
-    Levels levels;
-    const TwistDrill::Cones cones = drill.cones();
-    const std::size_t rings = Levels::rings_of(cones.count);
-    for (const Cone& cone : cones) {
-        const double wide = cone.outer - cone.inner;
-        for (std::size_t ring = 0; ring < rings; ++ring) {
-            const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
-            levels.add({at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos});
-        }
-        const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
-        const double inside = inside_of_hole(tick, bone, cone.outer);
-        if (land > 0.0) levels.add({cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout});
-    }
-    return levels;
-}
-
 constexpr double c = 0.70710678118654752440;
-constexpr double azimuth[][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+constexpr double azimuth[SideEdges::azimuths][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+constexpr Vec3 ways[SideEdges::ways] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+
+/// How many rings on each of so many cones: all together, with a land for each that a wall follows, no more than there is room for.
+std::size_t rings_of(std::size_t cones) noexcept { return std::clamp<std::size_t>(6 / cones, 1, 3); }
 
 /// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it has gone of its play
 /// does not count as a way to the front. Where a cone stands at the front, with no way to go to it, the land beside it has none either.
-void take_up_play(const Levels& levels, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
+void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
     double of_cones = 1e300;
     const kerf_bone_sample* at = of_way;
-    for (const Level& level : levels)
-        for (std::size_t a = 0; a < std::size(azimuth); ++a, ++at)
+    for (const SideEdges::Level& level : edges.levels())
+        for (std::size_t a = 0; a < SideEdges::azimuths; ++a, ++at)
             if (!level.is_land && at->engagement > 0.0) of_cones = std::min(of_cones, at->gap);
     const OwnHole* hole_of_land = holes.data();
-    for (const Level& level : levels) {
+    for (const SideEdges::Level& level : edges.levels()) {
         const double gone = level.is_land ? (hole_of_land++)->along(way) / level.inside : 0.0;  // [–] of its play
         for (const auto& [along, across] : azimuth) {
             kerf_bone_sample& here = *of_way++;
@@ -76,6 +38,33 @@ void take_up_play(const Levels& levels, Vec3 way, const OwnHoles& holes, kerf_bo
 }
 
 }  // namespace
+
+/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
+/// committed cut lags, which is a matter of the grid.
+SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
+    const TwistDrill::Cones cones = drill.cones();
+    const std::size_t rings = rings_of(cones.count);
+    for (const Cone& cone : cones) {
+        const double wide = cone.outer - cone.inner;
+        for (std::size_t ring = 0; ring < rings; ++ring) {
+            const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
+            level_[level_count_++] = {at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos};
+        }
+        const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
+        const double inside = inside_of_hole(tick, bone, cone.outer);
+        if (land > 0.0) level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
+    }
+    std::size_t i = 0;
+    for (const Vec3 way : drilling::ways) {
+        const Vec3 across = cross(Vec3{0, 0, 1}, way);
+        for (const Level& level : levels())
+            for (const auto& at : azimuth) {
+                const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
+                direction_[i] = way;
+                point_[i++] = {radial.x, radial.y, level.z};
+            }
+    }
+}
 
 void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept {
     const Coefficients k = coefficients(tick.force);
@@ -91,12 +80,12 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
         const auto [chip, edge] = e.takes[i];
         if (m <= 0.0 || chip <= 0.0) continue;
         if (i >= e.lip_points) {
-            const double width = m * e.chisel_width();
+            const double width = m * e.places.chisel_width;
             axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
             continue;
         }
         const LipElement& el = e.element(i);
-        const double width = e.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
+        const double width = e.places.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
         axial.add(edge * width * k.thrust.edge * nz, chip * width * k.thrust.chip * nz * nz * per_rate, k.thrust.edge_depth / (per_rate * nz));
         engaged_width += m * el.width;
     }
@@ -122,41 +111,25 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
     }
 }
 
-void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
+void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
                       const OwnHoles& holes, Channels& channels) noexcept {
-    const Levels levels = levels_of(drill, tick, bone);
-    constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-    const std::size_t per_way = levels.size() * std::size(azimuth);
-    constexpr std::size_t most = std::size(ways) * Levels::most * std::size(azimuth);
     constexpr double share_of_turn = 1.0 / 8.0;
-
-    // All ways in one question.
-    std::array<Vec3, most> point, direction;
-    std::array<kerf_bone_sample, most> sample;
-    std::size_t i = 0;
-    for (const Vec3 way : ways) {
-        const Vec3 across = cross(Vec3{0, 0, 1}, way);
-        for (const Level& level : levels)
-            for (const auto& at : azimuth) {
-                const Vec3 radial = level.radius * (at[0] * way + at[1] * across);
-                direction[i] = way;
-                point[i++] = {radial.x, radial.y, level.z};
-            }
-    }
-    bone.sample({point.data(), i}, {direction.data(), i}, {sample.data(), i});
+    std::array<kerf_bone_sample, SideEdges::most> sample;
+    edges.ask(bone, sample);  // all ways in one question
+    const std::size_t per_way = edges.levels().size() * SideEdges::azimuths;
 
     const Coefficients k = coefficients(tick.force);
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     kerf_bone_sample* next = sample.data();
-    for (std::size_t n = 0; n < std::size(ways); ++n) {
-        take_up_play(levels, ways[n], holes, next);
+    for (std::size_t n = 0; n < SideEdges::ways; ++n) {
+        take_up_play(edges, ways[n], holes, next);
         double least = 1e300;
         for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
             if (one->engagement > 0.0) least = std::min(least, one->gap);
 
         ChannelSum sum;
         double z = 0.0, total = 0.0;
-        for (const Level& level : levels)
+        for (const SideEdges::Level& level : edges.levels())
             for (const auto& at : azimuth) {
                 const kerf_bone_sample& here = *next++;
                 const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
@@ -175,10 +148,10 @@ void add_side_cutting(const TwistDrill& drill, const Tick& tick, const BoneQuery
     }
 }
 
-void move_in_holes(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, const Vec6& rate, double advance, OwnHoles& holes) noexcept {
+void SideEdges::move_in_holes(const Vec6& rate, double dt, double advance, OwnHoles& holes) const noexcept {
     OwnHole* hole = holes.data();
-    for (const Level& level : levels_of(drill, tick, bone))
-        if (level.is_land) (hole++)->move(rate, tick.dt, advance, level.z, level.width, level.inside);
+    for (const Level& level : levels())
+        if (level.is_land) (hole++)->move(rate, dt, advance, level.z, level.width, level.inside);
 }
 
 }  // namespace kerf::drilling

@@ -24,29 +24,17 @@ double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double refer
     return s.engagement * m;
 }
 
-Edges::Edges(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept
-    : drill(of), lip(make_lip(of, tick.force[force_element_pitch])) {
-    const SinCos a = sin_cos_exact(angle);
-    // The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
+EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept : lip(make_lip(drill, tick.force[force_element_pitch])) {
     double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
-    for (int k = 0; k < lip_count; ++k) {
-        const double side = k == 0 ? 1.0 : -1.0;
-        for (std::size_t i = 0; i < lip.count; ++i) {
-            const LipElement& el = lip.element[i];
-            if (el.wall != wall) {
-                wall = el.wall;
-                farthest = wall - bone.wall_error(wall);
-            }
-            Vec3 at = place_of(el, drill.half_web(), side * a.cos, side * a.sin);
-            const double back = el.radius - farthest;
-            if (back > 0.0) {
-                const double kept = std::max(0.0, 1.0 - back / el.radius);
-                at = {kept * at.x, kept * at.y, at.z + back * el.normal_radial / el.normal_axial};
-            }
-            point[lip_points++] = at;
+    for (std::size_t i = 0; i < lip.count; ++i) {
+        const LipElement& el = lip.element[i];
+        if (el.wall != wall) {
+            wall = el.wall;
+            farthest = wall - bone.wall_error(wall);
         }
+        const double back = std::max(0.0, el.radius - farthest);
+        asked[i] = {std::max(0.0, 1.0 - back / el.radius), el.z + back * el.normal_radial / el.normal_axial};
     }
-    count = lip_points;
     rake_factor.fill(1.0);
     if (drill.helix_angle != fitted_helix) {
         const SinCos helix = sin_cos_exact(drill.helix_angle), fitted = sin_cos_exact(fitted_helix);
@@ -55,19 +43,33 @@ Edges::Edges(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, doub
             rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
         }
     }
-    const SinCos p = drill.half_point;
     const double pieces = std::ceil(drill.chisel_radius() / tick.force[force_element_pitch]);
     chisel_points = static_cast<std::size_t>(std::clamp(pieces, 2.0, static_cast<double>(most_chisel_points)));
-    for (std::size_t i = 0; i < chisel_points; ++i) {
-        const double r = (static_cast<double>(i) + 0.5) * chisel_width();
-        for (const double side : {1.0, -1.0})
-            point[count++] = {-side * r * a.sin, side * r * a.cos, -r * p.cos / p.sin};
-    }
+    chisel_width = drill.chisel_radius() / static_cast<double>(chisel_points);
+}
+
+Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept : drill(of), places(at) {
     // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either lip is asked about on
     // that shape, which it meets within half a turn; who of the two takes how much is a matter of shares.
-    if (drill.runout > 0.0)
-        for (std::size_t i = 0; i < count; ++i) point[i] = point[i] + drill.runout * outwards(point[i]);
-    for (std::size_t i = 0; i < count; ++i) out[i] = outwards(point[i]);
+    const auto put = [&](std::size_t i, std::size_t opposite, Vec3 place) {
+        if (drill.runout > 0.0) place = place + drill.runout * outwards(place);
+        point[i] = place;
+        out[i] = outwards(place);
+        point[opposite] = {-place.x, -place.y, place.z};
+        out[opposite] = {-out[i].x, -out[i].y, 0.0};
+    };
+    const SinCos a = sin_cos_exact(angle), p = drill.half_point;
+    const std::size_t per_lip = places.lip.count;
+    for (std::size_t i = 0; i < per_lip; ++i) {
+        const Vec3 turned = place_of(places.lip.element[i], drill.half_web(), a.cos, a.sin);
+        const auto [kept, z] = places.asked[i];
+        put(i, per_lip + i, {kept * turned.x, kept * turned.y, z});
+    }
+    count = lip_points = lip_count * per_lip;
+    for (std::size_t i = 0; i < places.chisel_points; ++i, count += 2) {
+        const double r = (static_cast<double>(i) + 0.5) * places.chisel_width;
+        put(count, count + 1, {-r * a.sin, r * a.cos, -r * p.cos / p.sin});
+    }
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
     for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
@@ -87,7 +89,7 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
             const LipElement& el = element(i);
             const Vec3 rate = linear(going) + cross(angular(going), point[i]);
             const double aside = el.normal_radial * dot(rate, out[i]) + el.normal_axial * (rate.z - along);
-            share = std::clamp(of_lip[i < lip.count ? 0 : 1] + aside * per_feed / el.normal_axial, 0.0, most);
+            share = std::clamp(of_lip[i < places.lip.count ? 0 : 1] + aside * per_feed / el.normal_axial, 0.0, most);
         }
         takes[i] = even.taken(share, sample[i].gap - least);
     }
@@ -97,7 +99,7 @@ EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_r
     const Coefficients k = coefficients(tick.force);
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
     std::array<double, largest_element_count> built_up;  // of an even chip, by element: the same on both lips, and for all coefficients
-    for (std::size_t i = 0; i < e.lip.count; ++i) built_up[i] = built_up_at(per_lip * e.lip.element[i].normal_axial, k.thrust.edge_depth);
+    for (std::size_t i = 0; i < e.places.lip.count; ++i) built_up[i] = built_up_at(per_lip * e.places.lip.element[i].normal_axial, k.thrust.edge_depth);
     const double on_chisel = built_up_at(per_lip, k.chisel.edge_depth);
     EdgeForces sum;
     for (std::size_t i = 0; i < e.count; ++i) {
@@ -106,16 +108,16 @@ EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_r
         if (m <= 0.0 || chip <= 0.0) continue;
         const Vec3 at = e.point[i];
         if (i >= e.lip_points) {
-            const double thrust = m * e.chisel_width() * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
+            const double thrust = m * e.places.chisel_width * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
             sum.normal[2] += thrust;
             sum.normal[3] += at.y * thrust;
             sum.normal[4] -= at.x * thrust;
             continue;
         }
         const std::size_t nth = e.place_on_lip(i);
-        const LipElement& el = e.lip.element[nth];
+        const LipElement& el = e.places.lip.element[nth];
         const double thickness = chip * per_lip * el.normal_axial;
-        const double width = e.rake_factor[nth] * m * el.width;
+        const double width = e.places.rake_factor[nth] * m * el.width;
         const double normal = width * force_per_width(thickness, k.thrust, edge * built_up[nth]);
         const double cutting = width * force_per_width(thickness, k.cutting, edge * built_up[nth]);
         // normal (n_r r̂ + n_z ẑ) on the bone and −cutting t̂ on the tool, with t̂ = ẑ × r̂ the way it runs

@@ -22,23 +22,36 @@ inline constexpr std::size_t most_edge_points = lip_count * largest_element_coun
 /// Share of the reference tissue's resistance at a sample, zero in air.
 [[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
 
+/// Where the edges are on the drill, and where they are asked about: what follows from parameters and grid alone.
+struct EdgePlaces {
+    Lip lip;
+    /// The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
+    struct Asked {
+        double kept;  ///< [–] of its way from the axis
+        double z;     ///< [m]
+    };
+    std::array<Asked, largest_element_count> asked;  ///< of each piece
+    std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
+    std::size_t chisel_points;                              ///< on each half of the chisel edge
+    double chisel_width;                                    ///< [m] that each of them stands for
+
+    EdgePlaces() = default;
+    EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
+};
+
 /// Everything that cuts, sampled once.
 struct Edges {
-    TwistDrill drill;
-    Lip lip;
+    const TwistDrill& drill;  ///< this and the next must outlive it
+    const EdgePlaces& places;
     std::array<Vec3, most_edge_points> point;
     std::array<Vec3, most_edge_points> out;  ///< of each, the unit vector from the axis to it; nothing on the axis
     std::array<kerf_bone_sample, most_edge_points> sample;
     std::array<double, most_edge_points> resistance;  ///< [–] of each, as shares of the reference tissue's
-    std::size_t lip_points = 0, chisel_points = 0, count = 0;
+    std::size_t lip_points = 0, count = 0;
     std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
 
-    [[nodiscard]] double chisel_width() const noexcept { return drill.chisel_radius() / static_cast<double>(chisel_points); }
-
-    std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
-
-    /// Places all pieces, the first lip at `angle` [rad], and asks the bone about them.
-    Edges(const TwistDrill& of, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    /// Turns all pieces, the first lip to `angle` [rad], and asks the bone about them.
+    Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
     /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along its own normal,
     ///
     ///     c_0 = c_k + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
@@ -47,8 +60,8 @@ struct Edges {
     /// axis. So a drill that is free to give way where its tip runs off centres itself. A tool that does not go forwards has even chips.
     void share_out(const Travel& travel, double n, double least_gap, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
-    [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < lip.count ? i : i - lip.count; }
-    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return lip.element[place_on_lip(i)]; }
+    [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < places.lip.count ? i : i - places.lip.count; }
+    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return places.lip.element[place_on_lip(i)]; }
 
     /// Share of the edges in bone.
     [[nodiscard]] double engagement() const noexcept {

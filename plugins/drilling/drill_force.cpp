@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drill_contact.h"
-
 namespace kerf::drilling {
 
 namespace {
@@ -63,16 +61,25 @@ double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_r
 
 }  // namespace
 
+void DrillCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept {
+    Prepared& p = state.prepared;
+    p.drill = drill_of(tick.tool);
+    p.edges = {p.drill, tick, bone};
+    p.sides = {p.drill, tick, bone};
+    p.touching_in_cut = touching_points(p.drill, tick, bone, true);
+    p.touching = touching_points(p.drill, tick, bone, false);
+}
+
 void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
     const Turning turning = turning_of(state);
-    const TwistDrill drill = drill_of(tick.tool);
+    const auto& [drill, edge_places, sides, touching_in_cut, touching] = state.prepared;
     if (turning.drags()) {
-        Edges edges(drill, tick, bone, state.angle);
+        Edges edges(drill, edge_places, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
         add_feed_cutting(edges, tick, turning, state.travel, channels);
-        if (turning.removes()) add_side_cutting(drill, tick, bone, turning, state.travel, state.holes, channels);
+        if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
-    const bool is_bent = add_contact(drill, tick, bone, turning, state.hole, state.shank_force, channels);
+    const bool is_bent = add_contact(drill, turning.removes() ? touching_in_cut : touching, tick, bone, turning, state.hole, state.shank_force, channels);
     channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
     channels.push({}, {0, 0, -state.reaction});
 }
@@ -80,7 +87,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
 void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
                           std::span<double> signals, Actions& actions) noexcept {
     const Turning turning = turning_of(state);
-    const TwistDrill drill = drill_of(tick.tool);
+    const TwistDrill& drill = state.prepared.drill;
     state.travel.advance(advance.rate, tick.dt, turning.n);
     state.shank_force = shank_force_of(advance);
     if (advance.note.empty() || advance.note[note_is_bent] > 0.0) state.hole.move(advance.rate, tick.dt);
@@ -95,12 +102,12 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
         if (turning.removes()) load -= advance.channel[c].follow[5] * feed_thrust;
     }
     if (!turning.removes()) {
-        Edges edges(drill, tick, bone, state.angle);
+        Edges edges(drill, state.prepared.edges, tick, bone, state.angle);
         engaged = edges.engagement();
         load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
-    move_in_holes(drill, tick, bone, advance.rate, is_cutting ? state.travel.feed_rate * tick.dt : 0.0, state.holes);
+    state.prepared.sides.move_in_holes(advance.rate, tick.dt, is_cutting ? state.travel.feed_rate * tick.dt : 0.0, state.holes);
     const double feed = state.travel.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
     signals[signal_chip_thickness] = is_cutting ? feed / lip_count * drill.half_point.sin : 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "drill_contact.h"
 #include "drill_cutting.h"
 #include "hole_line.h"
 #include "kerf/force.hpp"
@@ -10,6 +11,13 @@ namespace kerf::drilling {
 
 /// The law of a twist drill, docs/models/drilling.md.
 struct DrillCutting {
+    /// What follows from parameters and grid alone.
+    struct Prepared {
+        TwistDrill drill{};
+        EdgePlaces edges;
+        SideEdges sides;
+        ContactPoints touching_in_cut, touching;  ///< while it takes bone, else
+    };
     struct State {
         double angle = 0.0;          ///< [rad] of the first lip about the shaft
         Travel travel;
@@ -19,12 +27,14 @@ struct DrillCutting {
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Spindle spindle;
+        Prepared prepared;
     };
     static constexpr std::size_t tool_parameter_count = drilling::tool_parameter_count;
     static constexpr std::size_t force_parameter_count = drilling::force_parameter_count;
     static constexpr std::size_t drive_count = drilling::drive_count;
     static constexpr std::size_t signal_count = drilling::signal_count;
 
+    static void begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept;
     static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
     static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
                        std::span<double> signals, Actions& actions) noexcept;

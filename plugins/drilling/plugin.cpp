@@ -173,7 +173,7 @@ constexpr kerf_force cutting{sizeof(kerf_force),
                              signals,
                              signal_count,
                              20000,
-                             &ForceTable<DrillCutting>::reset,
+                             &ForceTable<DrillCutting>::begin,
                              &ForceTable<DrillCutting>::resist,
                              &ForceTable<DrillCutting>::commit};
 

@@ -104,7 +104,7 @@ constexpr kerf_force cutting{sizeof(kerf_force),
                              signals,
                              signal_count,
                              20000,
-                             &ForceTable<SawCutting>::reset,
+                             &ForceTable<SawCutting>::begin,
                              &ForceTable<SawCutting>::resist,
                              &ForceTable<SawCutting>::commit};
 

@@ -13,23 +13,10 @@ namespace {
 
 constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
-static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most);
+static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most && 2 * rows * columns == TouchingPoints::most_on_sides);
 /// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
 enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7 };
 static_assert(slot_side == sector_count);
-
-/// Points of a blade's sides that its own slot may tell of, as they were added.
-struct SidePoint {
-    std::size_t place;
-    Vec3 at;
-    double side;    ///< [–] +1 or −1: which way its normal goes along y
-    double behind;  ///< [m] the roots of the teeth
-};
-struct BladePoints {
-    ContactPoints all;
-    std::array<SidePoint, 2 * rows * columns> of_sides;
-    std::size_t side_count = 0;
-};
 
 /// Bending stiffness across the blade [N/m] at `z`, the blade held at the axis of its swing, in series with the bone's.
 ///
@@ -43,11 +30,13 @@ double side_stiffness(const SawBlade& blade, double z, double contact) noexcept 
     return bending * contact / (bending + contact);
 }
 
-BladePoints points_of(const SawBlade& blade, const Tick& tick, const Going& going, double front_inside) noexcept {
+}  // namespace
+
+TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, bool removes) noexcept {
     constexpr double tip_facing = 0.5, facing = 0.3;
     const double stiffness = tick.force[force_contact_stiffness];
-    BladePoints points;
-    if (!going.removes())
+    TouchingPoints points;
+    if (!removes)
         for (std::size_t i = 0; i < tip_points; ++i) {
             const double share = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
             const SinCos angle = sin_cos_exact(share * blade.half_front());
@@ -68,28 +57,26 @@ BladePoints points_of(const SawBlade& blade, const Tick& tick, const Going& goin
             }
         }
         for (const double side : {1.0, -1.0})
-            points.all.add({side * (blade.radius * last.sin - front_inside), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
+            points.all.add({side * (blade.radius * last.sin - bone.wall_error()), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
                            facing, slot_edge + (side > 0.0 ? 0u : 1u));
     }
     return points;
 }
 
-}  // namespace
-
-void add_contact(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going, const OwnSlot& slot,
-                 double last_binding, Channels& channels) noexcept {
-    BladePoints points = points_of(blade, tick, going, bone.wall_error());
-    points.all.ask(bone, blade.thickness);
+void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone, const Going& going,
+                 const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
+    Contact contact(points.all);
+    contact.ask(bone, blade.thickness);
 
     // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a wall
     // where the bone has one, but it stands where the teeth have put it (B5).
     const double own = std::min(slot.depth - blade.tooth_height, 2.0 * bone.voxel());
     for (std::size_t n = 0; n < points.side_count; ++n) {
-        const SidePoint& one = points.of_sides[n];
-        if (one.behind <= own) points.all.set_depth(one.place, -blade.set - one.side * slot.middle(one.at.x, one.at.z));
+        const TouchingPoints::OnSide& one = points.of_sides[n];
+        if (one.behind <= own) contact.set_depth(one.place, -blade.set - one.side * slot.middle(one.at.x, one.at.z));
     }
     const bool rubs = last_binding > 0.0;
-    points.all.write(channels, id_contact, rubs ? 1 : 0);
+    contact.write(channels, id_contact, rubs ? 1 : 0);
 
     // While the saw goes, nearly all of the rubbing goes into the oscillation and little into the feed.
     if (!rubs) return;

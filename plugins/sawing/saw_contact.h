@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kerf/contact_points.hpp"
 #include "own_slot.h"
 #include "saw_cutting.h"
 
 /// Where the saw touches without cutting: its sides always, its teeth as far as they do not cut.
 namespace kerf::sawing {
 
+/// Where the blade may touch.
+struct TouchingPoints {
+    /// A point of the blade's sides: its own slot may tell of it.
+    struct OnSide {
+        std::size_t place;  ///< among all
+        Vec3 at;
+        double side;    ///< [–] +1 or −1: which way its normal goes along y
+        double behind;  ///< [m] the roots of the teeth
+    };
+    static constexpr std::size_t most_on_sides = 30;
+    ContactPoints all;
+    std::array<OnSide, most_on_sides> of_sides;
+    std::size_t side_count = 0;
+};
+/// While the saw takes bone, or as it is else.   [haptic, nonblocking]
+[[nodiscard]] TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, bool removes) noexcept;
+
 /// As many contact channels as the law has room for, and friction for what the sides carried in the last tick [N].
 /// [haptic, nonblocking]
-void add_contact(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going, const OwnSlot& slot,
-                 double last_binding, Channels& channels) noexcept;
+void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone, const Going& going,
+                 const OwnSlot& slot, double last_binding, Channels& channels) noexcept;
 
 /// What pressed on the blade's two sides together [N]: how hard it binds.   [haptic, nonblocking]
 [[nodiscard]] double binding_of(const Advance& advance) noexcept;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "saw_contact.h"
-
 namespace kerf::sawing {
 
 namespace {
@@ -69,8 +67,15 @@ double force_of_standing(const Tick& tick, double push) noexcept {
 
 }  // namespace
 
+void SawCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept {
+    Prepared& p = state.prepared;
+    p.blade = blade_of(tick.tool);
+    p.touching_in_cut = touching_points(p.blade, tick, bone, true);
+    p.touching = touching_points(p.blade, tick, bone, false);
+}
+
 void SawCutting::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
-    const SawBlade blade = blade_of(tick.tool);
+    const auto& [blade, touching_in_cut, touching] = state.prepared;
     const Going going = going_of(blade, tick, state);
     if (going.drags()) {
         TeethInBone in_bone;
@@ -80,12 +85,12 @@ void SawCutting::resist(const Tick& tick, const BoneQuery& bone, const State& st
         add_feed_cutting(in_bone, blade, tick, going, state.feed_rate, channels);
         if (going.removes()) add_side_cutting(in_bone, blade, tick, bone, going, channels);
     }
-    add_contact(blade, tick, bone, going, state.slot, state.binding, channels);
+    add_contact(blade, going.removes() ? touching_in_cut : touching, tick, bone, going, state.slot, state.binding, channels);
 }
 
 void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state, std::span<double> signals,
                         Actions& actions) noexcept {
-    const SawBlade blade = blade_of(tick.tool);
+    const SawBlade& blade = state.prepared.blade;
     const Going going = going_of(blade, tick, state);
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engaged];
     double resisting = advance.note.empty() ? 0.0 : advance.note[note_resisting];

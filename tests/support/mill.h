@@ -59,7 +59,7 @@ inline ToolSetup mill() {
                                     }};
     using Table = ForceTable<Milling>;
     static constexpr kerf_force force{sizeof(kerf_force), sizeof(Milling::State), alignof(Milling::State), nullptr, 0, 5000,
-                                      &Table::reset,      &Table::resist,         &Table::commit};
+                                      &Table::begin,      &Table::resist,         &Table::commit};
     static constexpr kerf_component components[] = {{sizeof(kerf_component), KERF_KIND_TOOL, "mill", "", nullptr, 0, 0, &tool, nullptr, nullptr},
                                                     {sizeof(kerf_component), KERF_KIND_FORCE, "milling", "", nullptr, 0, 0, nullptr, &force, nullptr}};
     return {&components[0], &components[1], {}, {}, {}};

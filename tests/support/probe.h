@@ -57,7 +57,7 @@ inline ToolSetup probe(double k, double fault_from = 1e18, double fault_until = 
         }};
     using Table = ForceTable<Touch>;
     static constexpr kerf_force force{sizeof(kerf_force), sizeof(Touch::State), alignof(Touch::State), nullptr, 0, 5000,
-                                      &Table::reset,      &Table::resist,       &Table::commit};
+                                      &Table::begin,      &Table::resist,       &Table::commit};
     static constexpr kerf_component components[] = {
         {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},
         {sizeof(kerf_component), KERF_KIND_FORCE, "touch", "", nullptr, 0, 0, nullptr, &force, nullptr}};

@@ -57,10 +57,10 @@ struct Written {
     kerf_law law{sizeof(kerf_law), 0, channel, {}, {}};
     [[nodiscard]] double force(std::size_t c = 0) const { return law.count > c ? channel[c].k * std::max(0.0, channel[c].delta) : 0.0; }
 };
-Written written(const ContactPoints& points, std::size_t kept_free = 0) {
+Written written(const Contact& contact, std::size_t kept_free = 0) {
     Written w;
     Channels channels(w.law);
-    points.write(channels, 100, kept_free);
+    contact.write(channels, 100, kept_free);
     return w;
 }
 /// What one point at the origin, which looks along +x, carries in that bone [N].
@@ -68,17 +68,18 @@ Written point_in(const Bone& bone, double inwards = 3e-3, double facing = 0.05) 
     ContactPoints points;
     points.add({}, {1, 0, 0}, stiffness, facing, 0);
     const kerf_bone_query query = bone.query();
-    points.ask(BoneQuery(query), inwards);
-    return written(points);
+    Contact contact(points);
+    contact.ask(BoneQuery(query), inwards);
+    return written(contact);
 }
 
-TEST(ContactPoints, APointCarriesItsDepthHoweverFarDistancesGo) {
+TEST(Contact, APointCarriesItsDepthHoweverFarDistancesGo) {
     for (const double reach : {0.28e-3, 0.5e-3, 2e-3})
         for (const double depth : {0.01e-3, 0.1e-3, 0.3e-3, 0.6e-3, 1.7e-3})
             EXPECT_NEAR(point_in(half_space({1, 0, 0}, -depth, reach)).force(), stiffness * depth, 1e-9) << reach << ", " << depth;
 }
 
-TEST(ContactPoints, AskewItPushesAlongItsOwnNormal) {
+TEST(Contact, AskewItPushesAlongItsOwnNormal) {
     // k p a, p the depth along the bone's normal, over d: stiffness k a², depth p/a.
     for (const double degrees : {20.0, 45.0, 70.0}) {
         const double a = std::cos(degrees * pi / 180.0), b = std::sin(degrees * pi / 180.0), p = 0.6e-3;
@@ -92,7 +93,7 @@ TEST(ContactPoints, AskewItPushesAlongItsOwnNormal) {
     }
 }
 
-TEST(ContactPoints, TheForceGrowsWithoutAJump) {
+TEST(Contact, TheForceGrowsWithoutAJump) {
     // Nor where what is known by one place ends and another tells: in a hole, whose normal turns on the way.
     const double step = 1e-6;
     for (const double reach : {0.28e-3, 0.4e-3}) {
@@ -102,8 +103,9 @@ TEST(ContactPoints, TheForceGrowsWithoutAJump) {
             points.add({1.55e-3 * 0.8, 1.55e-3 * 0.6, 0}, {0.8, 0.6, 0}, stiffness, 0.05, 0);
             const Bone bone = hole(1.6e-3, -aside, reach);
             const kerf_bone_query query = bone.query();
-            points.ask(BoneQuery(query), 1.6e-3);
-            const double force = written(points).force();
+            Contact contact(points);
+            contact.ask(BoneQuery(query), 1.6e-3);
+            const double force = written(contact).force();
             EXPECT_LT(std::abs(force - last), 2.0 * stiffness * step) << reach << ", " << aside;
             last = force;
         }
@@ -111,7 +113,7 @@ TEST(ContactPoints, TheForceGrowsWithoutAJump) {
     }
 }
 
-TEST(ContactPoints, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
+TEST(Contact, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
     const double aside = 0.9e-3, shank = 1.55e-3;
     std::optional<double> far;
     for (const double reach : {2e-3, 0.8e-3, 0.4e-3, 0.28e-3}) {
@@ -123,8 +125,9 @@ TEST(ContactPoints, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
             const Vec3 out{std::cos(angle), std::sin(angle), 0};
             points.add(shank * out, out, stiffness, 0.05, 0);
         }
-        points.ask(BoneQuery(query), 1.6e-3);
-        const Written w = written(points);
+        Contact contact(points);
+        contact.ask(BoneQuery(query), 1.6e-3);
+        const Written w = written(contact);
         ASSERT_EQ(w.law.count, 1u) << reach;
         const double across = w.force() * w.channel[0].d[0];
         if (!far) far = across;
@@ -133,7 +136,7 @@ TEST(ContactPoints, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
     }
 }
 
-TEST(ContactPoints, AWallIsAsFirmWhateverLiesBehindIt) {
+TEST(Contact, AWallIsAsFirmWhateverLiesBehindIt) {
     // Bone of 0.5 mm: what is nearest to a point deep in it is its other side, and that faces away. (Within 0.1 mm of it a point lets go.)
     for (const double reach : {0.28e-3, 0.5e-3, 2e-3})
         for (const double depth : {0.15e-3, 0.2e-3, 0.3e-3}) {
@@ -146,7 +149,7 @@ TEST(ContactPoints, AWallIsAsFirmWhateverLiesBehindIt) {
         }
 }
 
-TEST(ContactPoints, WhereNoWallIsInsideTheToolNothingIsCarried) {
+TEST(Contact, WhereNoWallIsInsideTheToolNothingIsCarried) {
     const Bone whole{[](Vec3) -> kerf_surface_point { return {-1.0, {1, 0, 0}, 0, 0}; }, 0.1e-3};
     EXPECT_EQ(point_in(whole, 1.0).law.count, 0u);
     EXPECT_LE(whole.asked, 33u) << "and it does not look for it for ever";
@@ -155,7 +158,7 @@ TEST(ContactPoints, WhereNoWallIsInsideTheToolNothingIsCarried) {
     EXPECT_EQ(point_in(half_space({-1, 0, 0}, -1.0e-3, 0.2e-3), 3e-3).law.count, 0u);
 }
 
-TEST(ContactPoints, APointIsAskedAboutOnceUnlessItIsDeep) {
+TEST(Contact, APointIsAskedAboutOnceUnlessItIsDeep) {
     const Bone shallow = half_space({1, 0, 0}, -0.09e-3, 0.5e-3), deep = half_space({1, 0, 0}, -0.4e-3, 0.5e-3);
     static_cast<void>(point_in(shallow));
     EXPECT_EQ(shallow.asked, 1u);
@@ -163,28 +166,30 @@ TEST(ContactPoints, APointIsAskedAboutOnceUnlessItIsDeep) {
     EXPECT_LE(deep.asked, 17u);
 }
 
-TEST(ContactPoints, OfMoreSlotsThanThereIsRoomForTheDeepestStay) {
+TEST(Contact, OfMoreSlotsThanThereIsRoomForTheDeepestStay) {
     const Bone bone = half_space({1, 0, 0}, -0.1e-3, 2e-3);
     ContactPoints points;
     for (std::size_t slot = 0; slot < 5; ++slot) points.add({1e-5 * static_cast<double>(slot), 0, 0}, {1, 0, 0}, stiffness, 0.05, slot);
     const kerf_bone_query query = bone.query();
-    points.ask(BoneQuery(query), 1e-3);
-    const Written all = written(points), some = written(points, KERF_MAX_CHANNELS - 2);
+    Contact contact(points);
+    contact.ask(BoneQuery(query), 1e-3);
+    const Written all = written(contact), some = written(contact, KERF_MAX_CHANNELS - 2);
     EXPECT_EQ(all.law.count, 5u);
     ASSERT_EQ(some.law.count, 2u);
     EXPECT_EQ(some.channel[0].id, 103u);
     EXPECT_EQ(some.channel[1].id, 104u);
 }
 
-TEST(ContactPoints, WhatIsKnownFromElsewhereCounts) {
+TEST(Contact, WhatIsKnownFromElsewhereCounts) {
     const Bone bone = half_space({1, 0, 0}, -0.1e-3, 2e-3);
     ContactPoints points;
     points.add({}, {1, 0, 0}, stiffness, 0.05, 0);
     const kerf_bone_query query = bone.query();
-    points.ask(BoneQuery(query), 1e-3);
-    ASSERT_TRUE(points.faces_bone(0));
-    points.set_depth(0, 0.02e-3);
-    EXPECT_NEAR(written(points).force(), stiffness * 0.02e-3, 1e-9);
+    Contact contact(points);
+    contact.ask(BoneQuery(query), 1e-3);
+    ASSERT_TRUE(contact.faces_bone(0));
+    contact.set_depth(0, 0.02e-3);
+    EXPECT_NEAR(written(contact).force(), stiffness * 0.02e-3, 1e-9);
 }
 
 }  // namespace

@@ -234,7 +234,9 @@ typedef struct kerf_force {
     const kerf_signal *signals;
     uint32_t signal_count;
     uint32_t budget_ns; /* what one `resist` should take at most */
-    void (*reset)(void *state);
+    /* The state that a law begins with. Parameters, and how finely the bone of `in` is known, stay as they are until it begins again: what
+       follows from them alone is worked out here, once. [haptic, nonblocking] */
+    void (*begin)(const kerf_tick_in *in, void *state);
     /* States the law at the present pose. Pure: may be asked again. [haptic, nonblocking] */
     kerf_status (*resist)(const kerf_tick_in *in, const void *state, kerf_law *out);
     /* Told once which motion happened. [haptic, nonblocking] */

@@ -7,48 +7,37 @@
 #include <cstddef>
 #include <span>
 
-#include "kerf/assert.hpp"
+#include "kerf/contact_points.hpp"
 #include "kerf/force.hpp"
 
 namespace kerf {
 
-/// Points of a tool's own surface that may touch bone, and the few contact channels that they make together.
+/// How points of a tool touch bone, and the few contact channels that they make together.
 ///
 /// A smooth tool pushes along its own normal: bone that it meets askew at depth p pushes with k p a and stiffens with k a², a the
 /// cosine between bone's normal and the tool's own reversed. So a point that turns away lets go without a jump, and a ledge in the
 /// wall of a hole does not hold a round shank back.
 ///
 /// Points belong to slots, one channel each. It lies where the slot's points are deepest; those nearly as deep share it: were it one
-/// point's, the choice between two would chatter. Add the points, ask the bone, write the channels.   [haptic, nonblocking]
-class ContactPoints {
+/// point's, the choice between two would chatter. Ask the bone, write the channels.   [haptic, nonblocking]
+class Contact {
 public:
-    static constexpr std::size_t most = 304, most_slots = KERF_MAX_CHANNELS;
+    static constexpr std::size_t most = ContactPoints::most, most_slots = ContactPoints::most_slots;
 
-    /// @param at, outwards  on the tool's surface, unit normal; tool frame [m]
-    /// @param stiffness     [N/m]
-    /// @param facing        cosine up to which bone does not hold it; 0.1 beyond, it does with all its stiffness
-    /// @param slot          < most_slots
-    void add(Vec3 at, Vec3 outwards, double stiffness, double facing, std::size_t slot) noexcept {
-        KERF_ASSERT(count_ < most && slot < most_slots, "a tool has no more contact points and slots than there is room for");
-        at_[count_] = at;
-        outwards_[count_] = outwards;
-        stiffness_[count_] = stiffness;
-        facing_[count_] = facing;
-        slot_[count_++] = slot;
-    }
-    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    /// `points` must outlive it.
+    explicit Contact(const ContactPoints& points) noexcept : points_(points) {}
 
     /// Asks the bone about all of them. For one that lies deep the wall is looked for inside the tool, from no farther than `inwards`
     /// [m] behind it: the nearest surface of where it lies may be another one, or none that a fine grid knows of, and how firmly a hole
     /// holds a bent drill is no matter of either.
     void ask(const BoneQuery& bone, double inwards) noexcept {
         std::array<kerf_surface_point, most> found;
-        bone.nearest({at_.data(), count_}, {found.data(), count_});
+        bone.nearest(points_.all(), {found.data(), points_.count()});
         const double deep = std::min(deep_contact, 0.25 * bone.reach());
         std::array<Wall, most> walls;
         std::size_t wall_count = 0;
         deep_count_ = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t i = 0; i < points_.count(); ++i) {
             touch_[i] = touch(i, found[i]);
             depth_[i] = -found[i].distance;
             if (depth_[i] <= deep) continue;
@@ -65,9 +54,6 @@ public:
         bool is_found;  ///< else nothing holds it, unless `hold` says so
     };
     [[nodiscard]] std::span<const Deep> deep() const noexcept { return {deep_.data(), deep_count_}; }
-    [[nodiscard]] Vec3 at(std::size_t i) const noexcept { return at_[i]; }
-    [[nodiscard]] Vec3 outwards(std::size_t i) const noexcept { return outwards_[i]; }
-    [[nodiscard]] double stiffness(std::size_t i) const noexcept { return stiffness_[i]; }
     [[nodiscard]] double depth(std::size_t i) const noexcept { return depth_[i]; }
     /// It lies so deep [m] in a wall that faces it, as the tool knows by itself.
     void hold(std::size_t i, double depth) noexcept {
@@ -87,24 +73,24 @@ public:
         std::array<double, most_slots> deepest;
         deepest.fill(-near_contact);
         std::array<double, most> pressed;  // [m] less where the bone does not face the tool: as it pushes, so it counts
-        for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t i = 0; i < points_.count(); ++i) {
             if (!faces_bone(i)) continue;
             pressed[i] = depth_[i] * (depth_[i] > 0.0 ? touch_[i].share * touch_[i].against : 1.0);
-            deepest[slot_[i]] = std::max(deepest[slot_[i]], pressed[i]);
+            deepest[points_.slot(i)] = std::max(deepest[points_.slot(i)], pressed[i]);
         }
         struct Sum {
             double weight = 0.0, force = 0.0, stiffness = 0.0;
             Vec6 d{};
         };
         std::array<Sum, most_slots> sums{};
-        for (std::size_t i = 0; i < count_; ++i) {
+        for (std::size_t i = 0; i < points_.count(); ++i) {
             if (!faces_bone(i)) continue;
-            const double of_slot = deepest[slot_[i]], ahead = pressed[i] - of_slot + std::max(nearly, 0.5 * of_slot);
+            const double of_slot = deepest[points_.slot(i)], ahead = pressed[i] - of_slot + std::max(nearly, 0.5 * of_slot);
             if (ahead <= 0.0) continue;
-            Sum& sum = sums[slot_[i]];
+            Sum& sum = sums[points_.slot(i)];
             const double weight = ahead * ahead, against = touch_[i].against;
-            const double stiffness = weight * touch_[i].share * against * against * stiffness_[i];
-            const Vec6 d = rate_at(at_[i], outwards_[i]);
+            const double stiffness = weight * touch_[i].share * against * against * points_.stiffness(i);
+            const Vec6 d = rate_at(points_.at(i), points_.outwards(i));
             sum.weight += weight;
             sum.stiffness += stiffness;
             sum.force += stiffness * depth_[i] / against;
@@ -160,8 +146,8 @@ private:
 
     [[nodiscard]] Touch touch(std::size_t i, const kerf_surface_point& bone) const noexcept {
         if (bone.body < 0 || bone.distance > near_contact) return {0.0, 0.0};
-        const double against = -dot(bone.normal, outwards_[i]);
-        return {against, std::clamp((against - facing_[i]) / ramp, 0.0, 1.0)};
+        const double against = -dot(bone.normal, points_.outwards(i));
+        return {against, std::clamp((against - points_.facing(i)) / ramp, 0.0, 1.0)};
     }
 
     void look_inside(const BoneQuery& bone, double inwards, std::span<Wall> walls) noexcept {
@@ -174,7 +160,7 @@ private:
             const std::span<Wall> some = walls.subspan(first, std::min(most / looks, walls.size() - first));
             for (std::size_t n = 0; n < some.size(); ++n)
                 for (std::size_t look = 1; look <= looks; ++look)
-                    at[n * looks + look - 1] = at_[some[n].point] - static_cast<double>(look) * step * outwards_[some[n].point];
+                    at[n * looks + look - 1] = points_.at(some[n].point) - static_cast<double>(look) * step * points_.outwards(some[n].point);
             bone.nearest({at.data(), some.size() * looks}, {found.data(), some.size() * looks});
             for (std::size_t n = 0; n < some.size(); ++n) find_wall(some[n], {found.data() + n * looks, looks}, step);
         }
@@ -201,11 +187,9 @@ private:
         depth_[wall.point] = wall.force / wall.stiffness * touch_[wall.point].against;
     }
 
-    std::array<Vec3, most> at_, outwards_;
-    std::array<double, most> stiffness_, facing_, depth_;  ///< depth_ [m]: of the bone along its own normal, negative outside
-    std::array<std::size_t, most> slot_;
+    const ContactPoints& points_;
+    std::array<double, most> depth_;  ///< [m] of the bone along its own normal, negative outside
     std::array<Touch, most> touch_;
-    std::size_t count_ = 0;
     std::array<Deep, most> deep_;
     std::size_t deep_count_ = 0;
 };

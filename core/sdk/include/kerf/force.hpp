@@ -5,6 +5,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <type_traits>
 
@@ -26,7 +27,7 @@ struct Tick {
 /// Batch questions to the bone, tool frame.   [haptic, nonblocking]
 class BoneQuery {
 public:
-    explicit BoneQuery(const kerf_bone_query& query) : query_(&query) {}
+    explicit BoneQuery(const kerf_bone_query& query) noexcept : query_(&query) {}
     /// @param direction  unit; the gap is measured along it
     void sample(std::span<const Vec3> points, Vec3 direction, std::span<kerf_bone_sample> out) const noexcept {
         sample(points, std::span<const Vec3>(&direction, 1), out);
@@ -146,7 +147,11 @@ private:
 /// A force law: what resists the tool in this tick, as a few monotone channels.
 ///
 /// `resist` states the law at the present pose; the core then finds the one motion at which hand and law balance. So
-/// it is pure, and may be asked again. `commit` is told once which motion happened.
+/// it is pure, and may be asked again. `commit` is told once which motion happened. A law may have besides
+///
+///     static void begin(const Tick&, const BoneQuery&, State& fresh) noexcept    [haptic, nonblocking]
+///
+/// to work out once what follows from parameters alone: they stay as they are until it begins again.
 template <class L>
 concept ForceLaw = requires(const Tick& tick, const BoneQuery& bone, const typename L::State& state,
                             typename L::State& next, Channels& channels, const Advance& advance,
@@ -166,7 +171,13 @@ struct ForceTable {
                 {in.force_params, L::force_parameter_count},
                 {in.drive, L::drive_count}};
     }
-    static void reset(void* state) { *static_cast<typename L::State*>(state) = typename L::State{}; }
+    static void begin(const kerf_tick_in* in, void* state) {
+        auto& fresh = *new (state) typename L::State{};
+        if constexpr (requires { &L::begin; }) {
+            static_assert(noexcept(L::begin(tick_of(*in), BoneQuery(*in->bone), fresh)));
+            L::begin(tick_of(*in), BoneQuery(*in->bone), fresh);
+        }
+    }
     static kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* out) {
         Channels channels(*out);
         L::resist(tick_of(*in), BoneQuery(*in->bone), *static_cast<const typename L::State*>(state), channels);
