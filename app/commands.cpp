@@ -90,13 +90,17 @@ void print_notes(const std::optional<Scene>& scene) {
     for (const auto& note : scene->import.notes) std::fprintf(stderr, "%s\n", note.c_str());
 }
 
-/// The scene, or nothing and all that is wrong on stderr.
-std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
-    Diagnostics diagnostics;
-    auto scene = make_scene(file, line, plugins, diagnostics);
+/// The scene, or nothing; and all that was found on stderr.
+std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics) {
     if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
     print_notes(scene);
     return scene;
+}
+
+std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
+    Diagnostics diagnostics;
+    auto scene = make_scene(file, line, plugins, diagnostics);
+    return with_findings(std::move(scene), diagnostics);
 }
 
 // ---- validate ----------------------------------------------------------------------------------------------------
@@ -162,8 +166,33 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
 
 ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
-    const auto scene = read_scene(line.files.front(), line, plugins);
+    const std::string& file = line.files.front();
+    Diagnostics diagnostics;
+    auto documents = check_documents(request_of(file, line), plugins, diagnostics);
+    if (!documents) {
+        with_findings(std::nullopt, diagnostics);
+        return exit_bad_input;
+    }
+
+    // Before the bone is made, which may take minutes: can it be run at all?
+    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, line.hand); !refusal.empty()) return complain(refusal, exit_bad_input);
+    std::optional<RecordedInputs> recorded;
+    const std::string another_text = ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
+    if (!line.replay.empty()) {
+        std::string error;
+        recorded = read_session(line.replay, error);
+        if (recorded && recorded->variant != documents->procedure.variant)
+            error = line.replay + ": was recorded " +
+                    (recorded->variant.empty() ? "without a variant. Leave out `--variant`."
+                                               : "with the variant `" + recorded->variant + "`. Write `--variant " + recorded->variant + "`.");
+        else if (recorded && recorded->procedure_text != documents->procedure.text)
+            error = line.replay + another_text;
+        if (!error.empty()) return complain(error, exit_bad_input);
+    }
+    auto made = make_bone(std::move(*documents), file, diagnostics);
+    const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
+    if (recorded && recorded->anatomy_hash != scene->anatomy_hash) return complain(line.replay + another_text, exit_bad_input);
 
     RunRequest request;
     request.learner = line.learner;
@@ -171,18 +200,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.progress = show_progress;
     request.rehearsal = line.hand;
     std::string recorded_hash;
-    if (!line.replay.empty()) {
-        std::string error;
-        auto recorded = read_session(line.replay, error);
-        if (recorded && recorded->variant != scene->procedure.variant)
-            error = line.replay + ": was recorded " +
-                    (recorded->variant.empty() ? "without a variant. Leave out `--variant`."
-                                               : "with the variant `" + recorded->variant + "`. Write `--variant " + recorded->variant + "`.");
-        else if (recorded && (recorded->procedure_text != scene->procedure.text ||
-                         recorded->anatomy_hash != scene->anatomy_hash))
-            error = line.replay +
-                    ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
-        if (!error.empty()) return complain(error, exit_bad_input);
+    if (recorded) {
         request.replay = std::move(recorded->device_from_handle);
         request.adoptions = std::move(recorded->adoptions);
         for (const auto& [tick, text] : recorded->hand_inputs) {

@@ -58,6 +58,29 @@ double narrowest_bore(const ToolSolid& turning) {
     return 2.0 * radius;
 }
 
+/// Who expects to pass must lead as deep as the goals of the steps it is led through.
+void check_reach(const Procedure& procedure, std::size_t rehearsal, const Document& document, Report& report) {
+    const Rehearsal& r = procedure.rehearsals[rehearsal];
+    if (r.expect != "pass") return;
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
+        double asked = -HUGE_VAL, deepest = -HUGE_VAL;
+        for (const Goal& goal : procedure.steps[s].goals)
+            if (goal.quantity == "depth") asked = std::max(asked, goal.bound.at_least.value_or(asked));
+        std::size_t where = 0;
+        for (std::size_t w = 0; w < r.path.size(); ++w)
+            if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
+        if (deepest == -HUGE_VAL || deepest >= asked) continue;
+        const Node* rehearsals = document.root.find("rehearsals");
+        const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size() ? rehearsals->children[rehearsal].find("path") : nullptr;
+        const Node* waypoint = path != nullptr && where < path->children.size() ? &path->children[where] : nullptr;
+        const Node* depth = waypoint != nullptr ? waypoint->find("depth") : nullptr;
+        report.warning(Code::short_of_goal, depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
+                       "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id + "`, whose goal is a depth of at least " +
+                           quantity_text(asked, "mm") + ". Lead it as deep, or write how it is expected to fail.",
+                       quantity_text(asked, "mm"));
+    }
+}
+
 }  // namespace
 
 void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
@@ -81,6 +104,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
             report.error(Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal starts inside the bone; its first waypoint must have a depth below 0 mm.",
                          "[{depth: -5 mm}, …]");
+        else
+            check_reach(procedure, i, document, report);
     }
 }
 
@@ -138,6 +163,19 @@ void check_hands(const Procedure& procedure, const DeviceRecord& device, double 
                          " or more, or a slower feed: the scale follows from how hard bone resists at the fastest.",
                      quantity_text(needed, "N"));
     }
+}
+
+void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics) {
+    const Rehearsal& r = procedure.rehearsals[rehearsal];
+    if (r.expect != "pass" || least_time <= procedure.time_limit) return;
+    const auto document = document_of(procedure);
+    const Node* limit = document->root.find("time_limit");
+    const std::string needed = quantity_text(std::ceil(least_time), "s");
+    Report(*document, diagnostics)
+        .warning(Code::short_of_time, limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),
+                 "The run ends after " + quantity_text(procedure.time_limit, "s") + "; the hand of `" + r.id + "`, which expects to pass, needs " + needed +
+                     " at least for its path at its approach and feed. Write a longer `time_limit:`, or a faster hand.",
+                 needed);
 }
 
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {

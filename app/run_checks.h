@@ -12,8 +12,8 @@
 /// What a procedure asks of a run, each complaint at its place in the document.
 namespace kerf {
 
-/// Refuses a device without a record, too many instruments, and rehearsals that cannot be carried out. None of it needs the
-/// bone.   [main]
+/// Refuses a device without a record, too many instruments, and rehearsals that cannot be carried out; warns of those that stop short of
+/// their goals. None of it needs the bone.   [main]
 void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 
 /// The plugin refuses an instrument, and `why`.   [main]
@@ -26,6 +26,9 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
 
 /// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.   [main]
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
+
+/// Warns of a rehearsal that expects to pass and whose path takes longer [s] than a run may.   [main]
+void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
 void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,

@@ -157,20 +157,24 @@ Mesh all_surfaces(const Simulation& simulation, int stride) {
 
 }  // namespace
 
+std::string refusal_of_rehearsal(const Procedure& procedure, const std::string& id) {
+    std::vector<std::string> known;
+    for (const Rehearsal& r : procedure.rehearsals) {
+        if (id.empty() || r.id == id) return "";
+        known.push_back(r.id);
+    }
+    return known.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
+                         : "there is no rehearsal `" + id + "`. Write " + listed(known) + ".";
+}
+
 RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request) {
     RunOutcome outcome;
-    const auto& rehearsals = scene.procedure.rehearsals;
-    const auto rehearsal = request.rehearsal.empty()
-                               ? rehearsals.begin()
-                               : std::find_if(rehearsals.begin(), rehearsals.end(), [&](const Rehearsal& r) { return r.id == request.rehearsal; });
-    if (rehearsal == rehearsals.end()) {
+    if (outcome.error = refusal_of_rehearsal(scene.procedure, request.rehearsal); !outcome.error.empty()) {
         outcome.is_bad_input = true;
-        std::vector<std::string> known;
-        for (const auto& r : rehearsals) known.push_back(r.id);
-        outcome.error = known.empty() ? "the procedure has no rehearsal, and there is no device. Add one under `rehearsals:`."
-                                      : "there is no rehearsal `" + request.rehearsal + "`. Write " + listed(known) + ".";
         return outcome;
     }
+    const auto rehearsal = std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
+                                        [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
 
     RunSummary& summary = outcome.summary;
     summary.procedure = scene.procedure.id;

@@ -32,6 +32,9 @@ struct RunOutcome {
     bool is_bad_input = false;  ///< the error is the user's input
 };
 
+/// Why a procedure has no such rehearsal, empty: the first, with what to write; empty if it has.   [any] pure.
+[[nodiscard]] std::string refusal_of_rehearsal(const Procedure& procedure, const std::string& id);
+
 /// Runs a rehearsal of the scene's procedure.   [main]
 [[nodiscard]] RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request);
 

@@ -39,6 +39,17 @@ std::optional<Body> implant_body(const Implant& implant, const Procedure& proced
     return body;
 }
 
+/// No hand gets through its legs sooner [s].
+double least_time_of(const HandPlan& plan) {
+    double time = 0.0;
+    Vec3 from = plan.start.position;
+    for (const simulated_hand::Leg& leg : plan.intent.legs) {
+        time += length(leg.target.position - from) / leg.speed;
+        from = leg.target.position;
+    }
+    return time;
+}
+
 }  // namespace
 
 std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
@@ -86,6 +97,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     for (const Tool& tool : scene.tools) scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
     scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
     check_hands(scene.procedure, *scene.device, scene.gains.force_scale, diagnostics);
+    for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
+        check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return scene;
 }
 

@@ -86,7 +86,7 @@ constexpr CodeEntry entries[] = {
     {405, "not three numbers", "A place or direction is not three numbers.", "All of x, y and z are needed.", "Write three numbers with blanks between them and one unit behind, as in `3.0 193.0 -60.5 mm`; a direction has no unit."},
     {406, "bound without an end", "A goal or limit has neither `at_least` nor `at_most`, or a pair that nothing fulfils.", "It would always hold, or never.", "Write one of them, or both in the right order."},
     {407, "degenerate", "A solid, an axis or a shell has no extent where it needs one, or something is given twice over.", "There would be no direction, no volume, or two answers.", "Follow the message: it names what has to move, or go."},
-    {408, "goal against limit", "A goal lies beyond a limit of its step, or two limits of a step exclude each other.", "Whoever did what the procedure asks for would fail by it.", "Write a goal within the limit, or move the limit; both places are shown."},
+    {408, "goal against limit", "A goal lies beyond a limit of its step, or two limits or goals of a step exclude each other.", "Whoever did what the procedure asks for would fail by it.", "Write a goal within the limit, or move the limit; both places are shown."},
     {412, "out of range", "A value lies outside what is possible or plausible here.",
      "Most often the decimal point or the unit slipped. Where the range is a plugin's, it says for what its model was made.", "Write a value within the range that the message shows; `kerf describe` tells those of plugins."},
     {413, "too fine", "At this spacing the bone would take more memory than is allowed.", "Halving the spacing takes up to eight times the memory; running out of it in the middle of a run would lose the run.", "Write the spacing that the message names, or a coarser one."},
@@ -177,6 +177,8 @@ constexpr CodeEntry entries[] = {
     {709, "hand held by friction", "A rehearsal's hand pushes the device less than its own friction holds it.", "Forces are scaled down until the hardest bone, at the fastest feed, fits the device; so is the push, and the hand would stand where it starts. Only a warning.", "Write a larger `push:` or a slower `feed:`.", true},
     {710, "waypoint beyond region", "A rehearsal leads the tool into bone beyond the region in which bone can be cut.", "Of a scan or a surface only what lies within 15 mm around the planned axes is read; beyond it bone stands like a wall, and the hand stops there. Only a warning.", "Keep the waypoint within the region, or give the anatomy an axis that leads as far.", true},
     {711, "too slow to cut", "A tool is commanded to go, but more slowly than it takes bone.", "It would rub on the bone, and the hand push for nothing. Only a warning.", "Write the speed that the message gives, or more; or 0 to switch it off.", true},
+    {712, "short of its goal", "A rehearsal expects to pass, and its waypoints lead less deep than a goal of their step.", "A rehearsal is how a procedure shows that it can be done; this one would end otherwise than it says. Only a warning.", "Write the depth that the message gives, or more; or, under `expect:`, how it fails.", true},
+    {713, "short of time", "A rehearsal expects to pass, and its hand needs longer than a run lasts.", "The run would end on the way, and the rehearsal otherwise than it says. Only a warning.", "Write a longer `time_limit:`, or a faster `approach:` or `feed:`.", true},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -174,10 +174,17 @@ double likely_meant(double value, const QuantityNeed& need) {
     return std::clamp(value, need.min, need.max);
 }
 
-/// All in the unit the value was written in; empty for the one of `need`.
+/// Whether a person reads it at a glance: one end of a range in minutes may be a second.
+bool is_short(double value, const std::string& unit) {
+    const std::string text = quantity_text(value, unit);
+    return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 7;
+}
+
+/// The range in the unit the value was written in; empty for the one of `need`, which it is too where the other has no short number for an end.
 QuantityProblem out_of_range(double value, std::string_view unit, const std::string& name, const QuantityNeed& need) {
-    const std::string shown_in(unit.empty() ? std::string_view(need.unit) : unit);
-    const std::string message = name + " is " + quantity_text(value, shown_in) + ", must be " + quantity_text(need.min, shown_in) +
+    const std::string written_in(unit.empty() ? std::string_view(need.unit) : unit);
+    const std::string shown_in = is_short(need.min, written_in) && is_short(need.max, written_in) ? written_in : need.unit;
+    const std::string message = name + " is " + quantity_text(value, written_in) + ", must be " + quantity_text(need.min, shown_in) +
                                 " … " + quantity_text(need.max, shown_in) + ".";
     // The end of a range in another unit may round to just outside of it.
     const double meant = likely_meant(value, need);

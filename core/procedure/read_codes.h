@@ -62,7 +62,7 @@ enum class Code {
     not_three_numbers = 405,
     empty_bound = 406,  ///< neither at_least nor at_most, or at_least above at_most
     degenerate = 407,   ///< a solid or axis without extent, a shell that is not one
-    contradiction = 408,  ///< a goal beyond a limit of its step, or two limits that nothing keeps
+    contradiction = 408,  ///< a goal beyond a limit of its step, or two limits or goals that nothing keeps
     out_of_range = 412,
     too_fine = 413,     ///< the bone would take too much memory
 
@@ -92,6 +92,8 @@ enum class Code {
     hand_held_by_friction = 709,
     waypoint_beyond_region = 710,
     too_slow_to_cut = 711,
+    short_of_goal = 712,
+    short_of_time = 713,
 };
 
 /// `E0412`; `W0412` for a warning.

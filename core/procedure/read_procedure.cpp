@@ -334,11 +334,28 @@ void place_bounds(const std::vector<T>& things, const Node* list, bool is_goal, 
     }
 }
 
+/// A depth is the deepest that the tip has been: it never becomes less from one goal to the next.
+void refuse_goals_apart(const std::vector<PlacedBound>& bounds, Report& report) {
+    for (std::size_t later = 0; later < bounds.size(); ++later)
+        for (std::size_t earlier = 0; earlier < later; ++earlier) {
+            const PlacedBound &first = bounds[earlier], &then = bounds[later];
+            if (!first.is_goal || !then.is_goal || first.name != "depth" || then.name != "depth") continue;
+            if (!first.bound->at_least || !then.bound->at_most || *first.bound->at_least <= *then.bound->at_most) continue;
+            const Node *least = first.node->find("at_least"), *most = then.node->find("at_most");
+            if (!least || !most) continue;
+            report.error(Code::contradiction, most->span,
+                         "By this goal `depth` must be at most " + most->text + ", and by an earlier one at least " + least->text +
+                             "; a depth is the deepest that the tip has been, so nothing fulfils both. Change one of the two.",
+                         {}, report.because(least->span, "the earlier goal stands here."));
+        }
+}
+
 /// Who reaches a goal must be able to keep the limits of its step, and who keeps one limit the others.
 void refuse_contradictions(const Step& step, const Node& item, Report& report) {
     std::vector<PlacedBound> bounds;
     place_bounds(step.goals, item.find("goals"), true, bounds);
     place_bounds(step.limits, item.find("limits"), false, bounds);
+    refuse_goals_apart(bounds, report);
     const auto refuse = [&](const PlacedBound& one, const char* end, const PlacedBound& limit, const char* other_end) {
         const Node *value = one.node->find(end), *limit_value = limit.node->find(other_end);
         if (!value || !limit_value) return;

@@ -98,6 +98,18 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err, "there is no rehearsal `nobody`. Write `expert` or `medial-breach`.\n"));
 }
 
+TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {
+    // That an axis meets no bone is known once there is a bone
+    const std::string run = "run " KERF_SOURCE_DIR "/tests/golden/W0712.yaml --anatomy " KERF_SOURCE_DIR "/tests/golden/E0610.yaml";
+    const std::string made = kerf(run).err;
+    ASSERT_TRUE(has(made, "E0610")) << made;
+    const std::string hand = kerf(run + " --hand nobody").err, replay = kerf(run + " --replay " KERF_SOURCE_DIR "/README.md").err;
+    EXPECT_TRUE(has(hand, "there is no rehearsal `nobody`. Write `expert`.")) << hand;
+    EXPECT_FALSE(has(hand, "E0610")) << hand;
+    EXPECT_TRUE(has(replay, "README.md")) << replay;
+    EXPECT_FALSE(has(replay, "E0610")) << replay;
+}
+
 TEST(Program, WhereNothingCanBeWrittenIsSaidBeforeTheWorkAndNoOtherFileIsWrittenOver) {
     const TemporaryFolder folder;
     const std::string file = folder / "notes.txt";

@@ -133,6 +133,8 @@ TEST(Quantity, OutOfRangeIsAnsweredInTheUnitItWasWrittenInWithAValueThatWouldBeR
     EXPECT_EQ(problem("-3200 um", diameter).write, "3200 um");
 
     const QuantityNeed angle{dimension::angle, "deg", 60.0_deg, 160.0_deg};
+    EXPECT_EQ(problem("0.4 rad", angle).message, "it is 0.4 rad, must be 60 deg … 160 deg.") << "no one reads 1.047197551 rad";
+    EXPECT_EQ(problem("0.4 rad", angle).write, "60 deg");
     for (const auto& [text, need] : {std::pair{"-3.2 mm", diameter}, {"0 mm", diameter}, {"-1 m", diameter}, {"7 cm", diameter}, {"1e9 um", diameter},
                                      {"0.4 rad", angle}, {"-7 rad", angle}, {"3 rad", angle}, {"1 deg", angle}}) {
         const std::string write = problem(text, need).write;

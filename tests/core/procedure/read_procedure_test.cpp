@@ -229,6 +229,13 @@ TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
     EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics)) << "it can be reached and kept";
 }
 
+TEST(ReadProcedure, RefusesAGoalThatIsLessDeepThanAnEarlierOne) {
+    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: «29 mm»}} ]");
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"), diagnostics)) << "first little, then more";
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: 30 mm}} ]"), diagnostics)) << "it can be as deep";
+}
+
 TEST(ReadProcedure, RefusesLimitsThatNothingKeepsTogether) {
     expect_refused(Code::contradiction, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
                    "      - {clearance: {zone: canal, at_most: 2 mm}, reason: Far.}\n      - {depth: {at_most: 38 mm}, reason: Too deep.}\n"
