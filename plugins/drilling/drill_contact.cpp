@@ -112,8 +112,8 @@ bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleL
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = deep[n].point;
         const double borne = crushing_force(drill, here[n], bone.tissue_count()) / points.stiffness(i);
-        if (!deep[n].is_found) contact.hold(i, std::min(hole.gone(at[n], points.outwards(i)), borne));
-        else if (contact.depth(i) > borne) contact.set_depth(i, borne);
+        contact.hold(deep[n], hole.gone(at[n], points.outwards(i)));
+        if (contact.depth(i) > borne) contact.set_depth(i, borne);
     }
     return true;
 }

@@ -113,6 +113,52 @@ TEST(Contact, TheForceGrowsWithoutAJump) {
     }
 }
 
+/// What a point of a shank carries [N] that is `aside` from the middle of its hole, and if `knows`, knows so.
+double carried_aside(double aside, double reach, bool knows) {
+    constexpr double shank = 1.55e-3, radius = 1.6e-3;
+    ContactPoints points;
+    points.add({shank, 0, 0}, {1, 0, 0}, stiffness, 0.05, 0);
+    const Bone bone = hole(radius, -aside, reach);
+    const kerf_bone_query query = bone.query();
+    Contact contact(points);
+    contact.ask(BoneQuery(query), radius);
+    for (const Contact::Deep& one : contact.deep())
+        if (knows) contact.hold(one, aside - (radius - shank));
+    return written(contact).force();
+}
+
+TEST(Contact, AWallThatIsLostLetsGoWithoutAJump) {
+    constexpr double step = 2e-6;
+    for (const double reach : {0.28e-3, 0.8e-3, 2e-3}) {
+        double let_go = 0.0, held = 0.0;
+        for (double aside = 0.0; aside < 3.5e-3; aside += step) {
+            const double now = carried_aside(aside, reach, false), known = carried_aside(aside, reach, true);
+            EXPECT_LT(std::abs(now - let_go), 6.0 * stiffness * step) << reach << ", " << aside;
+            EXPECT_LT(std::abs(known - held), 2.0 * stiffness * step) << reach << ", " << aside;
+            EXPECT_NEAR(known, stiffness * std::max(0.0, aside - 0.05e-3), 0.02 * stiffness * 1.6e-3) << reach << ", " << aside;
+            let_go = now;
+            held = known;
+        }
+        EXPECT_EQ(let_go, 0.0) << "and what has no wall is not held";
+    }
+}
+
+TEST(Contact, AGapThatOpensInTheBoneBecomesAWallWithoutAJump) {
+    constexpr double step = 1e-6, behind = 0.83e-3;
+    double last = 0.0;
+    for (double wide = -20e-6; wide < 0.4e-3; wide += step) {  // bone from far behind the point to its front, with a gap across
+        const Bone bone{[=](Vec3 p) -> kerf_surface_point {
+                            const double off = std::abs(p.x + behind) - 0.5 * wide;
+                            return {wide > 0.0 ? -off : -1.0, {p.x + behind > 0.0 ? -1.0 : 1.0, 0, 0}, 0, 0};
+                        },
+                        0.8e-3};
+        const double now = point_in(bone, 1.6e-3).force();
+        EXPECT_LT(std::abs(now - last), 0.03 * stiffness * behind) << wide;
+        last = now;
+    }
+    EXPECT_GT(last, 0.5 * stiffness * behind) << "a wall it is in the end";
+}
+
 TEST(Contact, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
     const double aside = 0.9e-3, shank = 1.55e-3;
     std::optional<double> far;

@@ -51,14 +51,18 @@ public:
     /// A point that lies so deep that its wall was looked for.
     struct Deep {
         std::size_t point;
-        bool is_found;  ///< else nothing holds it, unless `hold` says so
+        double found;  ///< [–] how well that was found; by the rest nothing holds the point, unless `hold` says so
     };
     [[nodiscard]] std::span<const Deep> deep() const noexcept { return {deep_.data(), deep_count_}; }
     [[nodiscard]] double depth(std::size_t i) const noexcept { return depth_[i]; }
-    /// It lies so deep [m] in a wall that faces it, as the tool knows by itself.
-    void hold(std::size_t i, double depth) noexcept {
-        touch_[i] = {1.0, depth > 0.0 ? 1.0 : 0.0};
-        depth_[i] = depth;
+    /// By what was not found of its wall, one that faces it holds it, in which it lies so deep [m]: as the tool knows by itself.
+    void hold(const Deep& one, double depth) noexcept {
+        if (depth <= 0.0 || one.found >= 1.0) return;
+        const Touch& seen = touch_[one.point];
+        Wall wall{one.point, 1.0};
+        wall.add(1.0, seen, depth_[one.point], 0.0);
+        wall.add(1.0 - one.found, {1.0, 1.0}, depth, 0.0);
+        take(wall);
     }
 
     /// Whether bone near it faces the point.
@@ -123,6 +127,8 @@ private:
     static constexpr double deep_contact = 0.1e-3;  ///< [m] from which on a wall is looked for [judgement]
     static constexpr double look_step = 0.2e-3;     ///< [m] no longer than this, and than half of what distances tell [judgement]
     static constexpr std::size_t most_looks = 16;   ///< but no more of them
+    static constexpr double far_end = 0.25;         ///< [–] of the way inwards: a wall there is less and less one [judgement]
+    static constexpr double wide_gap = 0.1e-3;      ///< [m] so wide a gap before it makes a wall all of one [judgement]
 
     /// How a point of the tool's surface and the bone's surface nearest to it face each other.
     struct Touch {
@@ -170,17 +176,25 @@ private:
     void find_wall(Wall& wall, std::span<const kerf_surface_point> inside, double step) noexcept {
         std::size_t in_air = inside.size();
         while (in_air > 0 && inside[in_air - 1].distance < 0.0) --in_air;
-        const bool is_found = in_air > 0;
-        while (in_air > 1 && inside[in_air - 2].distance >= 0.0) --in_air;
-        if (is_found) {
+        double widest = 0.0;
+        for (std::size_t look = in_air; look > 0 && inside[look - 1].distance >= 0.0; in_air = look--) widest = std::max(widest, inside[look - 1].distance);
+        double found = 0.0;
+        if (in_air > 0) {
             const kerf_surface_point& air = inside[in_air - 1];
-            const double before = in_air > 1 ? -inside[in_air - 2].distance : depth_[wall.point];
-            const double share = wall.looked_for * before / (before + air.distance);
+            const double before = in_air > 1 ? -inside[in_air - 2].distance : depth_[wall.point], of_air = before / (before + air.distance);
+            // It comes and goes at the far end, or as a gap that opens: not at once.
+            const double from_end = static_cast<double>(inside.size() - in_air) + 1.0 - of_air;
+            found = std::min({1.0, from_end / (far_end * static_cast<double>(inside.size())), widest / wide_gap});
+            const double share = wall.looked_for * found * of_air;
             wall.add(share, touch(wall.point, air), -air.distance, step * static_cast<double>(in_air));
             const Touch seen = in_air > 1 ? touch(wall.point, inside[in_air - 2]) : touch_[wall.point];
-            wall.add(wall.looked_for - share, seen, before, step * static_cast<double>(in_air - 1));
+            wall.add(wall.looked_for * found - share, seen, before, step * static_cast<double>(in_air - 1));
         }
-        deep_[deep_count_++] = {wall.point, is_found};
+        deep_[deep_count_++] = {wall.point, 1.0 - wall.looked_for * (1.0 - found)};
+        take(wall);
+    }
+    /// What tells of it, put together.
+    void take(const Wall& wall) noexcept {
         touch_[wall.point].share = wall.share;
         if (wall.share <= 0.0) return;
         touch_[wall.point].against = std::sqrt(wall.stiffness / wall.share);
