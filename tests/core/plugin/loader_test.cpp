@@ -43,13 +43,23 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("components"), std::string::npos);
 }
 
-TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
-    const PluginLoad load = load_plugin(drilling);
-    ASSERT_TRUE(load.plugin);
+/// The first tool of the drilling plugin alone, to be changed.
+struct OneTool {
+    PluginLoad load = load_plugin(drilling);
     kerf_entry entry = load.plugin->entry();
     kerf_component component = entry.components[0];
-    entry.components = &component;
-    entry.component_count = 1;
+
+    OneTool() {
+        entry.components = &component;
+        entry.component_count = 1;
+    }
+    OneTool(const OneTool&) = delete;
+    OneTool& operator=(const OneTool&) = delete;
+};
+
+TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
+    OneTool one;
+    auto& [load, entry, component] = one;
     kerf_feature feature = component.features[0];
     component.features = &feature;
     component.feature_count = 1;
@@ -68,23 +78,18 @@ TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
 }
 
 TEST(Loader, RefusesADriveAtWhichTheToolNeverTakesBone) {
-    const PluginLoad load = load_plugin(drilling);
-    ASSERT_TRUE(load.plugin);
-    kerf_entry entry = load.plugin->entry();
-    kerf_component component = entry.components[0];
-    entry.components = &component;
-    entry.component_count = 1;
-    kerf_tool tool = *component.tool;
-    component.tool = &tool;
+    OneTool one;
+    kerf_tool tool = *one.component.tool;
+    one.component.tool = &tool;
     kerf_drive drive = tool.drives[0];
     tool.drives = &drive;
     tool.drive_count = 1;
     EXPECT_GT(drive.least, 0.0);
-    EXPECT_EQ(refusal_of(entry, "libsaw.so"), "");
+    EXPECT_EQ(refusal_of(one.entry, "libsaw.so"), "");
 
     for (const double least : {drive.max + 1.0, -1.0, std::nan("")}) {
         drive.least = least;
-        EXPECT_NE(refusal_of(entry, "libsaw.so").find("drive `spindle_speed`"), std::string::npos) << least;
+        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("drive `spindle_speed`"), std::string::npos) << least;
     }
 }
 
