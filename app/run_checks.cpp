@@ -25,6 +25,14 @@ TextSpan span_in(const Document& document, const char* list, std::size_t index, 
     return value != nullptr ? value->span : items->children[index].span;
 }
 
+/// A waypoint of a rehearsal, or the value that it has under `key`; null where the document has none.
+const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::size_t waypoint, const char* key = nullptr) {
+    const Node* rehearsals = document.root.find("rehearsals");
+    const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size() ? rehearsals->children[rehearsal].find("path") : nullptr;
+    if (path == nullptr || waypoint >= path->children.size()) return nullptr;
+    return key != nullptr ? path->children[waypoint].find(key) : &path->children[waypoint];
+}
+
 void check_device(const Procedure& procedure, const Document& document, Report& report) {
     if (find_device(procedure.device.c_str()) != nullptr) return;
     int count = 0;
@@ -70,10 +78,7 @@ void check_reach(const Procedure& procedure, std::size_t rehearsal, const Docume
         for (std::size_t w = 0; w < r.path.size(); ++w)
             if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
         if (deepest == -HUGE_VAL || deepest >= asked) continue;
-        const Node* rehearsals = document.root.find("rehearsals");
-        const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size() ? rehearsals->children[rehearsal].find("path") : nullptr;
-        const Node* waypoint = path != nullptr && where < path->children.size() ? &path->children[where] : nullptr;
-        const Node* depth = waypoint != nullptr ? waypoint->find("depth") : nullptr;
+        const Node* depth = waypoint_in(document, rehearsal, where, "depth");
         report.warning(Code::short_of_goal, depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
                        "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id + "`, whose goal is a depth of at least " +
                            quantity_text(asked, "mm") + ". Lead it as deep, or write how it is expected to fail.",
@@ -213,22 +218,20 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
                                const Body& body, Diagnostics& diagnostics) {
     if (!body.region.is_bounded()) return;
     const auto document = document_of(procedure);
-    const Node* rehearsals = document->root.find("rehearsals");
     Report report(*document, diagnostics);
-    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
-        const Node* path = rehearsals != nullptr && r < rehearsals->children.size() ? rehearsals->children[r].find("path") : nullptr;
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const Waypoint& waypoint = procedure.rehearsals[r].path[w];
             if (!procedure.steps[waypoint.step].cuts()) continue;  // what is held there has come apart before
             const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;
-            report.warning(Code::waypoint_beyond_region, path != nullptr && w < path->children.size() ? path->children[w].span : TextSpan{},
+            const Node* where = waypoint_in(*document, r, w);
+            report.warning(Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
                            "Here `" + procedure.steps[waypoint.step].instrument + "` would stand " + in_mm(beyond) +
                                " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
                                " around the planned axes: bone stands there like a wall, and the hand stops at it. Stay within, or give the anatomy an axis that leads as far.");
         }
-    }
 }
 
 }  // namespace kerf

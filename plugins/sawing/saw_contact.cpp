@@ -52,7 +52,7 @@ TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const Bo
             const double z = front.z - back, k = side_stiffness(blade, z, stiffness);
             for (const double side : {1.0, -1.0}) {
                 const Vec3 at{front.x, side * 0.5 * blade.thickness, z};
-                points.of_sides[points.side_count++] = {points.all.count(), at, side, row_behind[row]};
+                points.of_sides[points.side_count++] = {points.all.count(), row_behind[row]};
                 points.all.add(at, {0, side, 0}, k, facing, slot_side + (side > 0.0 ? 0u : 2u) + (row < 3 ? 0u : 1u));
             }
         }
@@ -73,7 +73,9 @@ void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick
     const double own = std::min(slot.depth - blade.tooth_height, 2.0 * bone.voxel());
     for (std::size_t n = 0; n < points.side_count; ++n) {
         const TouchingPoints::OnSide& one = points.of_sides[n];
-        if (one.behind <= own) contact.set_depth(one.place, -blade.set - one.side * slot.middle(one.at.x, one.at.z));
+        if (one.behind > own) continue;
+        const Vec3 at = points.all.at(one.place);
+        contact.set_depth(one.place, -blade.set - points.all.outwards(one.place).y * slot.middle(at.x, at.z));
     }
     const bool rubs = last_binding > 0.0;
     contact.write(channels, id_contact, rubs ? 1 : 0);

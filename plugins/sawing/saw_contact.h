@@ -13,9 +13,7 @@ struct TouchingPoints {
     /// A point of the blade's sides: its own slot may tell of it.
     struct OnSide {
         std::size_t place;  ///< among all
-        Vec3 at;
-        double side;    ///< [–] +1 or −1: which way its normal goes along y
-        double behind;  ///< [m] the roots of the teeth
+        double behind;      ///< [m] the roots of the teeth
     };
     static constexpr std::size_t most_on_sides = 30;
     ContactPoints all;
