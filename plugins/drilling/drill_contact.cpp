@@ -11,22 +11,20 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1, most_walls = TwistDrill::most_lands - 1, around = 8;
-/// Rings on each of so many cones: four if there are one or two.
-constexpr std::size_t rings_of(std::size_t cones) { return std::clamp<std::size_t>(8 / cones, 1, 4); }
-static_assert((near_levels + far_levels + most_cones + most_walls) * around <= ContactPoints::most);
+constexpr std::size_t near_levels = 8, far_levels = 16, most_cones = TwistDrill::most_corners + 1, most_walls = TwistDrill::most_lands - 1;
+static_assert((near_levels + far_levels + most_cones + most_walls) * azimuth_count <= ContactPoints::most);
 constexpr double grazing = 0.05;  // cosine from which on bone holds the shank
 /// A channel for each azimuth of the still tip, which carries hard, and for each quadrant of the shank, which bends: near the tip and
 /// far from it, so that the law knows how stiffly the hole holds a drill that tilts.
-using Slots = std::array<std::size_t, around>;
+using Slots = std::array<std::size_t, azimuth_count>;
 constexpr Slots of_tip{0, 1, 2, 3, 4, 5, 6, 7}, of_front{11, 11, 11, 10, 10, 8, 9, 9}, of_rear{15, 15, 15, 14, 14, 12, 13, 13};
 
 /// A ring of points of radius `r` at `z` whose normals have these radial and axial parts.
 void add_ring(ContactPoints& points, double r, double z, double radial, double axial, double stiffness, double facing, const Slots& slots) noexcept {
-    constexpr double c = 0.70710678118654752440;
-    constexpr double ring[around][2] = {{1, 0}, {c, c}, {0, 1}, {-c, c}, {-1, 0}, {-c, -c}, {0, -1}, {c, -c}};
-    for (std::size_t n = 0; n < around; ++n)
-        points.add({r * ring[n][0], r * ring[n][1], z}, {radial * ring[n][0], radial * ring[n][1], axial}, stiffness, facing, slots[n]);
+    for (std::size_t n = 0; n < azimuth_count; ++n) {
+        const auto [x, y] = azimuths[n];
+        points.add({r * x, r * y, z}, {radial * x, radial * y, axial}, stiffness, facing, slots[n]);
+    }
 }
 
 /// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
@@ -56,7 +54,7 @@ ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const B
     const double stiffness = tick.force[force_contact_stiffness];
     ContactPoints points;
     const TwistDrill::Cones cones = drill.cones();
-    const std::size_t rings = rings_of(cones.count);
+    const std::size_t rings = rings_on_each(cones.count, 8, 4);
     for (const Cone& cone : cones) {
         if (removes) break;
         const SinCos p = cone.half_angle;
@@ -90,9 +88,7 @@ namespace {
 
 /// [N] with which bone can hold as much of the shank as a ring stands for.
 double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std::uint32_t tissues) noexcept {
-    double pressure = 0.0;
-    for (std::uint32_t i = 0; i < tissues; ++i) pressure += bone.weight[i] * crushing_pressure(bone.density[i]);
-    return pressure * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
+    return crushing_pressure(bone, tissues) * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
 }
 
 /// Where the shank lies deep in bone it is held by no more than crushes that; where it finds no wall, by the one of the hole that it was pulled

@@ -8,12 +8,8 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double c = 0.70710678118654752440;
-constexpr double azimuth[SideEdges::azimuths][2] = {{1, 0}, {c, c}, {c, -c}};  // along the motion, across it
+constexpr double azimuth[SideEdges::azimuths][2] = {{1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // along the motion, across it
 constexpr Vec3 ways[SideEdges::ways] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-
-/// How many rings on each of so many cones: all together, with a land for each that a wall follows, no more than there is room for.
-std::size_t rings_of(std::size_t cones) noexcept { return std::clamp<std::size_t>(6 / cones, 1, 3); }
 
 /// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it has gone of its play
 /// does not count as a way to the front. Where a cone stands at the front, with no way to go to it, the land beside it has none either.
@@ -43,7 +39,7 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
 /// committed cut lags, which is a matter of the grid.
 SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
     const TwistDrill::Cones cones = drill.cones();
-    const std::size_t rings = rings_of(cones.count);
+    const std::size_t rings = rings_on_each(cones.count, 6, 3);  // and a land for each that a wall follows
     for (const Cone& cone : cones) {
         const double wide = cone.outer - cone.inner;
         for (std::size_t ring = 0; ring < rings; ++ring) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "drill_channels.h"
 #include "drill_edges.h"
 #include "own_hole.h"
 
 /// What the turning edges put into the law: feed, heel, sideways.
 namespace kerf::drilling {
-
-enum ChannelId : std::uint32_t { id_feed = 1, id_heel, id_rub, id_side = 8, id_contact = 16 };
 
 /// How the drill turns, as the law takes it.
 struct Turning {

@@ -24,6 +24,12 @@ double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double refer
     return s.engagement * m;
 }
 
+double crushing_pressure(const kerf_bone_sample& s, std::uint32_t tissues) noexcept {
+    double pressure = 0.0;
+    for (std::uint32_t i = 0; i < tissues; ++i) pressure += s.weight[i] * crushing_pressure(s.density[i]);
+    return pressure;
+}
+
 EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept : lip(make_lip(drill, tick.force[force_element_pitch])) {
     double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
     for (std::size_t i = 0; i < lip.count; ++i) {

@@ -22,6 +22,9 @@ inline constexpr std::size_t most_edge_points = lip_count * largest_element_coun
 /// Share of the reference tissue's resistance at a sample, zero in air.
 [[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
 
+/// The pressure [Pa] that crushes the bone at a sample, its tissues by their shares.
+[[nodiscard]] double crushing_pressure(const kerf_bone_sample& sample, std::uint32_t tissues) noexcept;
+
 /// Where the edges are on the drill, and where they are asked about: what follows from parameters and grid alone.
 struct EdgePlaces {
     Lip lip;

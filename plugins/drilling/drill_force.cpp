@@ -41,6 +41,14 @@ double pushed_along(const Advance& advance) noexcept {
     return std::max(0.0, sum);
 }
 
+/// Whether a tip that stood on bone has been pushed so hard that it crushes it.
+bool begins_to_crush(const CrushingTip& tip, const BoneQuery& bone, const Advance& advance) noexcept {
+    const double stands_with = standing_force_of(advance);
+    if (stands_with <= 0.0) return false;
+    const double bears = tip.force(bone);
+    return bears > 0.0 && stands_with >= bears;
+}
+
 /// Torque that a drill under `push` [N] meets while it takes no bone: to start, its edges have to break loose what they stand
 /// in, with the torque that goes with such a push in cutting; in reverse they rub.
 double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
@@ -68,18 +76,20 @@ void DrillCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) 
     p.sides = {p.drill, tick, bone};
     p.touching_in_cut = touching_points(p.drill, tick, bone, true);
     p.touching = touching_points(p.drill, tick, bone, false);
+    p.tip = {p.drill, tick, bone};
 }
 
 void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
     const Turning turning = turning_of(state);
-    const auto& [drill, edge_places, sides, touching_in_cut, touching] = state.prepared;
+    const auto& [drill, edge_places, sides, touching_in_cut, touching, tip] = state.prepared;
     if (turning.drags()) {
         Edges edges(drill, edge_places, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
         add_feed_cutting(edges, tick, turning, state.travel, channels);
         if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
-    const bool is_bent = add_contact(drill, turning.removes() ? touching_in_cut : touching, tick, bone, turning, state.hole, state.shank_force, channels);
+    if (state.crushes) tip.add_to(channels, bone);
+    const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.shank_force, channels);
     channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
     channels.push({}, {0, 0, -state.reaction});
 }
@@ -115,7 +125,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;
 
-    if (turning.removes()) actions.cut();
+    if (turning.removes() || state.crushes) actions.cut();
     state.angle += 2.0 * pi * state.spindle.speed * tick.dt;
     state.angle -= state.angle >= 2.0 * pi ? 2.0 * pi : state.angle < 0.0 ? -2.0 * pi : 0.0;
     if (state.spindle.step(motor_of(tick.tool), tick.drive[drive_spindle_speed], load, tick.dt))
@@ -124,6 +134,9 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
+    const bool crushed = state.crushes;
+    state.crushes = !cuts && (crushed ? still_crushes(advance) : begins_to_crush(state.prepared.tip, bone, advance));
+    if (state.crushes && !crushed) actions.event("drilling.crushing");
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }
 

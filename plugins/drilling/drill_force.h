@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "crushing.h"
 #include "drill_contact.h"
 #include "drill_cutting.h"
 #include "hole_line.h"
@@ -16,7 +17,8 @@ struct DrillCutting {
         TwistDrill drill{};
         EdgePlaces edges;
         SideEdges sides;
-        ContactPoints touching_in_cut, touching;  ///< while it takes bone, else
+        ContactPoints touching_in_cut, touching;  ///< while its tip goes into bone, else
+        CrushingTip tip;
     };
     struct State {
         double angle = 0.0;          ///< [rad] of the first lip about the shaft
@@ -25,6 +27,7 @@ struct DrillCutting {
         HoleLine hole;               ///< of its shank
         double shank_force = 0.0;    ///< [N] what the shank carried in the last tick
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
+        bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Spindle spindle;
         Prepared prepared;

@@ -13,6 +13,16 @@ namespace kerf::drilling {
 
 inline constexpr int lip_count = 2;
 
+/// (cos, sin) of eight azimuths about the shaft.
+inline constexpr std::size_t azimuth_count = 8;
+inline constexpr double cos_45 = 0.70710678118654752440;
+inline constexpr double azimuths[azimuth_count][2] = {{1, 0}, {cos_45, cos_45}, {0, 1}, {-cos_45, cos_45}, {-1, 0}, {-cos_45, -cos_45}, {0, -1}, {cos_45, -cos_45}};
+
+/// How many rings of places each of so many cones gets, where there is room for so many together: no more than `most`.
+[[nodiscard]] constexpr std::size_t rings_on_each(std::size_t cones, std::size_t room, std::size_t most) noexcept {
+    return std::clamp<std::size_t>(room / cones, 1, most);
+}
+
 /// A cone that its lips sweep.
 struct Cone {
     SinCos half_angle;

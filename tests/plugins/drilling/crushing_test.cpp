@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drill that does not turn, or an awl: pushed harder than bone bears it goes in, and else it stands.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plugins/drilling/drill_force.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr double spongy = 300.0;  // [kg/m³]
+
+/// 68 MPa (ρ / 1 g/cm³)² over the cross-section, and what rubs on the cone, with 118° and μ = 0.3 [N].
+double closed_form(double density, double diameter) {
+    const double strength = 68e6 * std::pow(1e-3 * density, 2), area = 0.25 * pi * diameter * diameter;
+    return strength * area * (1.0 + 0.3 / std::tan(59.0_deg));
+}
+
+/// A still drill on the face of a block.
+struct Rig {
+    Body body;
+    ToolSetup setup;
+    Simulation simulation;
+    int begun = 0;
+    double sideways = 0.0;
+
+    explicit Rig(double density = spongy, double spacing = 0.25_mm, const std::map<std::string, double>& set = {}, const std::string& tool = "twist_drill",
+                 Pose start = test::at_depth(-0.1_mm))
+        : body(made_of(density, spacing)), setup(test::drill(tool, with_still_spindle(set))), simulation(body, setup, test::outline(setup), test::gains(0.005), start) {}
+
+    static std::map<std::string, double> with_still_spindle(std::map<std::string, double> set) {
+        set["spindle_speed"] = 0.0;
+        return set;
+    }
+    static Body made_of(double density, double spacing) {
+        Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+        body.materials = {{"bone", density, {}}};
+        return body;
+    }
+    [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
+    TickResult go(const Pose& hand) {
+        const TickResult r = simulation.tick({hand});
+        simulation.after_tick();
+        for (std::size_t i = 0; i < r.event_count; ++i) begun += std::string(r.events[i]) == "drilling.crushing";
+        return r;
+    }
+    /// With a hand that pushes so hard wherever the drill is.
+    TickResult push(double force) {
+        const CouplingGains g = test::gains(0.005);
+        return go(test::at_depth(depth() + force * g.force_scale / g.stiffness));
+    }
+    /// With a hand that goes on at `rate`; the mean thrust while the tip is between two depths.
+    double thrust_between(double from, double to, double rate) {
+        double sum = 0.0, most = 0.0;
+        int count = 0;
+        for (double hand = depth(); depth() < to && hand < 60.0_mm; hand += rate * Simulation::dt) {
+            const double thrust = go(test::at_depth(hand)).thrust;
+            if (depth() < from) continue;
+            sum += thrust;
+            most = std::max(most, thrust);
+            ++count;
+        }
+        EXPECT_LT(most, 1.05 * sum / count) << "it goes evenly";
+        return sum / count;
+    }
+};
+
+TEST(Crushing, ItsForceIsTheClosedFormOnEveryGrid) {
+    for (const double spacing : {0.5_mm, 0.25_mm})
+        for (const double density : {200.0, 400.0}) {
+            Rig rig(density, spacing);
+            EXPECT_NEAR(rig.thrust_between(5.0_mm, 8.0_mm, 2.0_mm_per_s) / closed_form(density, 3.2_mm), 1.0, 0.02) << density << ", " << spacing;
+        }
+}
+
+TEST(Crushing, ItIsTheSameAtEveryRate) {
+    Rig slow, fast;
+    const double at_one = slow.thrust_between(4.0_mm, 6.0_mm, 1.0_mm_per_s), at_eight = fast.thrust_between(4.0_mm, 6.0_mm, 8.0_mm_per_s);
+    EXPECT_NEAR(at_eight / at_one, 1.0, 0.01);
+}
+
+TEST(Crushing, WhatBoneBearsItStandsOn) {
+    Rig rig;
+    const double bears = closed_form(spongy, 3.2_mm);  // 58 N
+    for (int i = 0; i < 4000 && rig.depth() < 4.0_mm; ++i) (void)rig.push(1.2 * bears);
+    ASSERT_GT(rig.depth(), 4.0_mm) << "pushed harder it goes in";
+    for (const double share : {0.7, 0.95}) {
+        for (int i = 0; i < 500; ++i) (void)rig.push(share * bears);
+        const double stands = rig.depth();
+        TickResult r;
+        for (int i = 0; i < 2000; ++i) r = rig.push(share * bears);
+        EXPECT_NEAR(rig.depth(), stands, 7.0_um) << share << ", in two seconds";
+        EXPECT_NEAR(r.thrust, share * bears, 0.5);
+    }
+    const double stands = rig.depth();
+    for (int i = 0; i < 500; ++i) (void)rig.go(test::at_depth(stands));
+    EXPECT_FALSE(rig.go(test::at_depth(stands)).is_cutting) << "let go";
+    for (int i = 0; i < 2000; ++i) (void)rig.push(std::min(0.8, 0.001 * i) * bears);
+    EXPECT_NEAR(rig.depth(), stands, 40.0_um) << "the spring of contact";
+    EXPECT_EQ(rig.begun, 1);
+}
+
+TEST(Crushing, CortexBearsWhatAHandCanPush) {
+    Rig rig(1850.0);
+    for (int i = 0; i < 3000; ++i) (void)rig.push(200.0);
+    const double pricked = rig.depth();
+    for (int i = 0; i < 3000; ++i) (void)rig.push(200.0);
+    EXPECT_NEAR(rig.depth(), pricked, 10.0_um);
+    EXPECT_LT(pricked, 0.9_mm) << "only its point goes in";
+}
+
+TEST(Crushing, LeavesTheHoleItIsShapedLike) {
+    Rig rig;
+    (void)rig.thrust_between(1.0_mm, 6.0_mm, 2.0_mm_per_s);
+    rig.simulation.finish();
+    const double radius = 1.6_mm, point = radius / std::tan(59.0_deg), depth = rig.depth();
+    const double hole = pi * radius * radius * (depth - point) + pi * radius * radius * point / 3.0;
+    EXPECT_NEAR(rig.simulation.present().removed() / hole, 1.0, 0.03);
+    EXPECT_EQ(rig.begun, 1) << "told once";
+}
+
+TEST(Crushing, NothingPushesItOutAgain) {
+    Rig rig;
+    (void)rig.thrust_between(1.0_mm, 5.0_mm, 2.0_mm_per_s);
+    const double deep = rig.depth();
+    double pushed_back = 0.0;
+    for (int i = 0; i < 1000; ++i) (void)rig.go(test::at_depth(deep));
+    EXPECT_NEAR(rig.depth(), deep, 20.0_um);
+    for (int i = 0; i < 1000; ++i) pushed_back = std::max(pushed_back, rig.go(test::at_depth(deep - 1.0_um * i)).thrust);
+    EXPECT_LT(pushed_back, 0.1) << "N, on the way out";
+}
+
+TEST(Crushing, BoneHoldsItSidewaysAsWell) {
+    Rig rig;
+    const double bears = closed_form(spongy, 3.2_mm);
+    double aside = 0.0;
+    for (int i = 0; i < 3000 && rig.depth() < 4.0_mm; ++i) {
+        const CouplingGains g = test::gains(0.005);
+        Pose hand = test::at_depth(rig.depth() + 1.2 * bears * g.force_scale / g.stiffness);
+        hand.position.x = rig.simulation.world_from_tool().position.x + 5.0 * g.force_scale / g.stiffness;
+        (void)rig.go(hand);
+        aside = rig.simulation.world_from_tool().position.x;
+    }
+    ASSERT_GT(rig.depth(), 4.0_mm);
+    EXPECT_LT(aside, 0.2_mm);
+}
+
+TEST(Crushing, AnAwlsForceIsTheClosedFormOfItsCones) {
+    // A point of 60° to 1 mm, from there on a slender cone to 4 mm, 12 mm behind the tip: most of what it takes is friction.
+    for (const double spacing : {0.5_mm, 0.25_mm}) {
+        Rig rig(200.0, spacing, {{"diameter", 1.0_mm}, {"point_angle", 60.0_deg}, {"depth_1", 12.0_mm}, {"diameter_1", 4.0_mm}}, "profile_drill");
+        const double strength = 68e6 * 0.2 * 0.2, point = 0.5_mm / std::tan(30.0_deg), slope = 1.5_mm / (12.0_mm - point);
+        double hand = -0.1_mm;
+        for (const double depth : {4.0_mm, 7.0_mm, 10.0_mm}) {
+            TickResult r;
+            for (; rig.depth() < depth && hand < 60.0_mm; hand += 2.0_um) r = rig.go(test::at_depth(hand));
+            const double radius = 0.5_mm + slope * (depth - point), of_point = pi * 0.25_mm * 1.0_mm;
+            const double force = strength * (of_point * (1.0 + 0.3 / std::tan(30.0_deg)) + (pi * radius * radius - of_point) * (1.0 + 0.3 / slope));
+            EXPECT_NEAR(r.thrust / force, 1.0, 0.06) << depth << ", " << spacing;
+        }
+    }
+}
+
+TEST(Crushing, ASlopeIsCrushedEvenly) {
+    // 25° askew, under a hand that leans on it more and more
+    Rig rig(spongy, 0.25_mm, {}, "twist_drill", test::at_depth(-1.0_mm, 25.0_deg));
+    double last = 0.0, step = 0.0, thrust = 0.0;
+    for (double hand = -1.0_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um) {
+        thrust = rig.go(test::at_depth(hand, 25.0_deg)).thrust;
+        step = std::max(step, std::abs(thrust - last));
+        last = thrust;
+    }
+    EXPECT_NEAR(thrust / closed_form(spongy, 3.2_mm), 1.0, 0.05);
+    EXPECT_LT(step, 0.05 * closed_form(spongy, 3.2_mm)) << "N from tick to tick";
+}
+
+TEST(Crushing, SwitchedOffUnderAPushInSpongyBoneItSinksIn) {
+    Rig rig(spongy, 0.25_mm, {{"run_up", 0.1}});
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    for (int i = 0; i < 6000 && rig.depth() < 4.0_mm; ++i) (void)rig.push(4.0);
+    ASSERT_GT(rig.depth(), 4.0_mm);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    for (int i = 0; i < 1000; ++i) (void)rig.push(20.0);
+    const double stands = rig.depth();
+    for (int i = 0; i < 500; ++i) (void)rig.push(20.0);
+    EXPECT_NEAR(rig.depth(), stands, 1.0_um);
+    for (int i = 0; i < 3000 && rig.depth() < stands + 1.0_mm; ++i) (void)rig.push(1.1 * closed_form(spongy, 3.2_mm));
+    EXPECT_GE(rig.depth(), stands + 1.0_mm);
+}
+
+}  // namespace
+}  // namespace kerf
