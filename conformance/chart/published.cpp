@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conformance/chart/pushed_awl.h"
 #include "conformance/chart/reference.h"
 #include "conformance/drawing/svg.h"
 #include "kerf/units.hpp"
@@ -31,6 +32,14 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
                                             2.0 * pi * scene.spindle * dt * static_cast<double>(t))[2];
         if (scene.depth[t] >= from && scene.depth[t] <= to) most = std::max(most, thrust);
     }
+    return most;
+}
+
+/// Largest push of an awl on the same way [N].
+double peak_push(const Scene& scene, double from, double to) {
+    constexpr double step = 0.25_mm;
+    double most = 0.0;
+    for (double depth = from; depth <= to; depth += step) most = std::max(most, push_of(Awl{}, scene, depth));
     return most;
 }
 
@@ -143,15 +152,19 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
 
     // Past the shell that the drill enters by; the breach goes through the canal's wall after that.
     const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(medial_breach);
-    constexpr double past_entry = 6.0_mm, to = 26.0_mm;
+    constexpr double past_entry = 6.0_mm, awl_past_entry = 12.0_mm, to = 26.0_mm;
     const double safe_peak = peak_thrust(safe, law, past_entry, to),
                  breach_peak = peak_thrust(breach, law, past_entry, to);
-    const double ratio = breach_peak / safe_peak;
-    checks.push_back(
-        {"B1-c", "largest thrust of a breach over that of a safe way, behind the entry",
-         figure(breach_peak) + " over " + figure(safe_peak) + " N = " + figure(ratio), "1.5 to 1.7",
-         ratio >= 1.5 && ratio <= 1.7,
-         "measured with an awl that is pushed; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3"});
+    const double safe_push = peak_push(safe, awl_past_entry, to), breach_push = peak_push(breach, awl_past_entry, to);
+    const auto compare = [&](const char* what, double of_breach, double of_safe, const char* note) {
+        const double ratio = of_breach / of_safe;
+        checks.push_back({"B1-c", what, figure(of_breach) + " over " + figure(of_safe) + " N = " + figure(ratio), "1.5 to 1.7",
+                          ratio >= 1.5 && ratio <= 1.7, note});
+    };
+    compare("largest push of an awl in a breach over that in a safe way, behind the entry", breach_push, safe_push,
+            "as measured: 135 to 155 over about 90 N. Bone is crushed; a wall of 0.35 mm [silva-1994] breaks, the phantom's is 1 mm");
+    compare("the same of a drill's thrust", breach_peak, safe_peak,
+            "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");
 
     bool falls = true;
     std::string found;

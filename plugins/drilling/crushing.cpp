@@ -14,6 +14,7 @@ constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
 
 /// [m/s] over which the force builds up, so that hand and bone can balance. Under less than what crushes it the tip creeps by that.
 constexpr double creep = 1e-6;
+constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
 constexpr double let_go = 0.1;  // [–] of what crushes: so little that contact, which takes over, gives by next to nothing
 
 /// [–] all of a place that lies on bone, whose surface goes through the middle of what engages it.
@@ -103,11 +104,19 @@ void CrushingTip::add_to(Channels& channels, const BoneQuery& bone) const noexce
     }
 }
 
-double standing_force_of(const Advance& advance) noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < advance.channel.size(); ++i)
-        if (const std::uint32_t id = advance.channel[i].id; id >= id_contact && id < id_contact + tip_slots) sum += advance.channel[i].d[2] * advance.lambda[i];
-    return sum;
+Standing::Standing(const Advance& advance) noexcept {
+    for (std::size_t i = 0; i < advance.channel.size(); ++i) {
+        const kerf_channel& channel = advance.channel[i];
+        if (channel.id < id_contact || channel.id >= id_contact + tip_slots || advance.lambda[i] <= 0.0) continue;
+        force += channel.d[2] * advance.lambda[i];
+        depth = std::max(depth, channel.delta);
+    }
+}
+
+bool begins_to_crush(const Standing& standing, const CrushingTip& tip, const BoneQuery& bone) noexcept {
+    if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
+    const double bears = tip.force(bone);
+    return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
 }
 
 bool still_crushes(const Advance& advance) noexcept {

@@ -50,8 +50,15 @@ private:
     double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
 };
 
-/// What the tip carried along the shaft by standing on bone [N].   [haptic, nonblocking]
-[[nodiscard]] double standing_force_of(const Advance& advance) noexcept;
+/// How the tip stood on bone in a tick.
+struct Standing {
+    double force = 0.0;  ///< [N] along the shaft
+    double depth = 0.0;  ///< [m] at the deepest place that carried
+
+    explicit Standing(const Advance& advance) noexcept;
+};
+/// Whether bone gave way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
+[[nodiscard]] bool begins_to_crush(const Standing& standing, const CrushingTip& tip, const BoneQuery& bone) noexcept;
 /// Whether a tip that crushed has not been let go: until then it stands in what it crushed.   [haptic, nonblocking]
 [[nodiscard]] bool still_crushes(const Advance& advance) noexcept;
 

@@ -41,14 +41,6 @@ double pushed_along(const Advance& advance) noexcept {
     return std::max(0.0, sum);
 }
 
-/// Whether a tip that stood on bone has been pushed so hard that it crushes it.
-bool begins_to_crush(const CrushingTip& tip, const BoneQuery& bone, const Advance& advance) noexcept {
-    const double stands_with = standing_force_of(advance);
-    if (stands_with <= 0.0) return false;
-    const double bears = tip.force(bone);
-    return bears > 0.0 && stands_with >= bears;
-}
-
 /// Torque that a drill under `push` [N] meets while it takes no bone: to start, its edges have to break loose what they stand
 /// in, with the torque that goes with such a push in cutting; in reverse they rub.
 double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_reverse) noexcept {
@@ -135,7 +127,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
     const bool crushed = state.crushes;
-    state.crushes = !cuts && (crushed ? still_crushes(advance) : begins_to_crush(state.prepared.tip, bone, advance));
+    state.crushes = !cuts && (crushed ? still_crushes(advance) : begins_to_crush(Standing(advance), state.prepared.tip, bone));
     if (state.crushes && !crushed) actions.event("drilling.crushing");
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }
