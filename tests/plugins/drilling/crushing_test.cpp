@@ -25,12 +25,12 @@ struct Rig {
     Body body;
     ToolSetup setup;
     Simulation simulation;
+    double tick;  ///< [s]
     int begun = 0;
-    double sideways = 0.0;
 
     explicit Rig(double density = spongy, double spacing = 0.25_mm, const std::map<std::string, double>& set = {}, const std::string& tool = "twist_drill",
-                 Pose start = test::at_depth(-0.1_mm))
-        : body(made_of(density, spacing)), setup(test::drill(tool, with_still_spindle(set))), simulation(body, setup, test::outline(setup), test::gains(0.005), start) {}
+                 Pose start = test::at_depth(-0.1_mm), double period = Simulation::dt)
+        : body(made_of(density, spacing)), setup(test::drill(tool, with_still_spindle(set))), simulation(body, setup, test::outline(setup), test::gains(0.005), start, period), tick(period) {}
 
     static std::map<std::string, double> with_still_spindle(std::map<std::string, double> set) {
         set["spindle_speed"] = 0.0;
@@ -57,7 +57,7 @@ struct Rig {
     double thrust_between(double from, double to, double rate) {
         double sum = 0.0, most = 0.0;
         int count = 0;
-        for (double hand = depth(); depth() < to && hand < 60.0_mm; hand += rate * Simulation::dt) {
+        for (double hand = depth(); depth() < to && hand < 60.0_mm; hand += rate * tick) {
             const double thrust = go(test::at_depth(hand)).thrust;
             if (depth() < from) continue;
             sum += thrust;
@@ -84,6 +84,25 @@ TEST(Crushing, ItIsTheSameAtEveryRate) {
     Rig slow, fast;
     const double at_one = slow.thrust_between(4.0_mm, 6.0_mm, 1.0_mm_per_s), at_eight = fast.thrust_between(4.0_mm, 6.0_mm, 8.0_mm_per_s);
     EXPECT_NEAR(at_eight / at_one, 1.0, 0.01);
+}
+
+TEST(Crushing, ItIsTheSameAtEveryLoopRate) {
+    const auto thrust_at = [](double period) {
+        return Rig(spongy, 0.25_mm, {}, "twist_drill", test::at_depth(-0.1_mm), period).thrust_between(4.0_mm, 6.0_mm, 2.0_mm_per_s);
+    };
+    const double slow = thrust_at(2e-3), fast = thrust_at(0.25e-3);
+    EXPECT_NEAR(slow / fast, 1.0, 0.01);
+}
+
+TEST(Crushing, ItIsTheSameSeenInAMirror) {
+    const auto aside = [](double side) {
+        Rig rig(spongy, 0.25_mm, {}, "twist_drill", at(side * 5.5_mm, -0.1_mm));
+        for (double hand = -0.1_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um) (void)rig.go(at(side * 5.5_mm, hand));
+        return rig.simulation.world_from_tool().position.x - side * 5.5_mm;
+    };
+    const double right = aside(1.0), left = aside(-1.0);  // it stands half on the edge of the block
+    EXPECT_GT(right, 5.0_um) << "which it slides off";
+    EXPECT_NEAR(left, -right, 0.1 * right);
 }
 
 TEST(Crushing, WhatBoneBearsItStandsOn) {
