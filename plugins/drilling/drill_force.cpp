@@ -116,6 +116,9 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     signals[signal_engagement] = engaged;
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;
+    const double stress = signals[signal_bending_stress] = bending_stress(drill, advance), yield = tick.tool[tool_yield_strength];
+    if (stress > yield && !state.is_overbent) actions.event("drilling.bit_overbent");
+    state.is_overbent = stress > (state.is_overbent ? 0.5 : 1.0) * yield;
 
     if (turning.removes() || state.crushes) actions.cut();
     state.angle += 2.0 * pi * state.spindle.speed * tick.dt;

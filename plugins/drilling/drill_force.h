@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bit_bending.h"
 #include "crushing.h"
 #include "drill_contact.h"
 #include "drill_cutting.h"
@@ -28,6 +29,7 @@ struct DrillCutting {
         double shank_force = 0.0;    ///< [N] what the shank carried in the last tick
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
         bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
+        bool is_overbent = false;    ///< the bit, since it was last bent by less than half of what it stands
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Spindle spindle;
         Prepared prepared;

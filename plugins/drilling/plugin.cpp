@@ -24,7 +24,8 @@ constexpr const char* femur_fit = "calibrated: human femur cortex, 3.2 mm, 2 mm/
      {"helix_angle", "Helix of the flutes at the diameter: the rake of the lips.", dimension::angle, "deg", 0.0_deg, 45.0_deg, 28.0_deg, "assumed: that of the drill the coefficients were fitted with"}, \
      {"run_up", "Time the unloaded motor takes to 1000 rpm.", dimension::time, "ms", 0.0_ms, 5000.0_ms, 200.0_ms, "assumed: a controller's soft start; 0 makes the speed follow at once"}, \
      {"inertia", "Of all that turns, at the chuck.", kerf_dimension{{2, 1, 0, 0, 0, 0, 0, 0}}, "kg mm2", 1e-7, 0.01, 5e-5, "assumed: order of a small rotor behind its gear"}, \
-     {"mass", "Of drill and handpiece, centred where the hand holds them; felt across the shaft.", dimension::mass, "kg", 0.0_kg, 5.0_kg, 0.5_kg, "assumed: order of a small surgical drill"},
+     {"mass", "Of drill and handpiece, centred where the hand holds them; felt across the shaft.", dimension::mass, "kg", 0.0_kg, 5.0_kg, 0.5_kg, "assumed: order of a small surgical drill"}, \
+     {"yield_strength", "Bending stress beyond which the bit stays bent, or breaks.", dimension::pressure, "N/mm2", 100.0_N_per_mm2, 5000.0_N_per_mm2, 1000.0_N_per_mm2, "assumed: order of hardened stainless steel"},
 
 constexpr kerf_param tool_parameters[] = {KERF_DRILL_PARAMETERS};
 static_assert(std::size(tool_parameters) == tool_parameter_count);
@@ -94,6 +95,7 @@ constexpr kerf_signal signals[] = {
     {"engagement", "Share of the cutting edges in bone.", dimension::none, ""},
     {"drive_power", "Power the motor puts into cutting and rubbing.", kerf_dimension{{2, 1, -3, 0, 0, 0, 0, 0}}, "W"},
     {"spindle_speed", "Speed of the spindle as it is.", dimension::frequency, "rpm"},
+    {"bending_stress", "Largest bending stress in the bit.", dimension::pressure, "N/mm2"},
 };
 static_assert(std::size(signals) == signal_count);
 

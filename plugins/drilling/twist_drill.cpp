@@ -29,6 +29,13 @@ TwistDrill::Cones TwistDrill::cones() const noexcept {
     return all;
 }
 
+double TwistDrill::bit_radius_at(double z) const noexcept {
+    if (-z <= point_depth()) return std::min(radius(), shank_radius());
+    for (std::size_t i = 0; i < corner_count; ++i)
+        if (-z <= corners[i].depth) return std::min(corners[i].radius, shank_radius());
+    return shank_radius();
+}
+
 double TwistDrill::head() const noexcept {
     const double of_corners = corner_count > 0 ? corners[corner_count - 1].depth : 0.0;
     return std::max(of_corners, land() - cones().last().end());

@@ -65,6 +65,8 @@ struct TwistDrill {
     /// Depth of the point: R cot p [m].
     [[nodiscard]] double point_depth() const noexcept { return radius() * half_point.cos / half_point.sin; }
     [[nodiscard]] double widest_radius() const noexcept { return corner_count > 0 ? corners[corner_count - 1].radius : radius(); }
+    /// Radius of the bit at `z` [m] as it bends: a cone counts as wide as it ends, what is wider than the shank as the shank.
+    [[nodiscard]] double bit_radius_at(double z) const noexcept;
     [[nodiscard]] double shank_radius() const noexcept { return shank_diameter > 0.0 ? std::min(0.5 * shank_diameter, widest_radius()) : widest_radius(); }
     /// The point, and what widens behind it.
     struct Cones {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// How hard a bit is bent: what steel stands is the limit of what a trainee may pull.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "plugins/drilling/bit_bending.h"
+#include "plugins/drilling/drill_parameters.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using drilling::TwistDrill;
+
+/// A force of 1 N across the bit at each of some heights.
+struct Pushes {
+    std::vector<kerf_channel> channel;
+    std::vector<double> lambda;
+
+    void add(double z, double newtons) {
+        kerf_channel one{};
+        one.kind = KERF_CONTACT;
+        const Vec6 d = rate_at({0, 0, z}, {-1, 0, 0});
+        std::copy(d.begin(), d.end(), one.d);
+        channel.push_back(one);
+        lambda.push_back(newtons);
+    }
+    [[nodiscard]] Advance advance() const { return {{}, channel, lambda, {}}; }
+};
+
+TwistDrill bit() { return {3.2_mm, 118.0_deg, 0.15, 60.0_mm, 0.25}; }
+constexpr double section = pi * 3.2_mm * 3.2_mm * 3.2_mm / 64.0;  // [m³]
+
+TEST(BitBending, APushAtTheTipBendsMostAtTheChuck) {
+    Pushes at_tip;
+    at_tip.add(0.0, 27.0);
+    EXPECT_NEAR(drilling::bending_stress(bit(), at_tip.advance()), 27.0 * 60.0_mm / section, 1.0);
+    EXPECT_NEAR(drilling::bending_stress(bit(), at_tip.advance()) / 1e6, 1007.0, 1.0) << "what yields near 27 N";
+}
+
+TEST(BitBending, BetweenTwoPushesItBendsByTheFirstAlone) {
+    Pushes clamped;  // as a hole holds it at its bottom and at its mouth; the chuck then carries nothing but the rest
+    clamped.add(-1.0_mm, 30.0);
+    clamped.add(-21.0_mm, -45.0);
+    EXPECT_NEAR(drilling::bending_stress(bit(), clamped.advance()), 30.0 * 20.0_mm / section, 1.0);
+    EXPECT_EQ(drilling::bending_stress(bit(), Pushes{}.advance()), 0.0);
+}
+
+TEST(BitBending, AThinPilotIsBentTheHarder) {
+    TwistDrill stepped = bit();
+    stepped.corners[0] = {10.0_mm, 1.6_mm};
+    stepped.corners[1] = {11.0_mm, 3.2_mm};
+    stepped.corner_count = 2;
+    EXPECT_EQ(stepped.bit_radius_at(-5.0_mm), 1.6_mm);
+    EXPECT_EQ(stepped.bit_radius_at(-10.5_mm), 3.2_mm);
+    EXPECT_EQ(stepped.bit_radius_at(-40.0_mm), 3.2_mm);
+    Pushes at_tip;
+    at_tip.add(0.0, 10.0);
+    at_tip.add(-10.0_mm, 1e-9);
+    EXPECT_NEAR(drilling::bending_stress(stepped, at_tip.advance()), std::max(10.0 * 10.0_mm / section, 10.0 * 60.0_mm / (8.0 * section)), 10.0);
+}
+
+// In bone: what the law says bends the bit is what the hand holds it with.
+TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
+    Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {6.0_mm, 5.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
+    const ToolSetup setup = test::twist_drill({{"motor_torque", 20.0}, {"length", 60.0_mm}});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(1.0 / 128.0), test::at_depth(-0.1_mm));
+    int told = 0;
+    double stress_when_told = 0.0, least_not_told = 0.0;
+    const auto go = [&](double depth, double aside) {
+        const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
+        simulation.after_tick();
+        const double stress = simulation.signals()[drilling::signal_bending_stress];
+        for (std::size_t i = 0; i < r.event_count; ++i)
+            if (std::string(r.events[i]) == "drilling.bit_overbent" && told++ == 0) stress_when_told = stress;
+        if (told == 0) least_not_told = std::max(least_not_told, stress);
+        return r;
+    };
+    double depth = -0.1_mm;
+    for (; -simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um) (void)go(depth, 0.0);
+    simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    for (int i = 0; i < 500; ++i) (void)go(depth, 0.0);
+    TickResult r;
+    for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 2.0_um) r = go(depth, aside);
+    ASSERT_EQ(told, 1);
+    EXPECT_GT(stress_when_told, 1000e6);
+    EXPECT_LT(least_not_told, 1000e6);
+    const Quat q = simulation.world_from_tool().rotation;
+    const Vec3 force = rotate(conjugate(q), linear(r.bone_on_tool)), torque = rotate(conjugate(q), angular(r.bone_on_tool));
+    const Vec3 at_chuck = torque + cross(Vec3{0, 0, 60.0_mm}, force);  // from (0, 0, −60 mm) to the tip
+    EXPECT_GE(stress_when_told * section * 1.001, std::hypot(at_chuck.x, at_chuck.y)) << "N m; no less than at the chuck";
+    EXPECT_NEAR(stress_when_told * section / std::hypot(at_chuck.x, at_chuck.y), 1.0, 0.05) << "held near its tip it bends most there";
+}
+
+}  // namespace
+}  // namespace kerf
