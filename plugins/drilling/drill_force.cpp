@@ -13,6 +13,8 @@ using namespace literals;
 // Below `slowest_cut` its edges only drag, less and less, while it sinks onto the bone that they leave standing; so contact takes over
 // without a blow.
 constexpr double dragging_time = 2.0_ms;
+// What contact adds for a tick or two as a drill breaks through bends no bit [judgement].
+constexpr double bending_time = 5.0_ms;
 
 enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole
 
@@ -116,9 +118,11 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     signals[signal_engagement] = engaged;
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;
-    const double stress = signals[signal_bending_stress] = bending_stress(drill, advance), yield = tick.tool[tool_yield_strength];
-    if (stress > yield && !state.is_overbent) actions.event("drilling.bit_overbent");
-    state.is_overbent = stress > (state.is_overbent ? 0.5 : 1.0) * yield;
+    state.bending_stress += (1.0 - exp_exact(-tick.dt / bending_time)) * (bending_stress(drill, advance) - state.bending_stress);
+    signals[signal_bending_stress] = state.bending_stress;
+    const bool is_overbent = state.bending_stress > (state.is_overbent ? 0.5 : 1.0) * tick.tool[tool_yield_strength];
+    if (is_overbent && !state.is_overbent) actions.event("drilling.bit_overbent");
+    state.is_overbent = is_overbent;
 
     if (turning.removes() || state.crushes) actions.cut();
     state.angle += 2.0 * pi * state.spindle.speed * tick.dt;

@@ -95,7 +95,7 @@ constexpr kerf_signal signals[] = {
     {"engagement", "Share of the cutting edges in bone.", dimension::none, ""},
     {"drive_power", "Power the motor puts into cutting and rubbing.", kerf_dimension{{2, 1, -3, 0, 0, 0, 0, 0}}, "W"},
     {"spindle_speed", "Speed of the spindle as it is.", dimension::frequency, "rpm"},
-    {"bending_stress", "Largest bending stress in the bit.", dimension::pressure, "N/mm2"},
+    {"bending_stress", "Largest bending stress in the bit, in the mean over 5 ms.", dimension::pressure, "N/mm2"},
 };
 static_assert(std::size(signals) == signal_count);
 

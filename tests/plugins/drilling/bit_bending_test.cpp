@@ -91,7 +91,7 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     const Quat q = simulation.world_from_tool().rotation;
     const Vec3 force = rotate(conjugate(q), linear(r.bone_on_tool)), torque = rotate(conjugate(q), angular(r.bone_on_tool));
     const Vec3 at_chuck = torque + cross(Vec3{0, 0, 60.0_mm}, force);  // from (0, 0, −60 mm) to the tip
-    EXPECT_GE(stress_when_told * section * 1.001, std::hypot(at_chuck.x, at_chuck.y)) << "N m; no less than at the chuck";
+    EXPECT_GE(stress_when_told * section * 1.005, std::hypot(at_chuck.x, at_chuck.y)) << "N m; no less than at the chuck";
     EXPECT_NEAR(stress_when_told * section / std::hypot(at_chuck.x, at_chuck.y), 1.0, 0.05) << "held near its tip it bends most there";
 }
 
