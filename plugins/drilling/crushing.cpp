@@ -2,107 +2,27 @@
 #include "crushing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drill_channels.h"
 #include "drill_edges.h"
+#include "kerf/units.hpp"
 
 namespace kerf::drilling {
 
 namespace {
 
-constexpr Vec3 ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-
-/// [m/s] over which the force builds up, so that hand and bone can balance. Under less than what crushes it the tip creeps by that.
-constexpr double creep = 1e-6;
+/// [m/s] over which the force builds up, λ = τ (1 − e^(−s/w)), so that hand and bone can balance. Half of what crushes moves the tip by
+/// 0.7 w, and 95 % by 3 w.
+constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
-constexpr double let_go = 0.1;  // [–] of what crushes: so little that contact, which takes over, gives by next to nothing
+constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes
+constexpr double nowhere = 1e300;          // [m]
 
 /// [–] all of a place that lies on bone, whose surface goes through the middle of what engages it.
 double in_bone(const kerf_bone_sample& here) noexcept { return std::min(1.0, 2.0 * here.engagement); }
 
 }  // namespace
-
-CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
-    : play_(inside_of_hole(tick, bone, drill.widest_radius())) {
-    const TwistDrill::Cones cones = drill.cones();
-    double whole = 0.0;  // [m] height of all cones
-    for (const Cone& cone : cones) whole += cone.z - cone.end();
-    const double friction = tick.force[force_friction];
-    for (const Cone& cone : cones) {
-        const SinCos p = cone.half_angle;
-        const auto rings = 1 + static_cast<std::size_t>(static_cast<double>(most_rings - cones.count) * (cone.z - cone.end()) / whole);
-        const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
-        for (std::size_t n = 0; n < rings; ++n) {
-            const double inner = cone.inner + static_cast<double>(n) * wide, outer = inner + wide, r = inner + 0.5 * wide;
-            const double ahead = pi * (outer * outer - inner * inner) / static_cast<double>(azimuth_count);
-            for (const auto& [x, y] : azimuths) {
-                const Vec3 out{x, y, 0.0}, at = r * out + Vec3{0, 0, cone.z_at(r)};
-                const Vec3 pressed{x * (p.cos - friction * p.sin), y * (p.cos - friction * p.sin), p.sin + friction * p.cos};
-                place_[count_] = {out, wide * cot, ahead, ahead * cot, scaled(1.0 / pressed.z, rate_at(at, pressed)), 1.0 + friction * cot};
-                at_[count_++] = at;
-            }
-        }
-    }
-    for (std::size_t i = 0; i < count_; ++i) {
-        at_[count_ + i] = at_[i];
-        direction_[i] = {0, 0, 1};
-        direction_[count_ + i] = place_[i].out;
-    }
-}
-
-CrushingTip::Ahead CrushingTip::ahead_of(std::span<const kerf_bone_sample> samples, std::uint32_t tissues) const noexcept {
-    Ahead ahead;
-    double least = 1e300;
-    for (const kerf_bone_sample& here : samples)
-        if (here.engagement > 0.0) least = std::min(least, here.gap);
-    for (std::size_t i = 0; i < count_; ++i) {
-        const kerf_bone_sample& here = samples[i];
-        const Place& place = place_[i];
-        const double share = in_bone(here) * std::clamp(1.0 - (here.gap - least) / place.height, 0.0, 1.0);
-        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
-        ahead.sum += ahead.force[i];
-    }
-    ahead.gap = ahead.sum > 0.0 ? least : 0.0;
-    return ahead;
-}
-
-double CrushingTip::force(const BoneQuery& bone) const noexcept {
-    std::array<kerf_bone_sample, most> samples;
-    bone.sample({at_.data(), count_}, Vec3{0, 0, 1}, {samples.data(), count_});
-    return ahead_of({samples.data(), count_}, bone.tissue_count()).sum;
-}
-
-void CrushingTip::add_to(Channels& channels, const BoneQuery& bone) const noexcept {
-    std::array<kerf_bone_sample, 2 * most> samples;
-    bone.sample({at_.data(), 2 * count_}, {direction_.data(), 2 * count_}, {samples.data(), 2 * count_});
-    const Ahead ahead = ahead_of({samples.data(), count_}, bone.tissue_count());
-    if (ahead.sum <= 0.0) return;
-    Vec6 along{};
-    for (std::size_t i = 0; i < count_; ++i)
-        for (std::size_t k = 0; k < 6; ++k) along[k] += ahead.force[i] / ahead.sum * place_[i].along[k];
-    ChannelSum feed;
-    feed.add(ahead.sum, 0.0, creep);
-    feed.write(along, 1.0, ahead.gap, channels.add(KERF_CUT, id_crush));
-
-    for (std::size_t n = 0; n < std::size(ways); ++n) {
-        double least = 1e300;
-        for (std::size_t i = 0; i < count_; ++i)
-            if (const kerf_bone_sample& here = samples[count_ + i]; here.engagement > 0.0 && dot(place_[i].out, ways[n]) > 0.0) least = std::min(least, here.gap);
-        double force = 0.0, z = 0.0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const kerf_bone_sample& here = samples[count_ + i];
-            const double facing = dot(place_[i].out, ways[n]), share = in_bone(here) * (1.0 - (here.gap - least) / play_);
-            if (facing <= 0.0 || share <= 0.0) continue;
-            const double here_force = share * facing * place_[i].aside * crushing_pressure(here, bone.tissue_count());
-            force += here_force;
-            z += here_force * at_[i].z;
-        }
-        if (force <= 0.0) continue;
-        ChannelSum side;
-        side.add(force, 0.0, creep);
-        side.write(rate_at({0, 0, z / force}, ways[n]), 1.0, least, channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(n)));
-    }
-}
 
 Standing::Standing(const Advance& advance) noexcept {
     for (std::size_t i = 0; i < advance.channel.size(); ++i) {
@@ -113,15 +33,123 @@ Standing::Standing(const Advance& advance) noexcept {
     }
 }
 
-bool begins_to_crush(const Standing& standing, const CrushingTip& tip, const BoneQuery& bone) noexcept {
+CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
+    : play_(inside_of_hole(tick, bone, drill.widest_radius())) {
+    const TwistDrill::Cones cones = drill.cones();
+    double whole = 0.0;  // [m] height of all cones
+    for (const Cone& cone : cones) whole += cone.z - cone.end();
+    for (const Cone& cone : cones) {
+        const double share = (cone.z - cone.end()) / whole;
+        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), tick.force[force_friction]);
+        const double straight = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
+        if (straight > 0.0) add_straight(cone.outer + drill.runout, cone.end(), straight);
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        at_[count_ + i] = at_[i];
+        direction_[i] = {0, 0, 1};
+        direction_[count_ + i] = place_[i].out;
+    }
+}
+
+void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept {
+    const SinCos p = cone.half_angle;
+    const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
+    const auto radius = [&](std::size_t ring) {  // what runs off has a flat end
+        const double r = cone.inner + static_cast<double>(ring) * wide;
+        return r > 0.0 ? r + runout : 0.0;
+    };
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide;
+        const double inner = radius(ring), outer = radius(ring + 1), ahead = pi * (outer * outer - inner * inner) / static_cast<double>(azimuth_count);
+        const double aside = (2.0 * (r + runout)) * pi * wide * cot / static_cast<double>(azimuth_count);
+        for (const auto& [x, y] : azimuths) {
+            const Vec3 out{x, y, 0.0}, at = (r + runout) * out + Vec3{0, 0, cone.z_at(r)};
+            const double across = p.cos - friction * p.sin, along = p.sin + friction * p.cos;
+            place_[count_] = {out, wide * cot, ahead, aside, rate_at(at, {x * across / along, y * across / along, 1.0}), 1.0 + friction * cot};
+            at_[count_++] = at;
+        }
+    }
+}
+
+void CrushingTip::add_straight(double radius, double from, double length) noexcept {
+    const auto rings = static_cast<std::size_t>(std::clamp(std::ceil(length / (2.0 * radius)), 1.0, 4.0));
+    const double height = length / static_cast<double>(rings);
+    for (std::size_t ring = 0; ring < rings; ++ring)
+        for (const auto& [x, y] : azimuths) {
+            const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, from - (static_cast<double>(ring) + 0.5) * height};
+            place_[count_] = {out, height, 0.0, 2.0 * pi * radius * height / static_cast<double>(azimuth_count), {}, 0.0};
+            at_[count_++] = at;
+        }
+}
+
+CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, std::uint32_t tissues) const noexcept {
+    Ahead ahead;
+    double least = nowhere;
+    for (std::size_t i = 0; i < count_; ++i)
+        if (place_[i].ahead > 0.0 && samples[i].engagement > 0.0) least = std::min(least, samples[i].gap);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const kerf_bone_sample& here = samples[i];
+        const Place& place = place_[i];
+        const double share = place.ahead > 0.0 ? in_bone(here) * std::clamp(1.0 - (here.gap - least) / place.height, 0.0, 1.0) : 0.0;
+        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
+        ahead.sum += ahead.force[i];
+    }
+    ahead.gap = ahead.sum > 0.0 ? least : 0.0;
+    return ahead;
+}
+
+bool CrushingTip::begins(const Standing& standing, const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
-    const double bears = tip.force(bone);
+    std::array<kerf_bone_sample, most> samples;
+    bone.sample({at_.data(), count_}, Vec3{0, 0, 1}, {samples.data(), count_});
+    const double bears = ahead_of({samples.data(), count_}, bone.tissue_count()).sum;
     return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
 }
 
-bool still_crushes(const Advance& advance) noexcept {
-    for (std::size_t i = 0; i < advance.channel.size(); ++i)
-        if (advance.channel[i].id == id_crush) return advance.lambda[i] >= let_go * advance.channel[i].tau;
+void CrushingTip::add_to(Channels& channels, const BoneQuery& bone) const noexcept {
+    std::array<kerf_bone_sample, 2 * most> samples;
+    bone.sample({at_.data(), 2 * count_}, {direction_.data(), 2 * count_}, {samples.data(), 2 * count_});
+    const Ahead ahead = ahead_of({samples.data(), count_}, bone.tissue_count());
+    if (ahead.sum <= 0.0) return;
+    add_ahead(ahead, channels);
+    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + count_, count_}, bone.tissue_count(), way, channels);
+}
+
+void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexcept {
+    Vec6 along{};
+    for (std::size_t i = 0; i < count_; ++i)
+        for (std::size_t k = 0; k < 6; ++k) along[k] += ahead.force[i] / ahead.sum * place_[i].along[k];
+    ChannelSum sum;
+    sum.add(ahead.sum, 0.0, onset);
+    sum.write(along, 1.0, ahead.gap, channels.add(KERF_CUT, id_crush));
+}
+
+void CrushingTip::add_aside(Samples samples, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept {
+    const auto facing = [&](std::size_t i) { return dot(place_[i].out, ways_across[way]); };
+    double least = nowhere;
+    for (std::size_t i = 0; i < count_; ++i)
+        if (samples[i].engagement > 0.0 && facing(i) > 0.0) least = std::min(least, samples[i].gap);
+    if (least == nowhere) return;
+    double force = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double share = in_bone(samples[i]) * (1.0 - (samples[i].gap - least) / play_);
+        if (facing(i) <= 0.0 || share <= 0.0) continue;
+        const double here = share * facing(i) * place_[i].aside * crushing_pressure(samples[i], tissues);
+        force += here;
+        moment += here * at_[i].z;
+    }
+    if (force <= 0.0) return;
+    ChannelSum sum;
+    sum.add(force, 0.0, onset);
+    sum.write(rate_at({0, 0, moment / force}, ways_across[way]), 1.0, least, channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(way)));
+}
+
+bool goes_on_crushing(const Advance& advance, double begun) noexcept {
+    for (std::size_t i = 0; i < advance.channel.size(); ++i) {
+        const kerf_channel& channel = advance.channel[i];
+        const bool crushes = channel.id == id_crush || (channel.id >= id_crush_side && channel.id < id_crush_side + std::size(ways_across));
+        if (crushes && advance.lambda[i] > let_go * std::min(channel.tau, begun)) return true;
+    }
     return false;
 }
 

@@ -9,11 +9,20 @@
 /// A tip that takes no bone by turning: pushed harder than the bone before it bears, it crushes its way, as an awl does.
 namespace kerf::drilling {
 
+/// How the tip stood on bone in a tick.
+struct Standing {
+    double force = 0.0;  ///< [N] along the shaft
+    double depth = 0.0;  ///< [m] of the deepest channel that carried
+
+    explicit Standing(const Advance& advance) noexcept;
+};
+
 /// Bone before the tip is crushed at one pressure along the normal of its cones, and rubs along their slope:
 ///
 ///     dF = S(ρ) (n̂ + μ t̂) dA,    F_z = ∫ S(ρ) (1 + μ cot p) dA_z
 ///
-/// p the cone's half angle, A_z the cross-section. At any rate, as strength hardly depends on it: (1/s)^0.06.
+/// p the cone's half angle, A_z the cross-section. At any rate, as strength hardly depends on it: (1/s)^0.06. A tip that runs off crushes what
+/// its turning shape removes.
 ///
 /// Source: S from [carter-hayes-1977]; docs/models/drilling.md.
 class CrushingTip {
@@ -21,14 +30,15 @@ public:
     CrushingTip() = default;
     CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
 
-    /// [N] along the shaft that crush what the tip stands on; 0 where that is nothing.   [haptic, nonblocking]
-    [[nodiscard]] double force(const BoneQuery& bone) const noexcept;
+    /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
+    [[nodiscard]] bool begins(const Standing& standing, const BoneQuery& bone) const noexcept;
     /// A cut along the mean normal of what is crushed, and one each way across the shaft.   [haptic, nonblocking]
     void add_to(Channels& channels, const BoneQuery& bone) const noexcept;
 
 private:
-    static constexpr std::size_t most_rings = 24, most = azimuth_count * most_rings;
-    /// A place on a cone, which stands for an eighth of a ring.
+    static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
+    static constexpr std::size_t most = azimuth_count * (most_cone_rings + most_straight_rings);
+    /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
     struct Place {
         Vec3 out;       ///< unit, away from the shaft
         double height;  ///< [m] of its ring
@@ -42,7 +52,13 @@ private:
         std::array<double, most> force;
         double sum = 0.0, gap = 0.0;
     };
-    [[nodiscard]] Ahead ahead_of(std::span<const kerf_bone_sample> samples, std::uint32_t tissues) const noexcept;
+    using Samples = std::span<const kerf_bone_sample>;
+
+    void add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept;
+    void add_straight(double radius, double from, double length) noexcept;
+    [[nodiscard]] Ahead ahead_of(Samples ahead, std::uint32_t tissues) const noexcept;
+    void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
+    void add_aside(Samples aside, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
 
     std::array<Vec3, 2 * most> at_, direction_;  ///< each place twice: asked ahead, then asked aside
     std::array<Place, most> place_;
@@ -50,16 +66,8 @@ private:
     double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
 };
 
-/// How the tip stood on bone in a tick.
-struct Standing {
-    double force = 0.0;  ///< [N] along the shaft
-    double depth = 0.0;  ///< [m] at the deepest place that carried
-
-    explicit Standing(const Advance& advance) noexcept;
-};
-/// Whether bone gave way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
-[[nodiscard]] bool begins_to_crush(const Standing& standing, const CrushingTip& tip, const BoneQuery& bone) noexcept;
-/// Whether a tip that crushed has not been let go: until then it stands in what it crushed.   [haptic, nonblocking]
-[[nodiscard]] bool still_crushes(const Advance& advance) noexcept;
+/// Whether bone that was crushed still carries the tip: by more than a tenth of `begun` [N], with which that began, or of what crushes it. Let go, the
+/// tip stands on contact's spring again, which so little hardly presses in.   [haptic, nonblocking]
+[[nodiscard]] bool goes_on_crushing(const Advance& advance, double begun) noexcept;
 
 }  // namespace kerf::drilling

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace kerf::drilling {
 
 namespace {
 
 constexpr double azimuth[SideEdges::azimuths][2] = {{1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // along the motion, across it
-constexpr Vec3 ways[SideEdges::ways] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+static_assert(std::size(ways_across) == SideEdges::ways);
 
 /// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it has gone of its play
 /// does not count as a way to the front. Where a cone stands at the front, with no way to go to it, the land beside it has none either.
@@ -51,7 +52,7 @@ SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery&
         if (land > 0.0) level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
     }
     std::size_t i = 0;
-    for (const Vec3 way : drilling::ways) {
+    for (const Vec3 way : ways_across) {
         const Vec3 across = cross(Vec3{0, 0, 1}, way);
         for (const Level& level : levels())
             for (const auto& at : azimuth) {
@@ -118,7 +119,7 @@ void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery&
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     kerf_bone_sample* next = sample.data();
     for (std::size_t n = 0; n < SideEdges::ways; ++n) {
-        take_up_play(edges, ways[n], holes, next);
+        take_up_play(edges, ways_across[n], holes, next);
         double least = 1e300;
         for (const kerf_bone_sample* one = next; one < next + per_way; ++one)
             if (one->engagement > 0.0) least = std::min(least, one->gap);
@@ -140,7 +141,7 @@ void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery&
                 total += edge * width;
             }
         if (total > 0.0)
-            sum.write(rate_at({0, 0, z / total}, ways[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
+            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
     }
 }
 

@@ -111,7 +111,8 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
         load += torque_of_standing(edges, tick, pushed_along(advance), state.spindle.speed < 0.0);
     }
     const bool is_cutting = turning.removes() && feed_thrust > 0.0;
-    state.prepared.sides.move_in_holes(advance.rate, tick.dt, is_cutting ? state.travel.feed_rate * tick.dt : 0.0, state.holes);
+    const double front = is_cutting ? state.travel.feed_rate : state.crushes ? std::max(0.0, advance.rate[2]) : 0.0;  // [m/s]
+    state.prepared.sides.move_in_holes(advance.rate, tick.dt, front * tick.dt, state.holes);
     const double feed = state.travel.feed_rate / turning.n;
     signals[signal_feed_per_revolution] = is_cutting ? feed : 0.0;
     signals[signal_chip_thickness] = is_cutting ? feed / lip_count * drill.half_point.sin : 0.0;
@@ -133,9 +134,15 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
-    const bool crushed = state.crushes;
-    state.crushes = !cuts && (crushed ? still_crushes(advance) : begins_to_crush(Standing(advance), state.prepared.tip, bone));
-    if (state.crushes && !crushed) actions.event("drilling.crushing");
+    if (cuts) {
+        state.crushes = false;
+    } else if (state.crushes) {
+        state.crushes = goes_on_crushing(advance, state.crushing_from);
+    } else if (const Standing standing(advance); state.prepared.tip.begins(standing, bone)) {
+        state.crushes = true;
+        state.crushing_from = standing.force;
+        actions.event("drilling.crushing");
+    }
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }
 

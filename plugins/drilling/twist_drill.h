@@ -18,6 +18,9 @@ inline constexpr std::size_t azimuth_count = 8;
 inline constexpr double cos_45 = 0.70710678118654752440;
 inline constexpr double azimuths[azimuth_count][2] = {{1, 0}, {cos_45, cos_45}, {0, 1}, {-cos_45, cos_45}, {-1, 0}, {-cos_45, -cos_45}, {0, -1}, {cos_45, -cos_45}};
 
+/// The four ways across the shaft.
+inline constexpr Vec3 ways_across[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+
 /// How many rings of places each of so many cones gets, where there is room for so many together: no more than `most`.
 [[nodiscard]] constexpr std::size_t rings_on_each(std::size_t cones, std::size_t room, std::size_t most) noexcept {
     return std::clamp<std::size_t>(room / cones, 1, most);

@@ -48,6 +48,11 @@ struct Rig {
         for (std::size_t i = 0; i < r.event_count; ++i) begun += std::string(r.events[i]) == "drilling.crushing";
         return r;
     }
+    TickResult go_direct(const Pose& tool) {
+        const TickResult r = simulation.tick_direct({tool});
+        simulation.after_tick();
+        return r;
+    }
     /// With a hand that pushes so hard wherever the drill is.
     TickResult push(double force) {
         const CouplingGains g = test::gains(0.005);
@@ -126,13 +131,86 @@ TEST(Crushing, WhatBoneBearsItStandsOn) {
     EXPECT_EQ(rig.begun, 1);
 }
 
-TEST(Crushing, CortexBearsWhatAHandCanPush) {
+TEST(Crushing, CortexIsPrickedAsDeepAsItBears) {
     Rig rig(1850.0);
-    for (int i = 0; i < 3000; ++i) (void)rig.push(200.0);
-    const double pricked = rig.depth();
+    for (int i = 0; i < 4000; ++i) (void)rig.push(std::min(200.0, 0.1 * i));
+    const double pricked = rig.depth(), tangent = std::tan(59.0_deg);
+    const double strength = 68e6 * 1.85 * 1.85 * (1.0 + 0.3 / tangent);
+    EXPECT_NEAR(pricked, std::sqrt(200.0 / (pi * strength)) / tangent, 0.03_mm);  // 0.29 mm
     for (int i = 0; i < 3000; ++i) (void)rig.push(200.0);
     EXPECT_NEAR(rig.depth(), pricked, 10.0_um);
-    EXPECT_LT(pricked, 0.9_mm) << "only its point goes in";
+}
+
+// Whatever it stands with, crushing that begins because its spring gave too far must not end at once and let it go on by that much.
+TEST(Crushing, WideTipsAndSoftSpringsStandInCortexAsWell) {
+    struct Case {
+        double diameter, stiffness, push;
+    };
+    for (const Case& one : {Case{5.0_mm, 500e3, 400.0}, Case{10.0_mm, 500e3, 400.0}, Case{3.2_mm, 50e3, 150.0}, Case{3.2_mm, 200e3, 150.0}}) {
+        Rig rig(1850.0, 0.25_mm, {{"diameter", one.diameter}, {"contact_stiffness", one.stiffness}, {"motor_torque", 20.0}});
+        rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+        for (double depth = -0.1_mm; depth < 5.0_mm; depth += 2.0_um) (void)rig.go_direct(test::at_depth(depth));
+        rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+        for (int i = 0; i < 300; ++i) (void)rig.go(test::at_depth(5.0_mm));
+        const double stands = rig.depth();
+        rig.begun = 0;
+        for (int i = 0; i < 4000; ++i) (void)rig.push(std::min(one.push, 0.5 * i));
+        EXPECT_NEAR(rig.depth(), stands, 0.25_mm) << one.diameter << ", " << one.stiffness;
+        EXPECT_LE(rig.begun, 2) << one.diameter << ", " << one.stiffness;
+    }
+}
+
+TEST(Crushing, ATipThatRunsOffCrushesWhatItsTurningShapeRemoves) {
+    for (const double runout : {0.05_mm, 0.3_mm}) {
+        Rig rig(spongy, 0.25_mm, {{"runout", runout}});
+        const double wider = 3.2_mm + 2.0 * runout;
+        EXPECT_NEAR(rig.thrust_between(4.0_mm, 7.0_mm, 2.0_mm_per_s) / closed_form(spongy, wider), 1.0, 0.03) << runout;
+        EXPECT_EQ(rig.begun, 1) << runout;
+    }
+}
+
+TEST(Crushing, SidewaysItTakesWhatTheAreaItShowsBears) {
+    // Deep in bone and moved aside as it goes on: cone and land, and all of a straight part before a shoulder
+    const double strength = 68e6 * 0.3 * 0.3, point = 1.6_mm / std::tan(59.0_deg);
+    const auto aside = [](const std::string& tool, const std::map<std::string, double>& set) {
+        Rig rig(spongy, 0.25_mm, set, tool);
+        double depth = -0.1_mm;
+        for (; depth < 10.0_mm; depth += 4.0_um) (void)rig.go_direct(test::at_depth(depth));
+        TickResult r;
+        for (int i = 0; i < 300; ++i) r = rig.go_direct(test::at_depth(depth += 0.1_um, 0.0, {1.0_um * i, 0, 0}));
+        double crushed = 0.0;
+        for (const kerf_channel& c : test::law_now(rig.simulation))
+            if (c.kind == KERF_CUT && c.d[2] == 0.0) crushed = std::max(crushed, c.tau);
+        return crushed;
+    };
+    const double land = 0.25 * 3.2_mm;
+    EXPECT_NEAR(aside("twist_drill", {}) / (strength * (1.6_mm * point + 3.2_mm * land)), 1.0, 0.08);
+    const double straight = 6.0_mm - point;
+    EXPECT_NEAR(aside("profile_drill", {{"depth_1", 6.0_mm}, {"diameter_1", 3.2_mm}, {"depth_2", 6.5_mm}, {"diameter_2", 4.2_mm}}) /
+                    (strength * (1.6_mm * point + 3.2_mm * straight + 0.5_mm * 3.7_mm + 4.2_mm * land)),
+                1.0, 0.08);
+}
+
+TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
+    Rig rig;
+    (void)rig.thrust_between(2.0_mm, 4.0_mm, 2.0_mm_per_s);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    double hand = rig.depth(), last = 0.0, thrust = 0.0;
+    for (int i = 0; i < 2000 && rig.depth() < 6.0_mm; ++i) {
+        const CouplingGains g = test::gains(0.005);
+        hand = rig.depth() + 5.0 * g.force_scale / g.stiffness;
+        thrust = rig.go(test::at_depth(hand)).thrust;
+        last = rig.simulation.signals()[drilling::signal_spindle_speed];
+    }
+    EXPECT_NEAR(last, 1000.0_rpm, 1e-9);
+    EXPECT_GE(rig.depth(), 6.0_mm) << "with 5 N, cutting";
+    EXPECT_LT(thrust, 8.0);
+    rig.simulation.command_drive(drilling::drive_spindle_speed, -1000.0_rpm);
+    for (int i = 0; i < 500; ++i) (void)rig.push(5.0);
+    const double stands = rig.depth();
+    for (int i = 0; i < 1000; ++i) (void)rig.push(5.0);
+    EXPECT_NEAR(rig.depth(), stands, 2.0_um) << "it takes no bone by turning";
+    EXPECT_NEAR(rig.thrust_between(stands + 0.5_mm, stands + 2.0_mm, 2.0_mm_per_s) / closed_form(spongy, 3.2_mm), 1.0, 0.03);
 }
 
 TEST(Crushing, LeavesTheHoleItIsShapedLike) {
@@ -210,6 +288,7 @@ TEST(Crushing, AStillConePressedAgainstTheEdgeOfABoneIsNotThrownUp) {
             up = std::max(up, last - rig.depth());
             last = rig.depth();
         }
+        EXPECT_GE(rig.begun, 1) << "it touched, " << density;
         EXPECT_LT(up, 10.0_um) << "a tick, " << density;
     }
 }
