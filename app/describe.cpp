@@ -32,7 +32,7 @@ std::string about_values(const char* title, const std::vector<ParameterInfo>& va
     for (const ParameterInfo& p : values) {
         text += "    " + padded(p.id, 20) + padded(shown(p.def, p.display_unit), 16) + "from " +
                 shown(p.min, p.display_unit) + " to " + shown(p.max, p.display_unit) + "\n        " + p.help + "\n";
-        if (p.least > 0.0) text += "        under " + shown(p.least, p.display_unit) + " it takes no bone\n";
+        if (p.least > 0.0) text += "        under " + shown(p.least, p.display_unit) + " it does not cut\n";
         if (!p.source.empty()) text += "        source: " + p.source + "\n";
     }
     return text;

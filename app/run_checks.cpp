@@ -154,6 +154,17 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
                  what + " It needs a spacing of " + needed + " or less.", needed);
 }
 
+void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force, Diagnostics& diagnostics) {
+    if (work_force > 0.0 || procedure.force_scale) return;
+    const auto document = document_of(procedure);
+    const Node* haptics = document->root.find("haptics");
+    const Node* instruments = document->root.find("instruments");
+    Report(*document, diagnostics)
+        .warning(Code::no_force_scale, haptics != nullptr ? haptics->span : instruments != nullptr ? instruments->span : TextSpan{},
+                 "No tool cuts with the drives that it is given, so no force scale is made to fit: at 1/1 the device holds " +
+                     quantity_text(device.peak_force, "N") + ". A tool that is pushed needs `force_scale:` under `haptics:`, such as 1/50 for 100 N at 2 N.");
+}
+
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {

@@ -27,6 +27,9 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
 /// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.   [main]
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
 
+/// Warns of tools that take no force to cut with [N], to which no force scale can be made to fit.   [main]
+void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force, Diagnostics& diagnostics);
+
 /// Warns of a rehearsal that expects to pass and whose path takes longer [s] than a run may.   [main]
 void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics);
 

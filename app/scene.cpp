@@ -96,6 +96,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
     for (const Tool& tool : scene.tools) scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
     scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
+    check_force_scale(scene.procedure, *scene.device, scene.work_force, diagnostics);
     check_hands(scene.procedure, *scene.device, scene.gains.force_scale, diagnostics);
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);

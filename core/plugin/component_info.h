@@ -18,7 +18,7 @@ struct ParameterInfo {
     std::string display_unit;
     double min = 0.0, max = 0.0, def = 0.0;  ///< SI
     std::string source;
-    double least = 0.0;  ///< of a drive: magnitude under which the tool takes no bone though it goes; 0: there is none
+    double least = 0.0;  ///< of a drive: magnitude under which the tool does not cut though it goes; 0: there is none
 };
 
 struct SignalInfo {

@@ -94,6 +94,7 @@ enum class Code {
     too_slow_to_cut = 711,
     short_of_goal = 712,
     short_of_time = 713,
+    no_force_scale = 714,
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -224,7 +224,7 @@ private:
             if (drive.id != node.key || !(value > 0.0 && value < drive.least)) continue;
             const std::string least = quantity_text(drive.least, drive.display_unit);
             report_.warning(Code::too_slow_to_cut, node.span,
-                            "Under " + least + " " + tool.id + " takes no bone: it only rubs. Write " + least + " or more, or 0 to switch it off.");
+                            "Under " + least + " " + tool.id + " does not cut: it rubs, and is pushed in by force alone. Write " + least + " or more, or 0 to switch it off.");
         }
     }
 

@@ -62,7 +62,9 @@ ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const B
         const double facing = std::max(std::min(0.6, p.sin - 0.1), grazing);
         for (std::size_t ring = 0; ring < rings; ++ring) {
             const double along = (0.4 + static_cast<double>(ring)) / static_cast<double>(rings);  // short of the wall of its hole
-            const double r = cone.inner + (cone.outer - cone.inner) * along;
+            double r = cone.inner + (cone.outer - cone.inner) * along;
+            // A slender tip touches as soon as a voxel lets it: nearer to its end the bottom of its own hole is rounded off.
+            if (cone.inner <= 0.0 && ring == 0) r = std::min(r, 0.5 * bone.voxel() * p.sin / p.cos);
             add_ring(points, r, cone.z_at(r), p.cos, p.sin, stiffness, facing, of_tip);
         }
         if (&cone == &cones.last() || cone.straight <= 0.0) continue;

@@ -61,7 +61,7 @@ typedef struct kerf_drive {
     kerf_dimension dimension;
     const char *display_unit;
     double min, max, def;
-    double least; /* magnitude under which the tool takes no bone though it goes; 0: there is none */
+    double least; /* magnitude under which the tool does not cut though it goes; 0: there is none */
 } kerf_drive;
 
 /* A quantity the force component reports each tick: recorded, and usable in goals and scores. */
