@@ -118,31 +118,42 @@ bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleL
 
 }  // namespace
 
+namespace {
+
+/// Friction of what was carried in the last tick: nearly all of it goes into the turn of a drill that turns, and little into what moves it.
+void add_friction(std::uint32_t id, const Vec6& along, double carried, const TwistDrill& drill, const Tick& tick, const Turning& turning, Channels& channels) noexcept {
+    kerf_channel* rub = channels.add(KERF_FRICTION, id);
+    if (rub == nullptr) return;
+    std::copy(along.begin(), along.end(), rub->d);
+    rub->tau = tick.force[force_friction] * carried;
+    rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
+}
+
+}  // namespace
+
 bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone, const Turning& turning,
-                 const HoleLine& hole, double shank_force, Channels& channels) noexcept {
+                 const HoleLine& hole, const Carried& last, Channels& channels) noexcept {
     Contact contact(points);
     contact.ask(bone, drill.widest_radius());
     const bool is_bent = hold_bent_shank(drill, bone, hole, points, contact);
-    const bool rubs = shank_force > 0.0;
+    const bool rubs = last.by_shank > 0.0, sticks = last.by_tip > 0.0;
     Vec6 follow{};
     if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
-    contact.write(channels, id_contact, rubs ? 1 : 0, follow);
+    contact.write(channels, id_contact, (rubs ? 1 : 0) + (sticks ? 2 : 0), follow);
 
-    // While the drill turns, nearly all of the rubbing goes into the turn and little into the feed.
-    if (kerf_channel* rub = rubs ? channels.add(KERF_FRICTION, id_rub) : nullptr) {
-        rub->d[2] = 1.0;
-        rub->tau = tick.force[force_friction] * shank_force;
-        rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
-    }
+    if (rubs) add_friction(id_rub, {0, 0, 1, 0, 0, 0}, last.by_shank, drill, tick, turning, channels);
+    if (!sticks) return is_bent;
+    add_friction(id_stick, {1, 0, 0, 0, 0, 0}, last.by_tip, drill, tick, turning, channels);
+    add_friction(id_stick + 1, {0, 1, 0, 0, 0, 0}, last.by_tip, drill, tick, turning, channels);
     return is_bent;
 }
 
-double shank_force_of(const Advance& advance) noexcept {
+Carried::Carried(const Advance& advance) noexcept {
     constexpr double across = 0.1;  // of the normal's axial part: the tip's is larger
-    double sum = 0.0;
-    for (std::size_t c = 0; c < advance.channel.size(); ++c)
-        if (advance.channel[c].kind == KERF_CONTACT && std::abs(advance.channel[c].d[2]) < across) sum += advance.lambda[c];
-    return sum;
+    for (std::size_t c = 0; c < advance.channel.size(); ++c) {
+        if (advance.channel[c].kind != KERF_CONTACT) continue;
+        (std::abs(advance.channel[c].d[2]) < across ? by_shank : by_tip) += advance.lambda[c];
+    }
 }
 
 }  // namespace kerf::drilling

@@ -83,7 +83,7 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
     if (state.crushes) tip.add_to(channels, bone);
-    const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.shank_force, channels);
+    const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.carried, channels);
     channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
     channels.push({}, {0, 0, -state.reaction});
 }
@@ -93,13 +93,13 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const Turning turning = turning_of(state);
     const TwistDrill& drill = state.prepared.drill;
     state.travel.advance(advance.rate, tick.dt, turning.n);
-    state.shank_force = shank_force_of(advance);
+    state.carried = Carried(advance);
     if (advance.note.empty() || advance.note[note_is_bent] > 0.0) state.hole.move(advance.rate, tick.dt);
     else state.hole = {};
 
     // Signals and the motor's load: the torque that follows the channels. A drill that takes no bone asks its edges again.
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engagement];
-    double load = tick.force[force_friction] * state.shank_force * drill.shank_radius(), feed_thrust = 0.0;
+    double load = tick.force[force_friction] * state.carried.by_shank * drill.shank_radius(), feed_thrust = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
         if (advance.channel[c].id != id_feed) continue;
         feed_thrust = advance.lambda[c];

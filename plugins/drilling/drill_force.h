@@ -26,7 +26,7 @@ struct DrillCutting {
         Travel travel;
         OwnHoles holes;              ///< of its lands
         HoleLine hole;               ///< of its shank
-        double shank_force = 0.0;    ///< [N] what the shank carried in the last tick
+        Carried carried;             ///< by contact in the last tick
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
         bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
         double crushing_from = 0.0;  ///< [N] that it stood with when that began

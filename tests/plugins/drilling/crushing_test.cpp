@@ -191,6 +191,20 @@ TEST(Crushing, SidewaysItTakesWhatTheAreaItShowsBears) {
                 1.0, 0.08);
 }
 
+// Before anything is crushed its point sticks to a slope that is less steep than friction's angle, and slides down a steeper one.
+TEST(StillTip, SticksToASlopeByFriction) {
+    const auto slides = [](double friction) {
+        Rig rig(1850.0, 0.25_mm, {{"friction", friction}}, "twist_drill", test::at_depth(-1.0_mm, 20.0_deg));
+        double from = 0.0;
+        for (double hand = -1.0_mm; hand < 4.0_mm; hand += 2.0_um) {
+            const TickResult r = rig.go(test::at_depth(hand, 20.0_deg));
+            if (from == 0.0 && r.thrust > 1.0) from = rig.simulation.world_from_tool().position.x;
+        }
+        return std::abs(rig.simulation.world_from_tool().position.x - from);
+    };
+    EXPECT_LT(slides(1.0), 0.3 * slides(0.0));
+}
+
 TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
     Rig rig;
     (void)rig.thrust_between(2.0_mm, 4.0_mm, 2.0_mm_per_s);
