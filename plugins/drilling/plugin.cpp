@@ -184,7 +184,7 @@ constexpr kerf_component components[] = {
      tool_parameter_count, std::size(tool_features), &twist_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_TOOL, "step_drill", "Twist drill with a wider part behind the point: countersink, taper, step.",
      step_drill_parameters, step_drill_parameter_count, std::size(tool_features), &step_drill, nullptr, tool_features},
-    {sizeof(kerf_component), KERF_KIND_TOOL, "profile_drill", "Drill of any outline, with two lips all along what widens: several steps, an acorn, a ball on a thin shank.",
+    {sizeof(kerf_component), KERF_KIND_TOOL, "profile_drill", "Drill of any outline, with two lips all along what widens: several steps, an acorn, a ball on a thin shank; an awl with its spindle off.",
      profile_drill_parameters, profile_drill_parameter_count, std::size(tool_features), &profile_drill, nullptr, tool_features},
     {sizeof(kerf_component), KERF_KIND_FORCE, "drill_cutting",
      "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.", force_parameters,
