@@ -32,7 +32,7 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
     std::size_t count = 0;
     for (std::size_t c = 0; c < advance.channel.size() && count < load.size(); ++c)
         if (advance.lambda[c] != 0.0) load[count++] = load_of(advance.channel[c], advance.lambda[c], drill.length);
-    double most = 0.0;
+    double most2 = 0.0;  // [Pa²]
     const auto look_at = [&](double z) {
         double mx = 0.0, my = 0.0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -40,12 +40,12 @@ double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept 
             mx += load[i].mx + z * load[i].fy;
             my += load[i].my - z * load[i].fx;
         }
-        const double d = 2.0 * drill.bit_radius_at(z);
-        most = std::max(most, std::sqrt(mx * mx + my * my) * 64.0 / (pi * d * d * d));
+        const double d = 2.0 * drill.bit_radius_at(z), per_moment = 64.0 / (pi * d * d * d);
+        most2 = std::max(most2, (mx * mx + my * my) * per_moment * per_moment);
     };
     for (std::size_t i = 0; i < count; ++i) look_at(load[i].z);
     if (count > 0) look_at(-drill.length);
-    return most;
+    return std::sqrt(most2);
 }
 
 }  // namespace kerf::drilling

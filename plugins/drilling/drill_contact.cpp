@@ -116,10 +116,6 @@ bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleL
     return true;
 }
 
-}  // namespace
-
-namespace {
-
 /// Friction of what was carried in the last tick: nearly all of it goes into the turn of a drill that turns, and little into what moves it.
 void add_friction(std::uint32_t id, const Vec6& along, double carried, const TwistDrill& drill, const Tick& tick, const Turning& turning, Channels& channels) noexcept {
     kerf_channel* rub = channels.add(KERF_FRICTION, id);
