@@ -15,6 +15,8 @@ namespace {
 struct Load {
     double fx = 0.0, fy = 0.0, mx = 0.0, my = 0.0;  ///< [N], [N·m]
     double z = 0.0;                                 ///< [m]
+
+    [[nodiscard]] bool bends() const noexcept { return fx != 0.0 || fy != 0.0 || mx != 0.0 || my != 0.0; }
 };
 
 Load load_of(const kerf_channel& channel, double lambda, double length) noexcept {
@@ -30,8 +32,11 @@ Load load_of(const kerf_channel& channel, double lambda, double length) noexcept
 double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept {
     std::array<Load, KERF_MAX_CHANNELS> load;
     std::size_t count = 0;
-    for (std::size_t c = 0; c < advance.channel.size() && count < load.size(); ++c)
-        if (advance.lambda[c] != 0.0) load[count++] = load_of(advance.channel[c], advance.lambda[c], drill.length);
+    for (std::size_t c = 0; c < advance.channel.size() && count < load.size(); ++c) {
+        if (advance.lambda[c] == 0.0) continue;
+        load[count] = load_of(advance.channel[c], advance.lambda[c], drill.length);
+        count += load[count].bends() ? 1 : 0;
+    }
     double most2 = 0.0;  // [Pa²]
     const auto look_at = [&](double z) {
         double mx = 0.0, my = 0.0;

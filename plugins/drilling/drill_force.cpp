@@ -71,11 +71,12 @@ void DrillCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) 
     p.touching_in_cut = touching_points(p.drill, tick, bone, true);
     p.touching = touching_points(p.drill, tick, bone, false);
     p.tip = {p.drill, tick, bone};
+    p.bending_share = 1.0 - exp_exact(-tick.dt / bending_time);
 }
 
 void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
     const Turning turning = turning_of(state);
-    const auto& [drill, edge_places, sides, touching_in_cut, touching, tip] = state.prepared;
+    const auto& [drill, edge_places, sides, touching_in_cut, touching, tip, bending_share] = state.prepared;
     if (turning.drags()) {
         Edges edges(drill, edge_places, tick, bone, state.angle);
         channels.note(note_engagement, edges.engagement());
@@ -119,7 +120,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     signals[signal_engagement] = engaged;
     signals[signal_drive_power] = 2.0 * pi * turning.speed * load;
     signals[signal_spindle_speed] = state.spindle.speed;
-    state.bending_stress += (1.0 - exp_exact(-tick.dt / bending_time)) * (bending_stress(drill, advance) - state.bending_stress);
+    state.bending_stress += state.prepared.bending_share * (bending_stress(drill, advance) - state.bending_stress);
     signals[signal_bending_stress] = state.bending_stress;
     const bool is_overbent = state.bending_stress > (state.is_overbent ? 0.5 : 1.0) * tick.tool[tool_yield_strength];
     if (is_overbent && !state.is_overbent) actions.event("drilling.bit_overbent");

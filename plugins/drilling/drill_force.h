@@ -20,6 +20,7 @@ struct DrillCutting {
         SideEdges sides;
         ContactPoints touching_in_cut, touching;  ///< while its tip goes into bone, else
         CrushingTip tip;
+        double bending_share = 0.0;  ///< [–] of a tick in the mean of the bit's stress
     };
     struct State {
         double angle = 0.0;          ///< [rad] of the first lip about the shaft

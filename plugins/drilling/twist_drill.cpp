@@ -30,7 +30,7 @@ TwistDrill::Cones TwistDrill::cones() const noexcept {
 }
 
 double TwistDrill::bit_radius_at(double z) const noexcept {
-    if (-z <= point_depth()) return std::min(radius(), shank_radius());
+    if (corner_count == 0 || -z <= point_depth()) return std::min(radius(), shank_radius());
     for (std::size_t i = 0; i < corner_count; ++i)
         if (-z <= corners[i].depth) return std::min(corners[i].radius, shank_radius());
     return shank_radius();
