@@ -15,6 +15,8 @@ using namespace literals;
 constexpr double dragging_time = 2.0_ms;
 // What contact adds for a tick or two as a drill breaks through bends no bit [judgement].
 constexpr double bending_time = 5.0_ms;
+// That it is bent too far is told once, until it is hardly bent any more: lips that graze a wall bend it twice a turn.
+constexpr double straight_again = 0.05;  // [–] of what it stands
 
 enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole
 
@@ -122,7 +124,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     signals[signal_spindle_speed] = state.spindle.speed;
     state.bending_stress += state.prepared.bending_share * (bending_stress(drill, advance) - state.bending_stress);
     signals[signal_bending_stress] = state.bending_stress;
-    const bool is_overbent = state.bending_stress > (state.is_overbent ? 0.5 : 1.0) * tick.tool[tool_yield_strength];
+    const bool is_overbent = state.bending_stress > (state.is_overbent ? straight_again : 1.0) * tick.tool[tool_yield_strength];
     if (is_overbent && !state.is_overbent) actions.event("drilling.bit_overbent");
     state.is_overbent = is_overbent;
 
