@@ -16,7 +16,7 @@ namespace {
 /// 0.7 w, and 95 % by 3 w.
 constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
-constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes
+constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes [judgement]
 constexpr double nowhere = 1e300;          // [m]
 
 /// [–] all of a place that lies on bone, whose surface goes through the middle of what engages it.
@@ -41,83 +41,86 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQu
     for (const Cone& cone : cones) {
         const double share = (cone.z - cone.end()) / whole;
         add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), tick.force[force_friction]);
+    }
+    on_cones_ = count_;
+    for (const Cone& cone : cones) {
         const double straight = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
         if (straight > 0.0) add_straight(cone.outer + drill.runout, cone.end(), straight);
     }
-    for (std::size_t i = 0; i < count_; ++i) {
-        at_[count_ + i] = at_[i];
+    for (std::size_t i = 0; i < on_cones_; ++i) {
+        asked_[i] = place_[i].at;
         direction_[i] = {0, 0, 1};
-        direction_[count_ + i] = place_[i].out;
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        asked_[on_cones_ + i] = place_[i].at;
+        direction_[on_cones_ + i] = place_[i].out;
     }
 }
 
 void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept {
     const SinCos p = cone.half_angle;
     const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
+    const double across = (p.cos - friction * p.sin) / (p.sin + friction * p.cos);
     const auto radius = [&](std::size_t ring) {  // what runs off has a flat end
         const double r = cone.inner + static_cast<double>(ring) * wide;
         return r > 0.0 ? r + runout : 0.0;
     };
     for (std::size_t ring = 0; ring < rings; ++ring) {
-        const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide;
-        const double inner = radius(ring), outer = radius(ring + 1), ahead = pi * (outer * outer - inner * inner) / static_cast<double>(azimuth_count);
-        const double aside = (2.0 * (r + runout)) * pi * wide * cot / static_cast<double>(azimuth_count);
-        for (const auto& [x, y] : azimuths) {
-            const Vec3 out{x, y, 0.0}, at = (r + runout) * out + Vec3{0, 0, cone.z_at(r)};
-            const double across = p.cos - friction * p.sin, along = p.sin + friction * p.cos;
-            place_[count_] = {out, wide * cot, ahead, aside, rate_at(at, {x * across / along, y * across / along, 1.0}), 1.0 + friction * cot};
-            at_[count_++] = at;
-        }
+        const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide, inner = radius(ring), outer = radius(ring + 1);
+        add_ring(r + runout, cone.z_at(r), wide * cot, pi * (outer * outer - inner * inner), across, 1.0 + friction * cot);
     }
 }
 
 void CrushingTip::add_straight(double radius, double from, double length) noexcept {
     const auto rings = static_cast<std::size_t>(std::clamp(std::ceil(length / (2.0 * radius)), 1.0, 4.0));
     const double height = length / static_cast<double>(rings);
-    for (std::size_t ring = 0; ring < rings; ++ring)
-        for (const auto& [x, y] : azimuths) {
-            const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, from - (static_cast<double>(ring) + 0.5) * height};
-            place_[count_] = {out, height, 0.0, 2.0 * pi * radius * height / static_cast<double>(azimuth_count), {}, 0.0};
-            at_[count_++] = at;
-        }
+    for (std::size_t ring = 0; ring < rings; ++ring) add_ring(radius, from - (static_cast<double>(ring) + 0.5) * height, height, 0.0, 0.0, 0.0);
+}
+
+void CrushingTip::add_ring(double radius, double z, double height, double ahead, double across, double rubs) noexcept {
+    constexpr double share = 1.0 / static_cast<double>(azimuth_count);
+    for (const auto& [x, y] : azimuths) {
+        const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, z};
+        place_[count_++] = {at, out, height, share * ahead, share * 2.0 * pi * radius * height, rate_at(at, across * out + Vec3{0, 0, 1}), rubs};
+    }
 }
 
 CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, std::uint32_t tissues) const noexcept {
     Ahead ahead;
-    double least = nowhere;
-    for (std::size_t i = 0; i < count_; ++i)
-        if (place_[i].ahead > 0.0 && samples[i].engagement > 0.0) least = std::min(least, samples[i].gap);
-    for (std::size_t i = 0; i < count_; ++i) {
+    ahead.gap = nowhere;
+    for (const kerf_bone_sample& here : samples)
+        if (here.engagement > 0.0) ahead.gap = std::min(ahead.gap, here.gap);
+    for (std::size_t i = 0; i < on_cones_; ++i) {
         const kerf_bone_sample& here = samples[i];
         const Place& place = place_[i];
-        const double share = place.ahead > 0.0 ? in_bone(here) * std::clamp(1.0 - (here.gap - least) / place.height, 0.0, 1.0) : 0.0;
+        const double share = in_bone(here) * std::clamp(1.0 - (here.gap - ahead.gap) / place.height, 0.0, 1.0);
         ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
         ahead.sum += ahead.force[i];
     }
-    ahead.gap = ahead.sum > 0.0 ? least : 0.0;
     return ahead;
 }
 
 bool CrushingTip::begins(const Standing& standing, const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
-    std::array<kerf_bone_sample, most> samples;
-    bone.sample({at_.data(), count_}, Vec3{0, 0, 1}, {samples.data(), count_});
-    const double bears = ahead_of({samples.data(), count_}, bone.tissue_count()).sum;
+    std::array<kerf_bone_sample, most_on_cones> samples;
+    bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
+    const double bears = ahead_of({samples.data(), on_cones_}, bone.tissue_count()).sum;
     return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
 }
 
 void CrushingTip::add_to(Channels& channels, const BoneQuery& bone) const noexcept {
-    std::array<kerf_bone_sample, 2 * most> samples;
-    bone.sample({at_.data(), 2 * count_}, {direction_.data(), 2 * count_}, {samples.data(), 2 * count_});
-    const Ahead ahead = ahead_of({samples.data(), count_}, bone.tissue_count());
+    const std::size_t asked = on_cones_ + count_;
+    std::array<kerf_bone_sample, most_on_cones + most> samples;
+    bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
+    const Ahead ahead = ahead_of({samples.data(), on_cones_}, bone.tissue_count());
     if (ahead.sum <= 0.0) return;
     add_ahead(ahead, channels);
-    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + count_, count_}, bone.tissue_count(), way, channels);
+    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + on_cones_, count_}, bone.tissue_count(), way, channels);
 }
 
 void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexcept {
     Vec6 along{};
-    for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t i = 0; i < on_cones_; ++i)
         for (std::size_t k = 0; k < 6; ++k) along[k] += ahead.force[i] / ahead.sum * place_[i].along[k];
     ChannelSum sum;
     sum.add(ahead.sum, 0.0, onset);
@@ -136,7 +139,7 @@ void CrushingTip::add_aside(Samples samples, std::uint32_t tissues, std::size_t 
         if (facing(i) <= 0.0 || share <= 0.0) continue;
         const double here = share * facing(i) * place_[i].aside * crushing_pressure(samples[i], tissues);
         force += here;
-        moment += here * at_[i].z;
+        moment += here * place_[i].at.z;
     }
     if (force <= 0.0) return;
     ChannelSum sum;

@@ -37,10 +37,10 @@ public:
 
 private:
     static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
-    static constexpr std::size_t most = azimuth_count * (most_cone_rings + most_straight_rings);
+    static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings, most = most_on_cones + azimuth_count * most_straight_rings;
     /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
     struct Place {
-        Vec3 out;       ///< unit, away from the shaft
+        Vec3 at, out;   ///< [m]; unit, away from the shaft
         double height;  ///< [m] of its ring
         double ahead;   ///< [m²] area across the shaft
         double aside;   ///< [m²] area that it shows outwards
@@ -49,20 +49,23 @@ private:
     };
     /// Along the shaft: what crushes each place [N] and all of them, and the least way to bone [m].
     struct Ahead {
-        std::array<double, most> force;
+        std::array<double, most_on_cones> force;
         double sum = 0.0, gap = 0.0;
     };
     using Samples = std::span<const kerf_bone_sample>;
 
     void add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept;
     void add_straight(double radius, double from, double length) noexcept;
+    /// @param ahead   [m²] of all of the ring
+    /// @param across  [–] of n̂ + μ t̂ for one along the shaft
+    void add_ring(double radius, double z, double height, double ahead, double across, double rubs) noexcept;
     [[nodiscard]] Ahead ahead_of(Samples ahead, std::uint32_t tissues) const noexcept;
     void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
     void add_aside(Samples aside, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
 
-    std::array<Vec3, 2 * most> at_, direction_;  ///< each place twice: asked ahead, then asked aside
-    std::array<Place, most> place_;
-    std::size_t count_ = 0;
+    std::array<Place, most> place_;  ///< on cones, then on what is straight
+    std::size_t on_cones_ = 0, count_ = 0;
+    std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< those on cones ahead, then all of them aside
     double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
 };
 

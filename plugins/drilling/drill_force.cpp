@@ -16,7 +16,7 @@ constexpr double dragging_time = 2.0_ms;
 // What contact adds for a tick or two as a drill breaks through bends no bit [judgement].
 constexpr double bending_time = 5.0_ms;
 // That it is bent too far is told once, until it is hardly bent any more: lips that graze a wall bend it twice a turn.
-constexpr double straight_again = 0.05;  // [–] of what it stands
+constexpr double straight_again = 0.05;  // [–] of what it stands [judgement]
 
 enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole
 
