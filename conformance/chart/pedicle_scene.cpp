@@ -2,6 +2,7 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "conformance/chart/scene.h"
 #include "conformance/chart/vertebra_phantom.h"  // the text of the anatomy, put there by CMakeLists.txt
@@ -15,20 +16,26 @@ namespace kerf::chart {
 
 using namespace literals;
 
-Scene pedicle_scene(double medial) {
+namespace {
+
+/// How a way into the pedicle differs from the planned axis, and what cortex it meets.
+struct Way {
+    double medial = 0.0;          ///< [m] beside it
+    double towards_canal = 0.0;   ///< [rad] to it
+    std::optional<double> shell{};  ///< [m] instead of the phantom's own
+};
+
+Scene scene_on(const Way& way) {
     Diagnostics diagnostics;
     const auto anatomy = read_anatomy_text("vertebra-l4-phantom.yaml", vertebra_phantom, diagnostics);
     KERF_ASSERT(anatomy && anatomy->tissues.size() == 2 && !anatomy->axes.empty(),
                 "the anatomy in procedures/ reads without error");
     Scene scene;
-    scene.id = medial == 0.0 ? "pedicle" : "pedicle-breach";
-    scene.title = std::string("Pedicle of L4, a phantom, 3.2 mm drill, ") +
-                  (medial == 0.0 ? "along the planned axis" : drawing::figure(1e3 * medial) + " mm towards the canal");
     scene.drill.diameter = 3.2_mm;
     scene.drill.point_angle = 118.0_deg;
     scene.is_oblique = true;
     scene.bone.surface = [phantom = anatomy->phantom](Vec3 p) { return distance_to(phantom, p); };
-    const double shell = anatomy->tissues.front().thickness;
+    const double shell = way.shell.value_or(anatomy->tissues.front().thickness);
     scene.bone.tissues = {{anatomy->tissues[1].id, anatomy->tissues[1].density,
                            [surface = scene.bone.surface, shell](Vec3 p) { return surface(p) + shell; }},
                           {anatomy->tissues[0].id, anatomy->tissues[0].density, {}}};
@@ -38,9 +45,10 @@ Scene pedicle_scene(double medial) {
     scene.along = normalized(axis->to - axis->from);
     const Vec3 to_the_left{1, 0, 0};  // the canal lies to the left of the right pedicle
     const Vec3 sideways = normalized(to_the_left - dot(to_the_left, scene.along) * scene.along);
-    scene.entry = axis->from + medial * sideways;
+    scene.entry = axis->from + way.medial * sideways;
     while (scene.bone.surface(scene.entry) > 1.0_um)
         scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
+    scene.along = std::cos(way.towards_canal) * scene.along + std::sin(way.towards_canal) * sideways;
     scene.depth = {-1.5_mm};
     go_to(scene, 30.0_mm, scene.feed);
     // As much of the vertebra as the drill can reach.
@@ -50,6 +58,23 @@ Scene pedicle_scene(double medial) {
                       std::min(ends[0].z, ends[1].z) - room};
     scene.bone.high = {std::max(ends[0].x, ends[1].x) + room, std::max(ends[0].y, ends[1].y) + room,
                        std::max(ends[0].z, ends[1].z) + room};
+    return scene;
+}
+
+}  // namespace
+
+Scene pedicle_scene(double medial) {
+    Scene scene = scene_on({.medial = medial});
+    scene.id = medial == 0.0 ? "pedicle" : "pedicle-breach";
+    scene.title = std::string("Pedicle of L4, a phantom, 3.2 mm drill, ") +
+                  (medial == 0.0 ? "along the planned axis" : drawing::figure(1e3 * medial) + " mm towards the canal");
+    return scene;
+}
+
+Scene pedicle_awl_scene(double towards_canal, double shell) {
+    Scene scene = scene_on({.towards_canal = towards_canal, .shell = shell});
+    scene.id = "pedicle-awl";
+    scene.title = "Pedicle of L4, a phantom with " + drawing::figure(1e3 * shell) + " mm of cortex, an awl " + drawing::figure(towards_canal / 1.0_deg) + " degrees towards the canal";
     return scene;
 }
 

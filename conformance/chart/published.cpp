@@ -35,11 +35,15 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
     return most;
 }
 
-/// Largest push of an awl on the same way [N].
+/// Largest push of an awl on a way, from one depth to another [N].
 double peak_push(const Scene& scene, double from, double to) {
-    constexpr double step = 0.25_mm;
+    constexpr double step = 0.1_mm;
+    PushedAwl awl(Awl{}, scene);
     double most = 0.0;
-    for (double depth = from; depth <= to; depth += step) most = std::max(most, push_of(Awl{}, scene, depth));
+    for (double depth = scene.depth.front(); depth <= to; depth += step) {
+        const double push = awl.push_at(depth);
+        if (depth >= from) most = std::max(most, push);
+    }
     return most;
 }
 

@@ -18,6 +18,7 @@ constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
 constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes [judgement]
 constexpr double nowhere = 1e300;          // [m]
+constexpr double all_of_it = 0.95;         // [–] of what crushes; the rest takes 3 w [judgement]
 
 /// [–] all of a place that lies on bone, whose surface goes through the middle of what engages it.
 double in_bone(const kerf_bone_sample& here) noexcept { return std::min(1.0, 2.0 * here.engagement); }
@@ -34,13 +35,15 @@ Standing::Standing(const Advance& advance) noexcept {
 }
 
 CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
-    : play_(inside_of_hole(tick, bone, drill.widest_radius())) {
+    : play_(inside_of_hole(tick, bone, drill.widest_radius())),
+      step_(std::max(0.5 * bone.voxel(), drill.widest_radius() / 12.0)),
+      friction_(tick.force[force_friction]) {
     const TwistDrill::Cones cones = drill.cones();
     double whole = 0.0;  // [m] height of all cones
     for (const Cone& cone : cones) whole += cone.z - cone.end();
     for (const Cone& cone : cones) {
         const double share = (cone.z - cone.end()) / whole;
-        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), tick.force[force_friction]);
+        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share));
     }
     on_cones_ = count_;
     for (const Cone& cone : cones) {
@@ -57,35 +60,35 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQu
     }
 }
 
-void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept {
+void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings) noexcept {
     const SinCos p = cone.half_angle;
     const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
-    const double across = (p.cos - friction * p.sin) / (p.sin + friction * p.cos);
+    const double across = (p.cos - friction_ * p.sin) / (p.sin + friction_ * p.cos);
     const auto radius = [&](std::size_t ring) {  // what runs off has a flat end
         const double r = cone.inner + static_cast<double>(ring) * wide;
         return r > 0.0 ? r + runout : 0.0;
     };
     for (std::size_t ring = 0; ring < rings; ++ring) {
         const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide, inner = radius(ring), outer = radius(ring + 1);
-        add_ring(r + runout, cone.z_at(r), wide * cot, pi * (outer * outer - inner * inner), across, 1.0 + friction * cot);
+        add_ring(r + runout, cone.z_at(r), p, wide * cot, pi * (outer * outer - inner * inner), across, 1.0 + friction_ * cot);
     }
 }
 
 void CrushingTip::add_straight(double radius, double from, double length) noexcept {
     const auto rings = static_cast<std::size_t>(std::clamp(std::ceil(length / (2.0 * radius)), 1.0, 4.0));
     const double height = length / static_cast<double>(rings);
-    for (std::size_t ring = 0; ring < rings; ++ring) add_ring(radius, from - (static_cast<double>(ring) + 0.5) * height, height, 0.0, 0.0, 0.0);
+    for (std::size_t ring = 0; ring < rings; ++ring) add_ring(radius, from - (static_cast<double>(ring) + 0.5) * height, {0.0, 1.0}, height, 0.0, 0.0, 0.0);
 }
 
-void CrushingTip::add_ring(double radius, double z, double height, double ahead, double across, double rubs) noexcept {
+void CrushingTip::add_ring(double radius, double z, SinCos slope, double height, double ahead, double across, double rubs) noexcept {
     constexpr double share = 1.0 / static_cast<double>(azimuth_count);
     for (const auto& [x, y] : azimuths) {
         const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, z};
-        place_[count_++] = {at, out, height, share * ahead, share * 2.0 * pi * radius * height, rate_at(at, across * out + Vec3{0, 0, 1}), rubs};
+        place_[count_++] = {at, out, slope, height, share * ahead, share * 2.0 * pi * radius * height, rate_at(at, across * out + Vec3{0, 0, 1}), rubs};
     }
 }
 
-CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, std::uint32_t tissues) const noexcept {
+CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, double broken, const BoneQuery& bone) const noexcept {
     Ahead ahead;
     ahead.gap = nowhere;
     for (const kerf_bone_sample& here : samples)
@@ -94,28 +97,50 @@ CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, std::uint32_t tissues)
         const kerf_bone_sample& here = samples[i];
         const Place& place = place_[i];
         const double share = in_bone(here) * std::clamp(1.0 - (here.gap - ahead.gap) / place.height, 0.0, 1.0);
-        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
+        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, bone.tissue_count()) : 0.0;
         ahead.sum += ahead.force[i];
     }
+    give_way(ahead, broken, bone);
     return ahead;
+}
+
+void CrushingTip::give_way(Ahead& ahead, double broken, const BoneQuery& bone) const noexcept {
+    std::array<PressedPiece, most_pieces> pieces;
+    const std::size_t count = piece_of(on_cones_ - 1) + 1;
+    const auto stand_for = [&](PressedPiece& piece, const Place& place) {
+        piece.at = place.at;
+        piece.normal = place.slope.cos * place.out + Vec3{0, 0, place.slope.sin};
+    };
+    for (std::size_t n = 0; n < count; ++n) stand_for(pieces[n], place_[first_of(n)]);
+    for (std::size_t i = 0; i < on_cones_; ++i) {
+        PressedPiece& piece = pieces[piece_of(i)];
+        if (piece.crush <= 0.0 && ahead.force[i] > 0.0) stand_for(piece, place_[i]);
+        piece.crush += ahead.force[i];
+    }
+    const PressedWall wall({pieces.data(), count}, step_, friction_, broken, bone);
+    for (std::size_t n = 0; n < count; ++n) ahead.share[n] = wall.share(n);
+    ahead.wall = {wall.breaks(), wall.is_broken()};
+    ahead.sum = 0.0;
+    for (std::size_t i = 0; i < on_cones_; ++i) ahead.sum += ahead.force[i] *= ahead.share[piece_of(i)];
 }
 
 bool CrushingTip::begins(const Standing& standing, const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
     std::array<kerf_bone_sample, most_on_cones> samples;
     bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
-    const double bears = ahead_of({samples.data(), on_cones_}, bone.tissue_count()).sum;
+    const double bears = ahead_of({samples.data(), on_cones_}, 0.0, bone).sum;
     return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
 }
 
-void CrushingTip::add_to(Channels& channels, const BoneQuery& bone) const noexcept {
+CrushingTip::Wall CrushingTip::add_to(Channels& channels, double broken, const BoneQuery& bone) const noexcept {
     const std::size_t asked = on_cones_ + count_;
     std::array<kerf_bone_sample, most_on_cones + most> samples;
     bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
-    const Ahead ahead = ahead_of({samples.data(), on_cones_}, bone.tissue_count());
-    if (ahead.sum <= 0.0) return;
-    add_ahead(ahead, channels);
-    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + on_cones_, count_}, bone.tissue_count(), way, channels);
+    const Ahead ahead = ahead_of({samples.data(), on_cones_}, broken, bone);
+    if (ahead.sum <= 0.0 && !ahead.wall.is_broken) return ahead.wall;
+    if (ahead.sum > 0.0) add_ahead(ahead, channels);
+    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), way, channels);
+    return ahead.wall;
 }
 
 void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexcept {
@@ -127,7 +152,7 @@ void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexce
     sum.write(along, 1.0, ahead.gap, channels.add(KERF_CUT, id_crush));
 }
 
-void CrushingTip::add_aside(Samples samples, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept {
+void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept {
     const auto facing = [&](std::size_t i) { return dot(place_[i].out, ways_across[way]); };
     double least = nowhere;
     for (std::size_t i = 0; i < count_; ++i)
@@ -137,7 +162,8 @@ void CrushingTip::add_aside(Samples samples, std::uint32_t tissues, std::size_t 
     for (std::size_t i = 0; i < count_; ++i) {
         const double share = in_bone(samples[i]) * (1.0 - (samples[i].gap - least) / play_);
         if (facing(i) <= 0.0 || share <= 0.0) continue;
-        const double here = share * facing(i) * place_[i].aside * crushing_pressure(samples[i], tissues);
+        const double whole = i < on_cones_ ? ahead.share[piece_of(i)] : 1.0;
+        const double here = whole * share * facing(i) * place_[i].aside * crushing_pressure(samples[i], tissues);
         force += here;
         moment += here * place_[i].at.z;
     }
@@ -145,6 +171,12 @@ void CrushingTip::add_aside(Samples samples, std::uint32_t tissues, std::size_t 
     ChannelSum sum;
     sum.add(force, 0.0, onset);
     sum.write(rate_at({0, 0, moment / force}, ways_across[way]), 1.0, least, channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(way)));
+}
+
+bool is_crushed(const Advance& advance) noexcept {
+    for (std::size_t i = 0; i < advance.channel.size(); ++i)
+        if (advance.channel[i].id == id_crush) return advance.lambda[i] > all_of_it * advance.channel[i].tau;
+    return false;
 }
 
 bool goes_on_crushing(const Advance& advance, double begun) noexcept {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "breaking_wall.h"
 #include "drill_parameters.h"
 #include "kerf/force.hpp"
 
@@ -22,7 +23,7 @@ struct Standing {
 ///     dF = S(ρ) (n̂ + μ t̂) dA,    F_z = ∫ S(ρ) (1 + μ cot p) dA_z
 ///
 /// p the cone's half angle, A_z the cross-section. At any rate, as strength hardly depends on it: (1/s)^0.06. A tip that runs off crushes what
-/// its turning shape removes.
+/// its turning shape removes. Where bone is thin before it and free behind, it breaks out instead, if that costs less (breaking_wall.h).
 ///
 /// Source: S from [carter-hayes-1977]; docs/models/drilling.md.
 class CrushingTip {
@@ -32,15 +33,31 @@ public:
 
     /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
     [[nodiscard]] bool begins(const Standing& standing, const BoneQuery& bone) const noexcept;
-    /// A cut along the mean normal of what is crushed, and one each way across the shaft.   [haptic, nonblocking]
-    void add_to(Channels& channels, const BoneQuery& bone) const noexcept;
+    /// What a tick's push meets besides its channels.
+    struct Wall {
+        double breaks = 0.0;      ///< [N] under which what is before it breaks out; 0: all is crushed
+        bool is_broken = false;   ///< some of what it presses on
+    };
+    /// A cut along the mean normal of what is crushed, and one each way across the shaft.
+    /// @param broken  [N] under which the wall before it broke, or 0   [haptic, nonblocking]
+    Wall add_to(Channels& channels, double broken, const BoneQuery& bone) const noexcept;
 
 private:
     static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
     static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings, most = most_on_cones + azimuth_count * most_straight_rings;
+    /// So many rings behind each other, at an azimuth, are a piece that breaks out or does not.
+    static constexpr std::size_t rings_of_piece = 3, most_pieces = most_on_cones / rings_of_piece;
+    static_assert(most_pieces <= PressedWall::most_pieces && most_cone_rings % rings_of_piece == 0);
+    [[nodiscard]] static std::size_t piece_of(std::size_t place) noexcept {
+        return place / (rings_of_piece * azimuth_count) * azimuth_count + place % azimuth_count;
+    }
+    [[nodiscard]] static std::size_t first_of(std::size_t piece) noexcept {
+        return piece / azimuth_count * (rings_of_piece * azimuth_count) + piece % azimuth_count;
+    }
     /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
     struct Place {
         Vec3 at, out;   ///< [m]; unit, away from the shaft
+        SinCos slope;   ///< of the cone's half angle
         double height;  ///< [m] of its ring
         double ahead;   ///< [m²] area across the shaft
         double aside;   ///< [m²] area that it shows outwards
@@ -51,24 +68,31 @@ private:
     struct Ahead {
         std::array<double, most_on_cones> force;
         double sum = 0.0, gap = 0.0;
+        std::array<double, most_pieces> share;  ///< [–] of each piece, which has not broken out
+        Wall wall;
     };
     using Samples = std::span<const kerf_bone_sample>;
 
-    void add_cone(const Cone& cone, double runout, std::size_t rings, double friction) noexcept;
+    void add_cone(const Cone& cone, double runout, std::size_t rings) noexcept;
     void add_straight(double radius, double from, double length) noexcept;
     /// @param ahead   [m²] of all of the ring
     /// @param across  [–] of n̂ + μ t̂ for one along the shaft
-    void add_ring(double radius, double z, double height, double ahead, double across, double rubs) noexcept;
-    [[nodiscard]] Ahead ahead_of(Samples ahead, std::uint32_t tissues) const noexcept;
+    void add_ring(double radius, double z, SinCos slope, double height, double ahead, double across, double rubs) noexcept;
+    [[nodiscard]] Ahead ahead_of(Samples ahead, double broken, const BoneQuery& bone) const noexcept;
+    void give_way(Ahead& ahead, double broken, const BoneQuery& bone) const noexcept;
     void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
-    void add_aside(Samples aside, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
+    void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
 
     std::array<Place, most> place_;  ///< on cones, then on what is straight
     std::size_t on_cones_ = 0, count_ = 0;
     std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< those on cones ahead, then all of them aside
     double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
+    double step_ = 0.0;  ///< [m] from place to place as it asks how thick a wall is
+    double friction_ = 0.0;
 };
 
+/// Whether bone is crushed by as much as crushes it, and not held by less.   [haptic, nonblocking]
+[[nodiscard]] bool is_crushed(const Advance& advance) noexcept;
 /// Whether bone that was crushed still carries the tip: by more than a tenth of `begun` [N], with which that began, or of what crushes it. Let go, the
 /// tip stands on contact's spring again, which so little hardly presses in.   [haptic, nonblocking]
 [[nodiscard]] bool goes_on_crushing(const Advance& advance, double begun) noexcept;

@@ -18,7 +18,8 @@ constexpr double bending_time = 5.0_ms;
 // That it is bent too far is told once, until it is hardly bent any more: lips that graze a wall bend it twice a turn.
 constexpr double straight_again = 0.05;  // [–] of what it stands [judgement]
 
-enum Note : std::size_t { note_engagement, note_is_bent };  // share of the edges in bone; whether the shank does not fit into its hole
+// Share of the edges in bone; whether the shank does not fit into its hole; load under which the bone before a still tip breaks out, and whether it has.
+enum Note : std::size_t { note_engagement, note_is_bent, note_breaks, note_is_broken };
 
 Turning turning_of(const DrillCutting::State& state) noexcept {
     return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
@@ -85,7 +86,11 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         add_feed_cutting(edges, tick, turning, state.travel, channels);
         if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
-    if (state.crushes) tip.add_to(channels, bone);
+    if (state.crushes) {
+        const CrushingTip::Wall wall = tip.add_to(channels, state.broken.load(), bone);
+        channels.note(note_breaks, wall.breaks);
+        channels.note(note_is_broken, wall.is_broken ? 1.0 : 0.0);
+    }
     const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.carried, channels);
     channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
     channels.push({}, {0, 0, -state.reaction});
@@ -139,8 +144,16 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
     if (cuts) {
         state.crushes = false;
+        state.broken = {};
     } else if (state.crushes) {
-        state.crushes = goes_on_crushing(advance, state.crushing_from);
+        const double breaks = advance.note.empty() ? 0.0 : advance.note[note_breaks];
+        const bool is_in_broken = !advance.note.empty() && advance.note[note_is_broken] > 0.0;
+        if (breaks > 0.0 && is_crushed(advance)) {
+            if (state.broken.break_under(breaks)) actions.event("drilling.wall_broken");
+        } else {
+            state.broken.go(advance.rate[2] * tick.dt, is_in_broken, drill.widest_radius());
+        }
+        state.crushes = state.broken.is_there() || goes_on_crushing(advance, state.crushing_from);
     } else if (const Standing standing(advance); state.prepared.tip.begins(standing, bone)) {
         state.crushes = true;
         state.crushing_from = standing.force;

@@ -37,7 +37,7 @@ struct Rig {
         return set;
     }
     static Body made_of(double density, double spacing) {
-        Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+        Body body = test::block({-6.0_mm, -6.0_mm, -20.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
         body.materials = {{"bone", density, {}}};
         return body;
     }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// A still tip before bone that is thin: what breaks out, and under what.
+#include "plugins/drilling/breaking_wall.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr double cortex = 1850.0;                                // [kg/m³]
+constexpr double tension = 68e6 * 1.85 * 1.85 * 133.0 / 193.0;  // [Pa] that cracks it
+
+/// What a plate bears that is met at `tilt`: 4π m along its normal, and what rubs across that, with μ = 0.3 [N].
+double closed_form(double thickness, double tilt = 0.0) {
+    return 4.0 * pi * tension * thickness * thickness / 6.0 * (std::cos(tilt) + 0.3 * std::sin(tilt));
+}
+
+/// An awl, 0.5 mm and 60° at its end and then 30° to 4 mm, above a plate that it meets at `tilt`.
+struct Awl {
+    double tilt;  ///< [rad]
+    Body body;
+    ToolSetup setup;
+    Simulation simulation;
+    int broke = 0;          ///< times
+    double deepest = 0.0;   ///< [m] it was led to
+
+    explicit Awl(double thickness, double spacing = 0.25_mm, double askew = 0.0, const std::string& tool = "profile_drill", const std::map<std::string, double>& shape = slender())
+        : tilt(askew), body(made_of(thickness, spacing)), setup(test::drill(tool, shape)),
+          simulation(body, setup, test::outline(setup), test::gains(0.005), test::at_depth(-0.2_mm, askew)), deepest(-0.2_mm) {}
+
+    static std::map<std::string, double> slender() {
+        return {{"spindle_speed", 0.0}, {"diameter", 0.5_mm}, {"point_angle", 60.0_deg}, {"depth_1", 0.433_mm + 1.75_mm / std::tan(15.0_deg)}, {"diameter_1", 4.0_mm}};
+    }
+    static Body made_of(double thickness, double spacing) {
+        Body made = test::block({-8.0_mm, -8.0_mm, -thickness}, {8.0_mm, 8.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
+        made.materials = {{"bone", cortex, {}}};
+        return made;
+    }
+    [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
+    TickResult tell(const TickResult& r) {
+        simulation.after_tick();
+        for (std::size_t i = 0; i < r.event_count; ++i) broke += std::string(r.events[i]) == "drilling.wall_broken";
+        return r;
+    }
+    double led_to(Vec3 entry, double to) { return tell(simulation.tick_direct({test::at_depth(to, tilt, entry)})).thrust; }
+    /// The largest thrust on the way to a depth.
+    double peak(double to, Vec3 entry = {}) {
+        double most = 0.0;
+        for (; deepest < to; deepest += 8.0_um) most = std::max(most, led_to(entry, deepest));
+        return most;
+    }
+    void push(double force) {
+        const CouplingGains g = test::gains(0.005);
+        (void)tell(simulation.tick({test::at_depth(depth() + force * g.force_scale / g.stiffness)}));
+    }
+};
+
+TEST(BreakingWall, APlateBearsTheClosedForm) {
+    struct Case {
+        double thickness, tilt, spacing;
+    };
+    for (const Case& one : {Case{0.5_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.25_mm}, Case{2.0_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.125_mm}, Case{1.0_mm, 25.0_deg, 0.25_mm},
+                            Case{1.0_mm, 50.0_deg, 0.25_mm}, Case{1.0_mm, 50.0_deg, 0.125_mm}, Case{0.5_mm, 50.0_deg, 0.125_mm}}) {
+        Awl awl(one.thickness, one.spacing, one.tilt);
+        EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.04) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
+        EXPECT_EQ(awl.broke, 1) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
+    }
+}
+
+TEST(BreakingWall, OnceBrokenItBearsNothing) {
+    Awl awl(1.0_mm);
+    const double broken = awl.peak(11.0_mm);
+    double after = 0.0;
+    for (double depth = 11.0_mm; depth < 12.0_mm; depth += 8.0_um) after = std::max(after, awl.led_to({}, depth));
+    EXPECT_LT(after, 0.01 * broken);
+}
+
+TEST(BreakingWall, PushedLessItStandsAndPushedMoreItGoesThrough) {
+    Awl awl(1.0_mm);
+    const double bears = closed_form(1.0_mm);
+    for (int i = 0; i < 3000; ++i) awl.push(std::min(0.001 * i, 0.8) * bears);
+    const double stands = awl.depth();
+    for (int i = 0; i < 1000; ++i) awl.push(0.8 * bears);
+    EXPECT_NEAR(awl.depth(), stands, 5.0_um) << "in a second";
+    EXPECT_EQ(awl.broke, 0);
+    for (int i = 0; i < 4000 && awl.depth() < 8.0_mm; ++i) awl.push(1.1 * bears);
+    EXPECT_GE(awl.depth(), 8.0_mm);
+    EXPECT_EQ(awl.broke, 1);
+}
+
+TEST(BreakingWall, ElsewhereTheWallIsWholeAgain) {
+    Awl awl(1.0_mm);
+    const double first = awl.peak(9.0_mm, {-5.0_mm, 0, 0});
+    for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-5.0_mm, 0, 0}, depth);
+    for (double x = -5.0_mm; x < 3.5_mm; x += 50.0_um) (void)awl.led_to({x, 0, 0}, -0.4_mm);
+    awl.deepest = -0.4_mm;
+    EXPECT_NEAR(awl.peak(9.0_mm, {3.5_mm, 0, 0}) / first, 1.0, 0.05);
+    EXPECT_EQ(awl.broke, 2);
+}
+
+TEST(BreakingWall, ThickBoneIsCrushedUntilItIsThin) {
+    // A blunt tip takes 2.2 kN to crush; 2.6 mm bear that.
+    const std::map<std::string, double> blunt{{"spindle_speed", 0.0}, {"diameter", 3.2_mm}, {"runout", 0.0}};
+    Awl drill(6.0_mm, 0.25_mm, 0.0, "twist_drill", blunt);
+    const double crushes = 68e6 * 1.85 * 1.85 * pi * 1.6_mm * 1.6_mm * (1.0 + 0.3 / std::tan(59.0_deg));
+    EXPECT_NEAR(drill.peak(2.5_mm) / crushes, 1.0, 0.03);
+    EXPECT_EQ(drill.broke, 0);
+    EXPECT_NEAR(drill.peak(4.5_mm) / crushes, 1.0, 0.03);
+    EXPECT_EQ(drill.broke, 1) << "the last of it";
+    EXPECT_LT(drill.led_to({}, 4.6_mm), 0.05 * crushes);
+}
+
+TEST(BreakingWall, ItIsTheSameSeenInAMirror) {
+    Awl right(1.0_mm, 0.25_mm, 40.0_deg), left(1.0_mm, 0.25_mm, -40.0_deg);
+    EXPECT_NEAR(left.peak(11.0_mm) / right.peak(11.0_mm), 1.0, 0.03);
+}
+
+TEST(BreakingWall, ItIsTheSameAtEveryRate) {
+    const auto peak = [](double step) {
+        Awl awl(1.0_mm);
+        double most = 0.0;
+        for (double depth = -0.2_mm; depth < 9.0_mm; depth += step) most = std::max(most, awl.led_to({}, depth));
+        return most;
+    };
+    EXPECT_NEAR(peak(2.0_um) / peak(20.0_um), 1.0, 0.02);
+}
+
+// ---- The shells on ways, told by hand -------------------------------------------------------------------------------
+
+/// Ways along the tool's shaft and at 60° to it, from inside a plate.
+struct Ways {
+    Awl awl;
+    explicit Ways(double thickness, double tip) : awl(thickness) { (void)awl.led_to({}, tip); }
+    [[nodiscard]] drilling::Shells ask(Vec3 from, Vec3 along, double enough = 1e6) const {
+        const drilling::WayOut way{from, along, 0.0};
+        return drilling::Shells({&way, 1}, 0.15_mm, enough, 0.0, BoneQuery(awl.simulation.bone().query()));
+    }
+};
+
+TEST(Shells, APlateIsAsThickAsItIsUprightOrAskew) {
+    const Ways ways(2.0_mm, -1.0_mm);
+    const drilling::Shells upright = ways.ask({0, 0, 0.5_mm}, {0, 0, 1});
+    EXPECT_NEAR(upright.on(0).load / closed_form(2.0_mm), 1.0, 0.06);
+    EXPECT_NEAR(upright.on(0).before, 0.5_mm, 0.03_mm) << "of air";
+    EXPECT_NEAR(upright.on(0).normal.z, 1.0, 0.02) << "tool's z is into the bone";
+    const drilling::Shells askew = ways.ask({-1.0_mm, 0, 0.5_mm}, {std::sin(40.0_deg), 0, std::cos(40.0_deg)});
+    EXPECT_NEAR(askew.on(0).load / closed_form(2.0_mm), 1.0, 0.06) << "as thick, and no longer";
+}
+
+TEST(Shells, AWayThatMeetsNoBoneTellsNothingAndOneWithoutAFarSideNever) {
+    const Ways ways(10.0_mm, -1.0_mm);
+    EXPECT_EQ(ways.ask({0, 0, 0.5_mm}, {1, 0, 0}).on(0).load, 0.0) << "it stays above";
+    EXPECT_EQ(ways.ask({0, 0, 1.2_mm}, {0, 0, 1}).on(0).load, drilling::Shell::never) << "32 steps end in bone";
+    EXPECT_EQ(ways.ask({0, 0, 2.0_mm}, {0, 0, -1}).on(0).load, drilling::Shell::never) << "it comes out where the tip came in";
+    EXPECT_GT(ways.ask({0, 0, 1.2_mm}, {0, 0, 1}, 100.0).on(0).load, 100.0) << "more than enough";
+}
+
+// ---- What has broken ------------------------------------------------------------------------------------------------
+
+TEST(BrokenWall, IsToldOnceAndForgottenARadiusAway) {
+    drilling::BrokenWall wall;
+    EXPECT_FALSE(wall.is_there());
+    EXPECT_TRUE(wall.break_under(80.0));
+    EXPECT_FALSE(wall.break_under(100.0)) << "more of the same";
+    EXPECT_EQ(wall.load(), 100.0);
+    for (int i = 0; i < 100; ++i) wall.go(0.1_mm, true, 2.0_mm);
+    EXPECT_TRUE(wall.is_there()) << "in it";
+    for (int i = 0; i < 19; ++i) wall.go(i % 2 ? 0.1_mm : -0.1_mm, false, 2.0_mm);
+    EXPECT_TRUE(wall.is_there());
+    for (int i = 0; i < 3; ++i) wall.go(-0.1_mm, false, 2.0_mm);
+    EXPECT_FALSE(wall.is_there());
+    EXPECT_TRUE(wall.break_under(80.0)) << "told again";
+}
+
+}  // namespace
+}  // namespace kerf
