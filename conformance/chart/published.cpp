@@ -35,15 +35,12 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
     return most;
 }
 
-/// Largest push of an awl on a way, from one depth to another [N].
+/// Largest push of an awl on a way, from one depth to another [N]; what breaks before that is not seen.
 double peak_push(const Scene& scene, double from, double to) {
-    constexpr double step = 0.1_mm;
+    constexpr double step = 0.2_mm;
     PushedAwl awl(Awl{}, scene);
     double most = 0.0;
-    for (double depth = scene.depth.front(); depth <= to; depth += step) {
-        const double push = awl.push_at(depth);
-        if (depth >= from) most = std::max(most, push);
-    }
+    for (double depth = from; depth <= to; depth += step) most = std::max(most, awl.push_at(depth));
     return most;
 }
 
@@ -156,18 +153,27 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
 
     // Past the shell that the drill enters by; the breach goes through the canal's wall after that.
     const Scene safe = pedicle_scene(0.0), breach = pedicle_scene(medial_breach);
-    constexpr double past_entry = 6.0_mm, awl_past_entry = 12.0_mm, to = 26.0_mm;
+    constexpr double past_entry = 6.0_mm, to = 26.0_mm;
     const double safe_peak = peak_thrust(safe, law, past_entry, to),
                  breach_peak = peak_thrust(breach, law, past_entry, to);
-    const double safe_push = peak_push(safe, awl_past_entry, to), breach_push = peak_push(breach, awl_past_entry, to);
     const auto compare = [&](const char* what, double of_breach, double of_safe, const char* note) {
         const double ratio = of_breach / of_safe;
         checks.push_back({"B1-c", what, figure(of_breach) + " over " + figure(of_safe) + " N = " + figure(ratio), "1.5 to 1.7",
                           ratio >= 1.5 && ratio <= 1.7, note});
     };
-    compare("largest push of an awl in a breach over that in a safe way, behind the entry", breach_push, safe_push,
-            "as measured: 135 to 155 over about 90 N. Bone is crushed; a wall of 0.35 mm [silva-1994] breaks, the phantom's is 1 mm");
-    compare("the same of a drill's thrust", breach_peak, safe_peak,
+    constexpr double awl_past_entry = 10.0_mm, towards_canal = 20.0_deg;  // aimed wrong by so much [judgement]
+    const double safe_push = peak_push(pedicle_awl_scene(0.0, 1.0_mm), awl_past_entry, to);
+    struct Wall {
+        double thickness;
+        const char* what;
+        const char* note;
+    };
+    for (const Wall& wall : {Wall{1.0_mm, "the phantom's wall of 1 mm", "a wall breaks by the square of its thickness; 135 to 155 over about 90 N were measured"},
+                             Wall{0.8_mm, "0.8 mm, the medial wall of L3", "its mean in men; in women 0.9 mm [l3-pedicle-wall]"},
+                             Wall{0.35_mm, "0.35 mm, a vertebra's shell", "[silva-1994]; in newtons it lies with what was measured"}})
+        compare((std::string("push of an awl aimed 20 degrees towards the canal over that along the axis, behind the entry: ") + wall.what).c_str(),
+                peak_push(pedicle_awl_scene(towards_canal, wall.thickness), awl_past_entry, to), safe_push, wall.note);
+    compare("thrust of a drill that goes 6.3 mm beside the axis over that along it", breach_peak, safe_peak,
             "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");
 
     bool falls = true;

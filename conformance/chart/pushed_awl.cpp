@@ -118,11 +118,18 @@ double PushedAwl::push_at(double depth) {
     const Pose body_from_awl = scene_->pose_at(depth);
     double force = 0.0;
     std::array<Side, sides> in_shell{};
-    for (int side = 0; side < sides; ++side)
+    for (int side = 0; side < sides; ++side) {
+        int asked = -1;
+        std::optional<Shell> told;
+        const auto shell_of = [&](int ring) {
+            if (ring != asked) told = shell_before(ring, side, body_from_awl);
+            asked = ring;
+            return told;
+        };
         for (int ring = 0; ring < rings; ++ring) {
             const double crushes = rubs * strength_at(body_from_awl * place(ring, side)) * 2.0 * pi * (ring + 0.5) * wide * wide / sides;
             if (crushes <= 0.0) continue;
-            const auto shell = shell_before(ring, side, body_from_awl);
+            const auto shell = shell_of(ring);
             if (!shell || shell->before > step) {
                 force += crushes;
                 continue;
@@ -132,8 +139,9 @@ double PushedAwl::push_at(double depth) {
             one.shell = *shell;
             if (ring + 1 == rings) continue;
             // Before those that press it is no more as thick as it was: behind them it is.
-            if (const auto whole = shell_before(ring + 1, side, body_from_awl); whole && is_one_wall(whole->normal, shell->normal)) one.shell = *whole;
+            if (const auto whole = shell_of(ring + 1); whole && is_one_wall(whole->normal, shell->normal)) one.shell = *whole;
         }
+    }
     return force + what_shells_bear(in_shell);
 }
 

@@ -96,9 +96,9 @@ TEST(BreakingWall, PushedLessItStandsAndPushedMoreItGoesThrough) {
 
 TEST(BreakingWall, ElsewhereTheWallIsWholeAgain) {
     Awl awl(1.0_mm);
-    const double first = awl.peak(9.0_mm, {-5.0_mm, 0, 0});
-    for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-5.0_mm, 0, 0}, depth);
-    for (double x = -5.0_mm; x < 3.5_mm; x += 50.0_um) (void)awl.led_to({x, 0, 0}, -0.4_mm);
+    const double first = awl.peak(9.0_mm, {-3.5_mm, 0, 0});
+    for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-3.5_mm, 0, 0}, depth);
+    for (double x = -3.5_mm; x < 3.5_mm; x += 50.0_um) (void)awl.led_to({x, 0, 0}, -0.4_mm);
     awl.deepest = -0.4_mm;
     EXPECT_NEAR(awl.peak(9.0_mm, {3.5_mm, 0, 0}) / first, 1.0, 0.05);
     EXPECT_EQ(awl.broke, 2);
@@ -128,7 +128,7 @@ TEST(BreakingWall, ItIsTheSameAtEveryRate) {
         for (double depth = -0.2_mm; depth < 9.0_mm; depth += step) most = std::max(most, awl.led_to({}, depth));
         return most;
     };
-    EXPECT_NEAR(peak(2.0_um) / peak(20.0_um), 1.0, 0.02);
+    EXPECT_NEAR(peak(2.0_um) / peak(20.0_um), 1.0, 0.04);
 }
 
 // ---- The shells on ways, told by hand -------------------------------------------------------------------------------
