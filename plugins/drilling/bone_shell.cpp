@@ -17,7 +17,6 @@ constexpr double of_strongest = 0.5;       // [–] what is weaker is not of the
 constexpr std::size_t free_steps = 2;      // so much air in a row is the far side [judgement]
 constexpr double most_askew = 0.2;         // cosine: what lies along the way is not its far side [judgement]
 constexpr double most_backwards = -0.3;    // along the shaft: it is the side that the tip comes from [judgement]
-constexpr double stout = 4.0;              // times enough: a wall at 60° is half as thick as it is long [judgement]
 constexpr int halvings = 3;                // of a step, in which a side of the shell lies
 
 double strength_at(const kerf_bone_sample& here, const BoneQuery& bone) noexcept {
@@ -51,17 +50,17 @@ double Shells::Section::mean() const noexcept {
     return sum / static_cast<double>(end - begin);
 }
 
-Shells::Shells(std::span<const WayOut> ways, double step, double enough, double friction, const BoneQuery& bone) noexcept {
+Shells::Shells(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone) noexcept {
     KERF_ASSERT(ways.size() <= most, "ask about fewer ways at a time");
 
     Sections sections;
     Ended ended;
-    follow(ways, step, enough, bone, sections, ended);
+    follow(ways, step, bone, sections, ended);
     find_sides(ways, step, bone, sections, ended);
     tell(ways, friction, bone, sections, ended);
 }
 
-void Shells::follow(std::span<const WayOut> ways, double step, double enough, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept {
+void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept {
     std::array<std::size_t, most> followed;
     std::array<Vec3, most> at, along;
     std::array<kerf_bone_sample, most> here;
@@ -78,14 +77,8 @@ void Shells::follow(std::span<const WayOut> ways, double step, double enough, co
             const std::size_t way = followed[i];
             Section& section = sections[way];
             section.add(n, strength_at(here[i], bone));
-            const auto [begin, end] = section.shell();
-            if (section.ends > 0 && n + 1 == section.ends + free_steps) {
-                ended.way[ended.count++] = way;
-            } else if (section.ends == n + 1 && plate(section.mean(), static_cast<double>(end - begin) * step) > stout * enough) {
-                shell_[way] = {stout * enough, static_cast<double>(begin) * step, ways[way].along};
-            } else {
-                followed[going_on++] = way;
-            }
+            if (section.ends > 0 && n + 1 == section.ends + free_steps) ended.way[ended.count++] = way;
+            else followed[going_on++] = way;
         }
         count = going_on;
     }

@@ -36,13 +36,12 @@ struct Shell {
 /// Source: 4π m by yield lines [johansen-1962]; σ [reilly-burstein-1975]; docs/models/drilling.md.
 class Shells {
 public:
-    static constexpr std::size_t most = 128;
+    static constexpr std::size_t most = 16;
 
     /// @param ways      #N ≤ most
     /// @param step      [m] from place to place on them: 32 at most
-    /// @param enough    [N] of what bears far more that only this is told
     /// @param friction  [–] of the tip on bone   [haptic, nonblocking]
-    Shells(std::span<const WayOut> ways, double step, double enough, double friction, const BoneQuery& bone) noexcept;
+    Shells(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone) noexcept;
 
     [[nodiscard]] const Shell& on(std::size_t way) const noexcept { return shell_[way]; }
 
@@ -67,7 +66,7 @@ private:
     };
     using Sections = std::array<Section, most>;
 
-    void follow(std::span<const WayOut> ways, double step, double enough, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept;
+    void follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept;
     static void find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections, Ended& ended) noexcept;
     void tell(std::span<const WayOut> ways, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept;
 

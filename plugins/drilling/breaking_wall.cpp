@@ -34,31 +34,44 @@ Shell same_wall(const Shell& shell, const Shell& ahead, const Shell& beside) noe
 
 }  // namespace
 
-PressedWall::PressedWall(std::span<const PressedPiece> pieces, double step, double friction, double broken, const BoneQuery& bone) noexcept {
-    KERF_ASSERT(pieces.size() <= most_pieces && pieces.size() % azimuth_count == 0, "give whole rings of pieces, few enough");
+void WallAhead::look(std::span<const Piece> pieces, double step, double friction, const BoneQuery& bone) noexcept {
+    KERF_ASSERT(pieces.size() <= pieces_of_side, "give the pieces of one side");
 
-    share_.fill(1.0);
     // Ahead of each piece, and across its cone: a wall is met end on or alongside.
-    std::array<WayOut, 2 * most_pieces> ways;
-    double all = 0.0;
+    std::array<WayOut, Shells::most> ways;
     for (std::size_t n = 0; n < pieces.size(); ++n) {
         const Vec3 inside = pieces[n].at + clear * bone.voxel() * pieces[n].normal;
         ways[2 * n] = {inside, {0, 0, 1}, pieces[n].normal.z};
         ways[2 * n + 1] = {inside, pieces[n].normal, pieces[n].normal.z};
-        all += pieces[n].crush;
     }
-    const Shells shells({ways.data(), 2 * pieces.size()}, step, std::max(all, 2.0 * broken), friction, bone);
-
-    std::array<Side, azimuth_count> sides;
-    std::array<bool, most_pieces> is_in_shell{};
+    const Shells shells({ways.data(), 2 * pieces.size()}, step, friction, bone);
     for (std::size_t n = 0; n < pieces.size(); ++n) {
-        const Shell& shell = weaker(shells.on(2 * n), shells.on(2 * n + 1));
-        is_in_shell[n] = pieces[n].crush > 0.0 && shell.load < Shell::never && shell.before < begins_in * step;
+        ahead_[n * azimuth_count + next_] = shells.on(2 * n);
+        beside_[n * azimuth_count + next_] = shells.on(2 * n + 1);
+    }
+    next_ = (next_ + 1) % azimuth_count;
+    step_ = step;
+    has_seen_ = true;
+}
+
+void WallAhead::forget() noexcept {
+    if (has_seen_) *this = {};
+}
+
+PressedWall::PressedWall(std::span<const double> crushes, const WallAhead& wall, double broken) noexcept {
+    KERF_ASSERT(crushes.size() <= WallAhead::most_pieces && crushes.size() % azimuth_count == 0, "give whole rings of pieces, few enough");
+
+    share_.fill(1.0);
+    std::array<Side, azimuth_count> sides;
+    std::array<bool, WallAhead::most_pieces> is_in_shell{};
+    for (std::size_t n = 0; n < crushes.size(); ++n) {
+        const Shell& shell = weaker(wall.ahead(n), wall.beside(n));
+        is_in_shell[n] = crushes[n] > 0.0 && shell.load < Shell::never && shell.before < begins_in * wall.step();
         if (!is_in_shell[n]) continue;
         Side& side = sides[n % azimuth_count];
         const std::size_t behind = n + azimuth_count;
-        side.shell = behind < pieces.size() ? same_wall(shell, shells.on(2 * behind), shells.on(2 * behind + 1)) : shell;
-        side.crushes += pieces[n].crush;
+        side.shell = behind < crushes.size() ? same_wall(shell, wall.ahead(behind), wall.beside(behind)) : shell;
+        side.crushes += crushes[n];
     }
     for (Side& side : sides) {
         if (side.crushes > 0.0 && broken > 0.0) side.share = std::clamp((side.shell.load / broken - 1.0) / (also_broken - 1.0), 0.0, 1.0);
@@ -68,18 +81,18 @@ PressedWall::PressedWall(std::span<const PressedPiece> pieces, double step, doub
 
     std::array<double, azimuth_count> gives;  // [–] share of each side in what its wall bears
     for (std::size_t i = 0; i < azimuth_count; ++i) {
-        double bears = 0.0, crushes = 0.0, count = 0.0;
+        double bears = 0.0, together = 0.0, count = 0.0;
         for (std::size_t other = 0; other < azimuth_count; ++other) {
             if (sides[other].crushes <= 0.0 || (other != i && dot(sides[other].shell.normal, sides[i].shell.normal) < of_one_wall)) continue;
             bears += sides[other].shell.load;
-            crushes += sides[other].crushes;
+            together += sides[other].crushes;
             count += 1.0;
         }
-        const bool breaks = sides[i].crushes > 0.0 && crushes * count > bears;
+        const bool breaks = sides[i].crushes > 0.0 && together * count > bears;
         if (breaks) breaks_ = std::max(breaks_, bears / count);
-        gives[i] = sides[i].share * (breaks ? bears / (count * crushes) : 1.0);
+        gives[i] = sides[i].share * (breaks ? bears / (count * together) : 1.0);
     }
-    for (std::size_t n = 0; n < pieces.size(); ++n)
+    for (std::size_t n = 0; n < crushes.size(); ++n)
         if (is_in_shell[n]) share_[n] = gives[n % azimuth_count];
 }
 

@@ -11,10 +11,38 @@
 /// A shell of bone before a still tip, with free space behind it, breaks out before it is crushed, if it is thin.
 namespace kerf::drilling {
 
-/// A piece of a tip: some of a cone, on one of its sides.
-struct PressedPiece {
-    Vec3 at, normal;     ///< a place on it that is in bone, tool frame [m]; unit, out of the cone
-    double crush = 0.0;  ///< [N] along the shaft that crushes what is before it; 0: nothing is
+/// Where a piece of a tip is: some of a cone, on one of its sides.
+struct Piece {
+    Vec3 at, normal;  ///< a place on it that is in bone, tool frame [m]; unit, out of the cone
+};
+
+/// What is before each of a tip's pieces, looked for on one of its `azimuth_count` sides a tick.
+class WallAhead {
+public:
+    static constexpr std::size_t pieces_of_side = Shells::most / 2, most_pieces = azimuth_count * pieces_of_side;
+
+    [[nodiscard]] std::size_t next_side() const noexcept { return next_; }
+    /// @param pieces    #N ≤ pieces_of_side, of the next side, from the tip backwards
+    /// @param step      [m] from place to place at which bone is asked how thick it is
+    /// @param friction  [–] of the tip on bone   [haptic, nonblocking]
+    void look(std::span<const Piece> pieces, double step, double friction, const BoneQuery& bone) noexcept;
+    void forget() noexcept;
+
+    [[nodiscard]] const Shell& ahead(std::size_t piece) const noexcept { return ahead_[piece]; }    ///< along the shaft
+    [[nodiscard]] const Shell& beside(std::size_t piece) const noexcept { return beside_[piece]; }  ///< along its normal
+    [[nodiscard]] double step() const noexcept { return step_; }                                   ///< [m] last looked with
+
+private:
+    static constexpr Shell unseen{Shell::never};
+    static constexpr std::array<Shell, most_pieces> all_unseen() noexcept {
+        std::array<Shell, most_pieces> shells{};
+        shells.fill(unseen);
+        return shells;
+    }
+    std::array<Shell, most_pieces> ahead_ = all_unseen(), beside_ = ahead_;
+    std::size_t next_ = 0;
+    double step_ = 0.0;
+    bool has_seen_ = false;
 };
 
 /// What a tip's pieces press on, and what of that breaks. On each side those in the shell break it together, and so do sides that press on one
@@ -23,13 +51,9 @@ struct PressedPiece {
 ///     F = min(Σ f_i, P) + what crushes the rest
 class PressedWall {
 public:
-    static constexpr std::size_t most_pieces = Shells::most / 2;
-
-    /// @param pieces    #N ≤ most_pieces, ring by ring from the tip backwards, one on each of `azimuth_count` sides
-    /// @param step      [m] from place to place at which bone is asked how thick it is
-    /// @param friction  [–] of the tip on bone
-    /// @param broken    [N] under which a wall broke before, or 0: it bears nothing, and one of half as much again all   [haptic, nonblocking]
-    PressedWall(std::span<const PressedPiece> pieces, double step, double friction, double broken, const BoneQuery& bone) noexcept;
+    /// @param crushes  [N] along the shaft, of each piece, ring by ring from the tip backwards, one on each side; 0: it is not in bone
+    /// @param broken   [N] under which a wall broke before, or 0: it bears nothing, and one of half as much again all   [haptic, nonblocking]
+    PressedWall(std::span<const double> crushes, const WallAhead& wall, double broken) noexcept;
 
     [[nodiscard]] double share(std::size_t piece) const noexcept { return share_[piece]; }  ///< [–] of what crushes it
     [[nodiscard]] double breaks() const noexcept { return breaks_; }                        ///< [N] under which something breaks; 0: nothing does
@@ -43,7 +67,7 @@ private:
         double share = 1.0;    ///< [–] that has not broken
     };
 
-    std::array<double, most_pieces> share_;
+    std::array<double, WallAhead::most_pieces> share_;
     double breaks_ = 0.0;
     bool is_broken_ = false;
 };

@@ -88,7 +88,7 @@ void CrushingTip::add_ring(double radius, double z, SinCos slope, double height,
     }
 }
 
-CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, double broken, const BoneQuery& bone) const noexcept {
+CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall, double broken, std::uint32_t tissues) const noexcept {
     Ahead ahead;
     ahead.gap = nowhere;
     for (const kerf_bone_sample& here : samples)
@@ -97,50 +97,60 @@ CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, double broken, const B
         const kerf_bone_sample& here = samples[i];
         const Place& place = place_[i];
         const double share = in_bone(here) * std::clamp(1.0 - (here.gap - ahead.gap) / place.height, 0.0, 1.0);
-        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, bone.tissue_count()) : 0.0;
-        ahead.sum += ahead.force[i];
+        ahead.force[i] = share > 0.0 ? share * place.ahead * place.rubs * crushing_pressure(here, tissues) : 0.0;
     }
-    give_way(ahead, broken, bone);
+    give_way(ahead, wall, broken);
     return ahead;
 }
 
-void CrushingTip::give_way(Ahead& ahead, double broken, const BoneQuery& bone) const noexcept {
-    std::array<PressedPiece, most_pieces> pieces;
-    const std::size_t count = piece_of(on_cones_ - 1) + 1;
-    const auto stand_for = [&](PressedPiece& piece, const Place& place) {
-        piece.at = place.at;
-        piece.normal = place.slope.cos * place.out + Vec3{0, 0, place.slope.sin};
-    };
-    for (std::size_t n = 0; n < count; ++n) stand_for(pieces[n], place_[first_of(n)]);
-    for (std::size_t i = 0; i < on_cones_; ++i) {
-        PressedPiece& piece = pieces[piece_of(i)];
-        if (piece.crush <= 0.0 && ahead.force[i] > 0.0) stand_for(piece, place_[i]);
-        piece.crush += ahead.force[i];
-    }
-    const PressedWall wall({pieces.data(), count}, step_, friction_, broken, bone);
-    for (std::size_t n = 0; n < count; ++n) ahead.share[n] = wall.share(n);
-    ahead.wall = {wall.breaks(), wall.is_broken()};
-    ahead.sum = 0.0;
+void CrushingTip::give_way(Ahead& ahead, const WallAhead& wall, double broken) const noexcept {
+    std::array<double, most_pieces> crushes{};
+    for (std::size_t i = 0; i < on_cones_; ++i) crushes[piece_of(i)] += ahead.force[i];
+    const std::size_t count = on_cones_ > 0 ? piece_of(on_cones_ - 1) + 1 : 0;
+    const PressedWall pressed({crushes.data(), count}, wall, broken);
+    for (std::size_t n = 0; n < count; ++n) ahead.share[n] = pressed.share(n);
+    ahead.met = {pressed.breaks(), pressed.is_broken()};
     for (std::size_t i = 0; i < on_cones_; ++i) ahead.sum += ahead.force[i] *= ahead.share[piece_of(i)];
 }
 
-bool CrushingTip::begins(const Standing& standing, const BoneQuery& bone) const noexcept {
+void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
+    // Of each piece the first place that is in bone, or else its first
+    std::array<Vec3, most_cone_rings> at{};
+    std::array<kerf_bone_sample, most_cone_rings> here;
+    const std::size_t rings = on_cones_ / azimuth_count;
+    const auto on_ring = [&](std::size_t ring) -> const Place& { return place_[ring * azimuth_count + wall.next_side()]; };
+    for (std::size_t ring = 0; ring < rings; ++ring) at[ring] = on_ring(ring).at;
+    bone.sample({at.data(), rings}, Vec3{0, 0, 1}, {here.data(), rings});
+    std::array<Piece, WallAhead::pieces_of_side> pieces;
+    std::array<bool, WallAhead::pieces_of_side> is_in_bone{};
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const std::size_t n = ring / rings_of_piece;
+        const bool is_in = in_bone(here[ring]) > 0.0;
+        if (ring % rings_of_piece != 0 && (is_in_bone[n] || !is_in)) continue;
+        const Place& place = on_ring(ring);
+        pieces[n] = {place.at, place.slope.cos * place.out + Vec3{0, 0, place.slope.sin}};
+        is_in_bone[n] = is_in;
+    }
+    wall.look({pieces.data(), (rings + rings_of_piece - 1) / rings_of_piece}, step_, friction_, bone);
+}
+
+bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
     std::array<kerf_bone_sample, most_on_cones> samples;
     bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
-    const double bears = ahead_of({samples.data(), on_cones_}, 0.0, bone).sum;
+    const double bears = ahead_of({samples.data(), on_cones_}, wall, 0.0, bone.tissue_count()).sum;
     return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
 }
 
-CrushingTip::Wall CrushingTip::add_to(Channels& channels, double broken, const BoneQuery& bone) const noexcept {
+CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, double broken, const BoneQuery& bone) const noexcept {
     const std::size_t asked = on_cones_ + count_;
     std::array<kerf_bone_sample, most_on_cones + most> samples;
     bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
-    const Ahead ahead = ahead_of({samples.data(), on_cones_}, broken, bone);
-    if (ahead.sum <= 0.0 && !ahead.wall.is_broken) return ahead.wall;
+    const Ahead ahead = ahead_of({samples.data(), on_cones_}, wall, broken, bone.tissue_count());
+    if (ahead.sum <= 0.0 && !ahead.met.is_broken) return ahead.met;
     if (ahead.sum > 0.0) add_ahead(ahead, channels);
     for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), way, channels);
-    return ahead.wall;
+    return ahead.met;
 }
 
 void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexcept {

@@ -32,27 +32,26 @@ public:
     CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
 
     /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
-    [[nodiscard]] bool begins(const Standing& standing, const BoneQuery& bone) const noexcept;
+    [[nodiscard]] bool begins(const Standing& standing, const WallAhead& wall, const BoneQuery& bone) const noexcept;
+    /// Looks for what is thin before it, on the next of its sides.   [haptic, nonblocking]
+    void look(WallAhead& wall, const BoneQuery& bone) const noexcept;
     /// What a tick's push meets besides its channels.
-    struct Wall {
+    struct Met {
         double breaks = 0.0;      ///< [N] under which what is before it breaks out; 0: all is crushed
         bool is_broken = false;   ///< some of what it presses on
     };
     /// A cut along the mean normal of what is crushed, and one each way across the shaft.
     /// @param broken  [N] under which the wall before it broke, or 0   [haptic, nonblocking]
-    Wall add_to(Channels& channels, double broken, const BoneQuery& bone) const noexcept;
+    Met add_to(Channels& channels, const WallAhead& wall, double broken, const BoneQuery& bone) const noexcept;
 
 private:
     static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
     static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings, most = most_on_cones + azimuth_count * most_straight_rings;
     /// So many rings behind each other, at an azimuth, are a piece that breaks out or does not.
     static constexpr std::size_t rings_of_piece = 3, most_pieces = most_on_cones / rings_of_piece;
-    static_assert(most_pieces <= PressedWall::most_pieces && most_cone_rings % rings_of_piece == 0);
+    static_assert(most_pieces == WallAhead::most_pieces && most_cone_rings % rings_of_piece == 0);
     [[nodiscard]] static std::size_t piece_of(std::size_t place) noexcept {
         return place / (rings_of_piece * azimuth_count) * azimuth_count + place % azimuth_count;
-    }
-    [[nodiscard]] static std::size_t first_of(std::size_t piece) noexcept {
-        return piece / azimuth_count * (rings_of_piece * azimuth_count) + piece % azimuth_count;
     }
     /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
     struct Place {
@@ -69,7 +68,7 @@ private:
         std::array<double, most_on_cones> force;
         double sum = 0.0, gap = 0.0;
         std::array<double, most_pieces> share;  ///< [–] of each piece, which has not broken out
-        Wall wall;
+        Met met;
     };
     using Samples = std::span<const kerf_bone_sample>;
 
@@ -78,8 +77,8 @@ private:
     /// @param ahead   [m²] of all of the ring
     /// @param across  [–] of n̂ + μ t̂ for one along the shaft
     void add_ring(double radius, double z, SinCos slope, double height, double ahead, double across, double rubs) noexcept;
-    [[nodiscard]] Ahead ahead_of(Samples ahead, double broken, const BoneQuery& bone) const noexcept;
-    void give_way(Ahead& ahead, double broken, const BoneQuery& bone) const noexcept;
+    [[nodiscard]] Ahead ahead_of(Samples ahead, const WallAhead& wall, double broken, std::uint32_t tissues) const noexcept;
+    void give_way(Ahead& ahead, const WallAhead& wall, double broken) const noexcept;
     void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
     void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
 

@@ -87,9 +87,9 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
     if (state.crushes) {
-        const CrushingTip::Wall wall = tip.add_to(channels, state.broken.load(), bone);
-        channels.note(note_breaks, wall.breaks);
-        channels.note(note_is_broken, wall.is_broken ? 1.0 : 0.0);
+        const CrushingTip::Met met = tip.add_to(channels, state.wall, state.broken.load(), bone);
+        channels.note(note_breaks, met.breaks);
+        channels.note(note_is_broken, met.is_broken ? 1.0 : 0.0);
     }
     const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.carried, channels);
     channels.note(note_is_bent, is_bent ? 1.0 : 0.0);
@@ -142,6 +142,9 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
+    const Standing standing(advance);
+    if (!cuts && (state.crushes || standing.force > 0.0)) state.prepared.tip.look(state.wall, bone);
+    else state.wall.forget();
     if (cuts) {
         state.crushes = false;
         state.broken = {};
@@ -154,7 +157,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
             state.broken.go(advance.rate[2] * tick.dt, is_in_broken, drill.widest_radius());
         }
         state.crushes = state.broken.is_there() || goes_on_crushing(advance, state.crushing_from);
-    } else if (const Standing standing(advance); state.prepared.tip.begins(standing, bone)) {
+    } else if (state.prepared.tip.begins(standing, state.wall, bone)) {
         state.crushes = true;
         state.crushing_from = standing.force;
         actions.event("drilling.crushing");

@@ -31,7 +31,8 @@ struct DrillCutting {
         double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
         bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
         double crushing_from = 0.0;  ///< [N] that it stood with when that began
-        BrokenWall broken;           ///< before a tip that crushes
+        WallAhead wall;              ///< before a tip that stands or crushes
+        BrokenWall broken;           ///< the same
         double bending_stress = 0.0; ///< [Pa] of the bit, in the mean over a few milliseconds
         bool is_overbent = false;    ///< the bit, since it was last nearly straight
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse

@@ -96,11 +96,11 @@ TEST(BreakingWall, PushedLessItStandsAndPushedMoreItGoesThrough) {
 
 TEST(BreakingWall, ElsewhereTheWallIsWholeAgain) {
     Awl awl(1.0_mm);
-    const double first = awl.peak(9.0_mm, {-3.5_mm, 0, 0});
-    for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-3.5_mm, 0, 0}, depth);
-    for (double x = -3.5_mm; x < 3.5_mm; x += 50.0_um) (void)awl.led_to({x, 0, 0}, -0.4_mm);
+    const double first = awl.peak(9.0_mm, {-3.0_mm, 0, 0});
+    for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-3.0_mm, 0, 0}, depth);
+    for (double x = -3.0_mm; x < 3.0_mm; x += 0.1_mm) (void)awl.led_to({x, 0, 0}, -0.4_mm);
     awl.deepest = -0.4_mm;
-    EXPECT_NEAR(awl.peak(9.0_mm, {3.5_mm, 0, 0}) / first, 1.0, 0.05);
+    EXPECT_NEAR(awl.peak(9.0_mm, {3.0_mm, 0, 0}) / first, 1.0, 0.05);
     EXPECT_EQ(awl.broke, 2);
 }
 
@@ -137,9 +137,9 @@ TEST(BreakingWall, ItIsTheSameAtEveryRate) {
 struct Ways {
     Awl awl;
     explicit Ways(double thickness, double tip) : awl(thickness) { (void)awl.led_to({}, tip); }
-    [[nodiscard]] drilling::Shells ask(Vec3 from, Vec3 along, double enough = 1e6) const {
+    [[nodiscard]] drilling::Shells ask(Vec3 from, Vec3 along) const {
         const drilling::WayOut way{from, along, 0.0};
-        return drilling::Shells({&way, 1}, 0.15_mm, enough, 0.0, BoneQuery(awl.simulation.bone().query()));
+        return drilling::Shells({&way, 1}, 0.15_mm, 0.0, BoneQuery(awl.simulation.bone().query()));
     }
 };
 
@@ -158,7 +158,6 @@ TEST(Shells, AWayThatMeetsNoBoneTellsNothingAndOneWithoutAFarSideNever) {
     EXPECT_EQ(ways.ask({0, 0, 0.5_mm}, {1, 0, 0}).on(0).load, 0.0) << "it stays above";
     EXPECT_EQ(ways.ask({0, 0, 1.2_mm}, {0, 0, 1}).on(0).load, drilling::Shell::never) << "32 steps end in bone";
     EXPECT_EQ(ways.ask({0, 0, 2.0_mm}, {0, 0, -1}).on(0).load, drilling::Shell::never) << "it comes out where the tip came in";
-    EXPECT_GT(ways.ask({0, 0, 1.2_mm}, {0, 0, 1}, 100.0).on(0).load, 100.0) << "more than enough";
 }
 
 // ---- What has broken ------------------------------------------------------------------------------------------------
