@@ -42,10 +42,18 @@ std::vector<Pose> eventful_way() {
 }
 
 struct Rig {
-    Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
     ToolSetup setup = test::twist_drill();
+    double thickness = 8.0_mm;
+    Body body = test::block({-5.0_mm, -5.0_mm, -thickness}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
     Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-6.0_mm)};
 };
+
+/// Of two readings of this thread.
+void expect_nothing_forbidden(const test::Forbidden& before, const test::Forbidden& after, std::size_t tick) {
+    ASSERT_EQ(after.allocations, before.allocations) << "tick " << tick;
+    ASSERT_EQ(after.locks, before.locks) << "tick " << tick;
+    ASSERT_EQ(after.throws, before.throws) << "tick " << tick;
+}
 
 TEST(LoopGuard, SeesWhatItIsForbidden) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -75,15 +83,27 @@ TEST(LoopGuard, TheTickNeitherAllocatesNorLocksNorThrows) {
         const test::Forbidden before = test::forbidden_here();
         const TickResult result = rig.simulation.tick({way[i]});
         const test::Forbidden after = test::forbidden_here();
-        ASSERT_EQ(after.allocations, before.allocations) << "tick " << i;
-        ASSERT_EQ(after.locks, before.locks) << "tick " << i;
-        ASSERT_EQ(after.throws, before.throws) << "tick " << i;
+        ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         was_fast = was_fast || result.parts > 1;
         was_barred = was_barred || result.is_barred;
         rig.simulation.after_tick();
     }
     EXPECT_TRUE(was_fast && was_barred) << "the way was eventful";
     EXPECT_GT(way.size(), 2000u);
+}
+
+TEST(LoopGuard, NorWhileATipThatDoesNotTurnStandsCrushesAndBreaksThrough) {
+    Rig rig{.setup = test::twist_drill({{"spindle_speed", 0.0}}), .thickness = 2.0_mm};
+    std::vector<std::string> happened;
+    for (std::size_t i = 0; i < 4000; ++i) {
+        const DeviceSample hand{test::at_depth(-0.2_mm + 2.0_um * static_cast<double>(i))};
+        const test::Forbidden before = test::forbidden_here();
+        const TickResult result = rig.simulation.tick_direct(hand);
+        ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, test::forbidden_here(), i));
+        for (std::size_t n = 0; n < result.event_count; ++n) happened.emplace_back(result.events[n]);
+        rig.simulation.after_tick();
+    }
+    EXPECT_EQ(happened, (std::vector<std::string>{"drilling.crushing", "drilling.wall_broken"}));
 }
 
 TEST(LoopGuard, TheTickMakesNoSystemCall) {
