@@ -13,6 +13,7 @@ namespace {
 constexpr double clear = 0.25;        // [voxels] so far from its own hole's wall no way meets that
 constexpr double begins_in = 1.5;     // [steps] a shell that begins no farther is pressed on: the first of them may be half in the hole
 constexpr double of_one_wall = 0.7;   // cosine between the normals of its far side [judgement]
+constexpr double worth_telling = 10.0; // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
 constexpr double also_broken = 1.5;   // times what broke: a wall of a fifth more, to which its crack has not come [judgement]
 
 /// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already.
@@ -97,10 +98,10 @@ PressedWall::PressedWall(std::span<const double> crushes, const WallAhead& wall,
 }
 
 bool BrokenWall::break_under(double load) noexcept {
-    const bool is_first = !is_there();
+    const bool was_told = load_ >= worth_telling;
     load_ = std::max(load_, load);
     away_ = 0.0;
-    return is_first;
+    return !was_told && load_ >= worth_telling;
 }
 
 void BrokenWall::go(double along, bool is_in_it, double radius) noexcept {

@@ -77,7 +77,7 @@ class BrokenWall {
 public:
     [[nodiscard]] double load() const noexcept { return load_; }  ///< [N] under which it broke; 0: nothing is broken
     [[nodiscard]] bool is_there() const noexcept { return load_ > 0.0; }
-    /// More of it broke under `load` [N], or something did.   Whether that is the first of it.
+    /// More of it broke under `load` [N], or something did.   Whether that is to be told: once, and of no sliver.
     bool break_under(double load) noexcept;
     /// The tip went so far [m] along its shaft; `is_in_it`: it pressed on what is broken. What it is a `radius` [m] away from is forgotten.
     void go(double along, bool is_in_it, double radius) noexcept;

@@ -165,6 +165,8 @@ TEST(Shells, AWayThatMeetsNoBoneTellsNothingAndOneWithoutAFarSideNever) {
 TEST(BrokenWall, IsToldOnceAndForgottenARadiusAway) {
     drilling::BrokenWall wall;
     EXPECT_FALSE(wall.is_there());
+    EXPECT_FALSE(wall.break_under(3.0)) << "a sliver";
+    EXPECT_TRUE(wall.is_there());
     EXPECT_TRUE(wall.break_under(80.0));
     EXPECT_FALSE(wall.break_under(100.0)) << "more of the same";
     EXPECT_EQ(wall.load(), 100.0);
