@@ -28,8 +28,9 @@ double plate(double sigma, double thick) noexcept { return 4.0 * pi * sigma * th
 
 }  // namespace
 
-void Shells::Section::add(std::size_t step, double sigma) noexcept {
+void Shells::Section::add(std::size_t step, double sigma, double engagement) noexcept {
     strength[step] = sigma;
+    bone[step] = engagement;
     strongest = std::max(strongest, sigma);
     if (sigma > 0.0) ends = step + 1;
 }
@@ -45,9 +46,12 @@ std::pair<std::size_t, std::size_t> Shells::Section::shell() const noexcept {
 
 double Shells::Section::mean() const noexcept {
     const auto [begin, end] = shell();
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) sum += strength[i];
-    return sum / static_cast<double>(end - begin);
+    double sum = 0.0, of_bone = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+        sum += strength[i];
+        of_bone += bone[i];
+    }
+    return sum / of_bone;
 }
 
 Shells::Shells(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone) noexcept {
@@ -76,7 +80,7 @@ void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& 
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t way = followed[i];
             Section& section = sections[way];
-            section.add(n, strength_at(here[i], bone));
+            section.add(n, strength_at(here[i], bone), here[i].engagement);
             if (section.ends > 0 && n + 1 == section.ends + free_steps) ended.way[ended.count++] = way;
             else followed[going_on++] = way;
         }

@@ -49,14 +49,15 @@ private:
     static constexpr std::size_t most_steps = 32;
     /// What lies on a way, step by step.
     struct Section {
-        std::array<double, most_steps> strength;  ///< [Pa]; 0 in air
+        std::array<double, most_steps> strength;  ///< [Pa] times how much of it is bone; 0 in air
+        std::array<double, most_steps> bone;      ///< [–] how much of it
         double strongest = 0.0;                   ///< [Pa]
         std::size_t ends = 0;                     ///< step at which bone ends; 0: none yet
 
-        void add(std::size_t step, double sigma) noexcept;
+        void add(std::size_t step, double sigma, double engagement) noexcept;
         /// The last run of steps that are strong: from the first, up to the second of them.
         [[nodiscard]] std::pair<std::size_t, std::size_t> shell() const noexcept;
-        [[nodiscard]] double mean() const noexcept;  ///< [Pa] over the shell
+        [[nodiscard]] double mean() const noexcept;  ///< [Pa] over the shell's bone
     };
     /// Ways that came to a far side, and where their shells lie on them.
     struct Ended {

@@ -61,16 +61,24 @@ struct Awl {
     }
 };
 
-TEST(BreakingWall, APlateBearsTheClosedForm) {
+TEST(BreakingWall, APlateOfTwoVoxelsAndMoreBearsTheClosedForm) {
     struct Case {
         double thickness, tilt, spacing;
     };
-    for (const Case& one : {Case{0.5_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.25_mm}, Case{2.0_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.125_mm}, Case{1.0_mm, 25.0_deg, 0.25_mm},
-                            Case{1.0_mm, 50.0_deg, 0.25_mm}, Case{1.0_mm, 50.0_deg, 0.125_mm}, Case{0.5_mm, 50.0_deg, 0.125_mm}}) {
+    for (const Case& one : {Case{0.5_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.5_mm}, Case{1.0_mm, 0.0, 0.25_mm}, Case{2.0_mm, 0.0, 0.25_mm}, Case{0.5_mm, 25.0_deg, 0.125_mm},
+                            Case{1.0_mm, 25.0_deg, 0.25_mm}, Case{2.0_mm, 25.0_deg, 0.5_mm}, Case{0.5_mm, 50.0_deg, 0.25_mm}, Case{1.0_mm, 50.0_deg, 0.5_mm}, Case{1.0_mm, 50.0_deg, 0.125_mm}}) {
         Awl awl(one.thickness, one.spacing, one.tilt);
-        EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.04) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
+        EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.03) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
         EXPECT_EQ(awl.broke, 1) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
     }
+}
+
+TEST(BreakingWall, APlateOfOneVoxelBearsLess) {
+    Awl awl(0.5_mm, 0.5_mm);
+    const double share = awl.peak(6.0_mm) / closed_form(0.5_mm);
+    EXPECT_GT(share, 0.5);
+    EXPECT_LT(share, 0.8) << "the limit that the model's text states";
+    EXPECT_EQ(awl.broke, 1);
 }
 
 TEST(BreakingWall, OnceBrokenItBearsNothing) {
@@ -100,7 +108,7 @@ TEST(BreakingWall, ElsewhereTheWallIsWholeAgain) {
     for (double depth = 9.0_mm; depth > -0.4_mm; depth -= 50.0_um) (void)awl.led_to({-3.0_mm, 0, 0}, depth);
     for (double x = -3.0_mm; x < 3.0_mm; x += 0.1_mm) (void)awl.led_to({x, 0, 0}, -0.4_mm);
     awl.deepest = -0.4_mm;
-    EXPECT_NEAR(awl.peak(9.0_mm, {3.0_mm, 0, 0}) / first, 1.0, 0.05);
+    EXPECT_NEAR(awl.peak(9.0_mm, {3.0_mm, 0, 0}) / first, 1.0, 0.01);
     EXPECT_EQ(awl.broke, 2);
 }
 
@@ -118,7 +126,7 @@ TEST(BreakingWall, ThickBoneIsCrushedUntilItIsThin) {
 
 TEST(BreakingWall, ItIsTheSameSeenInAMirror) {
     Awl right(1.0_mm, 0.25_mm, 40.0_deg), left(1.0_mm, 0.25_mm, -40.0_deg);
-    EXPECT_NEAR(left.peak(11.0_mm) / right.peak(11.0_mm), 1.0, 0.03);
+    EXPECT_NEAR(left.peak(11.0_mm) / right.peak(11.0_mm), 1.0, 0.01);
 }
 
 TEST(BreakingWall, ItIsTheSameAtEveryRate) {
@@ -128,7 +136,7 @@ TEST(BreakingWall, ItIsTheSameAtEveryRate) {
         for (double depth = -0.2_mm; depth < 9.0_mm; depth += step) most = std::max(most, awl.led_to({}, depth));
         return most;
     };
-    EXPECT_NEAR(peak(2.0_um) / peak(20.0_um), 1.0, 0.04);
+    EXPECT_NEAR(peak(2.0_um) / peak(20.0_um), 1.0, 0.02);
 }
 
 // ---- The shells on ways, told by hand -------------------------------------------------------------------------------
@@ -146,11 +154,11 @@ struct Ways {
 TEST(Shells, APlateIsAsThickAsItIsUprightOrAskew) {
     const Ways ways(2.0_mm, -1.0_mm);
     const drilling::Shells upright = ways.ask({0, 0, 0.5_mm}, {0, 0, 1});
-    EXPECT_NEAR(upright.on(0).load / closed_form(2.0_mm), 1.0, 0.06);
+    EXPECT_NEAR(upright.on(0).load / closed_form(2.0_mm), 1.0, 0.03);
     EXPECT_NEAR(upright.on(0).before, 0.5_mm, 0.03_mm) << "of air";
     EXPECT_NEAR(upright.on(0).normal.z, 1.0, 0.02) << "tool's z is into the bone";
     const drilling::Shells askew = ways.ask({-1.0_mm, 0, 0.5_mm}, {std::sin(40.0_deg), 0, std::cos(40.0_deg)});
-    EXPECT_NEAR(askew.on(0).load / closed_form(2.0_mm), 1.0, 0.06) << "as thick, and no longer";
+    EXPECT_NEAR(askew.on(0).load / closed_form(2.0_mm), 1.0, 0.03) << "as thick, and no longer";
 }
 
 TEST(Shells, AWayThatMeetsNoBoneTellsNothingAndOneWithoutAFarSideNever) {
