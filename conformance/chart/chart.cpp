@@ -41,7 +41,8 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     };
     chart.processor = processor_name();
     chart.law = *law;
-    chart.checks = published_checks(*law);
+    chart.awl = awl_ways();
+    chart.checks = published_checks(*law, chart.awl);
     const std::vector<Method> methods = all_methods(plugins, *law, request.is_quick);
     for (const Method& method : methods) {
         chart.methods.push_back({method.id, method.title, method.is_as_printed, stiffest(method, *law)});

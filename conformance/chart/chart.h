@@ -40,6 +40,7 @@ struct SceneTitle {
 struct Chart {
     std::string processor{};      ///< what the costs were measured on
     CuttingLaw law{};             ///< that all but the papers share
+    std::vector<AwlWay> awl{};    ///< into a pedicle and through its wall
     std::vector<Check> checks{};  ///< of the physics
     std::vector<SceneTitle> scenes{};
     std::vector<MethodNote> methods{};

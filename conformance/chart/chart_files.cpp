@@ -275,7 +275,7 @@ std::string chart_html(const Chart& chart) {
         }
         html += "</tbody></table></div></details></section>\n";
     }
-    html += published_html(chart.law, chart.checks);
+    html += published_html(chart.law, chart.awl, chart.checks);
     return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
 }
 
@@ -291,7 +291,7 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     write("chart.csv", chart_csv(chart));
     write("chart.html", chart_html(chart));
     write("tests.csv", tests_csv(chart));
-    write("physics.svg", published_svg(chart.law));
+    write("physics.svg", published_svg(chart.law, chart.awl));
     write("physics.csv", published_csv(chart.law, chart.checks));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
     return wrong;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conformance/chart/pushed_awl.h"
 #include "conformance/chart/reference.h"
 #include "conformance/drawing/svg.h"
 #include "kerf/units.hpp"
@@ -32,15 +31,6 @@ double peak_thrust(const Scene& scene, const CuttingLaw& law, double from, doubl
                                             2.0 * pi * scene.spindle * dt * static_cast<double>(t))[2];
         if (scene.depth[t] >= from && scene.depth[t] <= to) most = std::max(most, thrust);
     }
-    return most;
-}
-
-/// Largest push of an awl on a way, from one depth to another [N]; what breaks before that is not seen.
-double peak_push(const Scene& scene, double from, double to) {
-    constexpr double step = 0.2_mm;
-    PushedAwl awl(Awl{}, scene);
-    double most = 0.0;
-    for (double depth = from; depth <= to; depth += step) most = std::max(most, awl.push_at(depth));
     return most;
 }
 
@@ -106,7 +96,7 @@ std::vector<Prediction> predictions(const CuttingLaw& law) {
     return all;
 }
 
-std::vector<Check> published_checks(const CuttingLaw& law) {
+std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWay> awl) {
     std::vector<Check> checks;
     const PublishedSeries human = published_series().front();
     const auto predicted = predictions(law);
@@ -156,23 +146,14 @@ std::vector<Check> published_checks(const CuttingLaw& law) {
     constexpr double past_entry = 6.0_mm, to = 26.0_mm;
     const double safe_peak = peak_thrust(safe, law, past_entry, to),
                  breach_peak = peak_thrust(breach, law, past_entry, to);
-    const auto compare = [&](const char* what, double of_breach, double of_safe, const char* note) {
+    const auto compare = [&](const std::string& what, double of_breach, double of_safe, const std::string& note) {
         const double ratio = of_breach / of_safe;
         checks.push_back({"B1-c", what, figure(of_breach) + " over " + figure(of_safe) + " N = " + figure(ratio), "1.5 to 1.7",
                           ratio >= 1.5 && ratio <= 1.7, note});
     };
-    constexpr double awl_past_entry = 10.0_mm, towards_canal = 20.0_deg;  // aimed wrong by so much [judgement]
-    const double safe_push = peak_push(pedicle_awl_scene(0.0, 1.0_mm), awl_past_entry, to);
-    struct Wall {
-        double thickness;
-        const char* what;
-        const char* note;
-    };
-    for (const Wall& wall : {Wall{1.0_mm, "the phantom's wall of 1 mm", "a wall breaks by the square of its thickness; 135 to 155 over about 90 N were measured"},
-                             Wall{0.8_mm, "0.8 mm, the medial wall of L3", "its mean in men; in women 0.9 mm [l3-pedicle-wall]"},
-                             Wall{0.35_mm, "0.35 mm, a vertebra's shell", "[silva-1994]; in newtons it lies with what was measured"}})
-        compare((std::string("push of an awl aimed 20 degrees towards the canal over that along the axis, behind the entry: ") + wall.what).c_str(),
-                peak_push(pedicle_awl_scene(towards_canal, wall.thickness), awl_past_entry, to), safe_push, wall.note);
+    for (std::size_t i = 1; i < awl.size(); ++i)
+        compare("push of an awl aimed 20 degrees towards the canal over that along the axis, behind the entry: " + awl[i].wall, awl[i].most(), awl.front().most(),
+                awl[i].remark + "; " + figure(measured_breach_push[0]) + " to " + figure(measured_breach_push[1]) + " over about " + figure(measured_safe_push) + " N were measured");
     compare("thrust of a drill that goes 6.3 mm beside the axis over that along it", breach_peak, safe_peak,
             "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "conformance/chart/awl_ways.h"
 #include "conformance/chart/methods.h"
 
 /// Laws of drilling against published measurements. For training and research; not for diagnosis, planning or deciding
@@ -54,7 +56,7 @@ struct Check {
     bool passes = false;
     std::string remark{};
 };
-/// B1-a … B1-e.
-[[nodiscard]] std::vector<Check> published_checks(const CuttingLaw& law);
+/// B1-a … B1-e. `awl`: all of `awl_ways()`.
+[[nodiscard]] std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWay> awl);
 
 }  // namespace kerf::chart

@@ -20,7 +20,7 @@ namespace {
 using drawing::csv_quoted;
 using drawing::figure;
 
-constexpr double width = 1040, height = 800;
+constexpr double width = 1040, height = 1110;
 enum Colour { of_kerf = 0, of_line = 1, of_power = 5, of_proportion = 8, of_measured = 6 };
 
 int colour_of(const std::string& law) {
@@ -98,6 +98,27 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
     return panel;
 }
 
+/// An awl's push into a pedicle, beside what surgeons pushed with.
+drawing::Panel awl_panel(std::span<const AwlWay> ways) {
+    drawing::Panel panel{.title = "Push of an awl, 4 mm and 30 degrees, along a pedicle's axis and 20 degrees towards the canal, where its wall breaks"};
+    panel.x = {.title = "depth of the tip in mm", .is_log = false, .low = ways.front().pushes.front().depth / 1.0_mm, .high = ways.front().pushes.back().depth / 1.0_mm};
+    panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 350.0};
+    panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], "measured, a breach: from here"}, {measured_breach_push[1], "to here"}};
+    constexpr int colours[] = {of_measured, of_kerf, of_power, of_proportion};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        drawing::Curve curve{.name = ways[i].wall.empty() ? "along the axis" : "", .colour = colours[i % std::size(colours)], .is_bold = true, .has_dots = false};
+        drawing::Curve peak{.colour = curve.colour, .has_line = false};
+        for (const AwlWay::At& at : ways[i].pushes) {
+            curve.markers.push_back({at.depth / 1.0_mm, at.push});
+            if (!ways[i].wall.empty() && at.push == ways[i].most() && peak.markers.empty())
+                peak.markers.push_back({.x = at.depth / 1.0_mm, .y = at.push, .label = ways[i].wall + ": " + figure(at.push) + " N"});
+        }
+        panel.curves.push_back(std::move(curve));
+        if (!peak.markers.empty()) panel.curves.push_back(std::move(peak));
+    }
+    return panel;
+}
+
 const char* calibrated_on =
     "Calibrated on: proportional, the mean at 1000 rpm; edge + chip and power, the means at 1000 and 1500 rpm, each "
     "series by itself. "
@@ -107,13 +128,14 @@ const char* calibrated_on =
 
 }  // namespace
 
-std::string published_svg(const CuttingLaw& law) {
+std::string published_svg(const CuttingLaw& law, std::span<const AwlWay> awl) {
     constexpr double half = 0.5 * width, tall = 380;
     std::string content =
         drawing::text_at(12, 24, "Physics: laws against published drilling tests", "class=\"kp-title\"");
     content += drawing::panel_svg(feed_panel(law, false), 0, 36, half, tall);
     content += drawing::panel_svg(feed_panel(law, true), half, 36, half, tall);
     content += drawing::panel_svg(deviation_panel(law), 0, 36 + tall, width, 330);
+    content += drawing::panel_svg(awl_panel(awl), 0, 36 + tall + 330, width, 310);
     content += drawing::text_at(
         12, height - 24, "Filled: within 1 SD of the measured mean; hollow: not, or no SD was reported. Bars: +- 1 SD.",
         "class=\"kp-note\"");
@@ -140,8 +162,8 @@ std::string published_csv(const CuttingLaw& law, std::span<const Check> checks) 
     return text;
 }
 
-std::string published_html(const CuttingLaw& law, std::span<const Check> checks) {
-    std::string html = "<section><figure>" + published_svg(law) + "</figure><p class=\"soft small\">" +
+std::string published_html(const CuttingLaw& law, std::span<const AwlWay> awl, std::span<const Check> checks) {
+    std::string html = "<section><figure>" + published_svg(law, awl) + "</figure><p class=\"soft small\">" +
                        html_escaped(calibrated_on) +
                        "</p><div "
                        "class=\"wide\"><table><thead><tr><th>Check</th><th>What</th><th>Found</th><th>Wanted</"

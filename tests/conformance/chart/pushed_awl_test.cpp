@@ -100,5 +100,28 @@ TEST(PushedAwl, BreaksOutOfTheLastCortexWhereThePluginsStillDrillDoes) {
     }
 }
 
+// An awl that aims at the canal: through the entry, spongy bone, and the pedicle's medial wall from within.
+TEST(PushedAwl, BreaksAPediclesWallWhereThePluginsAwlDoes) {
+    const Scene scene = pedicle_awl_scene(20.0_deg, 1.0_mm);
+    const Body body = body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55});
+    const double slender = 1.75_mm / std::tan(15.0_deg);  // the end of 0.5 mm is blunter, as no drill is as sharp
+    const ToolSetup setup = test::drill("profile_drill", {{"spindle_speed", 0.0}, {"diameter", 0.5_mm}, {"point_angle", 60.0_deg}, {"depth_1", 0.433_mm + slender}, {"diameter_1", 4.0_mm}});
+    Simulation simulation(body, setup, test::outline(setup), test::gains(), scene.pose_at(scene.depth.front()));
+    double awl_most = 0.0, most = 0.0, awl_at = 0.0, at = 0.0;
+    PushedAwl awl({}, scene);
+    const double shorter = 0.25_mm / std::tan(15.0_deg) - 0.433_mm;  // by so much than a cone of 30° to its end
+    int n = 0;
+    for (double depth = scene.depth.front(); depth < 20.0_mm; depth += 4.0_um) {
+        const double thrust = simulation.tick_direct({scene.pose_at(depth)}).thrust;
+        simulation.after_tick();
+        if (depth > 10.0_mm && thrust > most) most = thrust, at = depth;
+        if (++n % 25 != 0 || depth < 10.0_mm) continue;
+        const double exact = awl.push_at(depth + shorter);
+        if (exact > awl_most) awl_most = exact, awl_at = depth;
+    }
+    EXPECT_NEAR(most / awl_most, 1.0, 0.08);
+    EXPECT_NEAR(at, awl_at, 0.3_mm);
+}
+
 }  // namespace
 }  // namespace kerf::chart
