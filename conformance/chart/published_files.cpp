@@ -135,7 +135,7 @@ std::string published_svg(const CuttingLaw& law, std::span<const AwlWay> awl) {
     content += drawing::panel_svg(feed_panel(law, false), 0, 36, half, tall);
     content += drawing::panel_svg(feed_panel(law, true), half, 36, half, tall);
     content += drawing::panel_svg(deviation_panel(law), 0, 36 + tall, width, 330);
-    content += drawing::panel_svg(awl_panel(awl), 0, 36 + tall + 330, width, 310);
+    if (!awl.empty()) content += drawing::panel_svg(awl_panel(awl), 0, 36 + tall + 330, width, 310);
     content += drawing::text_at(
         12, height - 24, "Filled: within 1 SD of the measured mean; hollow: not, or no SD was reported. Bars: +- 1 SD.",
         "class=\"kp-note\"");

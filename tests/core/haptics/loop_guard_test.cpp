@@ -99,7 +99,8 @@ TEST(LoopGuard, NorWhileATipThatDoesNotTurnStandsCrushesAndBreaksThrough) {
         const DeviceSample hand{test::at_depth(-0.2_mm + 2.0_um * static_cast<double>(i))};
         const test::Forbidden before = test::forbidden_here();
         const TickResult result = rig.simulation.tick_direct(hand);
-        ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, test::forbidden_here(), i));
+        const test::Forbidden after = test::forbidden_here();
+        ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         for (std::size_t n = 0; n < result.event_count; ++n) happened.emplace_back(result.events[n]);
         rig.simulation.after_tick();
     }
