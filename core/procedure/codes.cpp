@@ -96,7 +96,7 @@ constexpr CodeEntry entries[] = {
     {502, "zone missing in the anatomy", "The anatomy has no zone of a name that the procedure needs.", "What must be spared could not be watched.", "Correct the spelling, add it to the anatomy, or choose another anatomy."},
     {503, "tissue missing in the anatomy", "The anatomy has no tissue of a name that the procedure needs.", "The procedure was written for bone that has it.", "Correct the spelling, add it to the anatomy, or choose another anatomy."},
     {504, "point instead of an axis", "A step follows a landmark that is a point.", "A point has no direction.", "Name an axis, or give the anatomy one."},
-    {505, "no midline", "A rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.", "Nobody can tell which way `medial:` goes.", "Add `midline` to the anatomy's points, or remove `medial:`."},
+    {505, "no midline", "A rehearsal moves towards the midline, but the anatomy has no point landmark `midline`.", "Nobody can tell which way `medial:` and `medial_angle:` go.", "Add `midline` to the anatomy's points, or remove them."},
     {506, "no plane", "The `plane:` of a step is a point or an axis of the anatomy.", "Neither says how a blade is to be turned.", "Name a plane, or give the anatomy one."},
     {507, "axis out of its plane", "A step's axis leads out of the plane that its blade should lie in, or runs beside it.", "A blade that is fed across its own plane binds in its slot.", "Turn or move the axis or the plane in the anatomy."},
     {508, "step without a plane", "Something is measured in the plane of a step that names none.", "Without one a blade may be turned anyhow about its axis.", "Give the step a `plane:`, the name of a landmark plane."},

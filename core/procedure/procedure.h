@@ -84,6 +84,7 @@ struct Step {
 struct Waypoint {
     double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
     double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
+    double medial_angle = 0.0;  ///< [rad] the whole way, from the axis towards `midline`, about the planned entry
     double aside = 0.0;   ///< [m] sideways in the step's plane, along the tool's x
     double tilt = 0.0;    ///< [rad] about the axis, out of the step's plane
     std::size_t step = 0; ///< whose frame

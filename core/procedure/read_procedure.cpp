@@ -478,6 +478,7 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
         }
     at.depth = waypoint.quantity("depth");
     waypoint.quantity("medial", at.medial);
+    waypoint.quantity("medial_angle", at.medial_angle);
     waypoint.quantity("aside", at.aside);
     waypoint.quantity("tilt", at.tilt);
     if (const Node* drives = waypoint.find("drives"); drives && at.step < steps.size()) {
@@ -829,12 +830,12 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     const Node* rehearsals = document.root.find("rehearsals");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const std::vector<Waypoint>& path = procedure.rehearsals[i].path;
-        const auto shifted = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.medial != 0.0; });
+        const auto shifted = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.medial != 0.0 || w.medial_angle != 0.0; });
         if (shifted == path.end()) continue;
         const Node* node = rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
         report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
                      "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`. Add it "
-                     "there, or remove `medial`.", {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
+                     "there, or remove `" + std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.", {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
     }
 }
 

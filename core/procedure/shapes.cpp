@@ -165,6 +165,7 @@ const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.
     {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
     {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
     {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
+    {optional, "medial_angle", quantity(dimension::angle, "deg", -60.0_deg, 60.0_deg), "How far all of it is aimed beside the axis, towards the landmark `midline`, about where the axis meets bone.", "20 deg"},
     {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
     {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
     {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.", "{spindle_speed: 500 rpm}"},

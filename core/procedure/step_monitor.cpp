@@ -28,11 +28,16 @@ Quat turn_about(Vec3 axis, Vec3 from, Vec3 to) noexcept {
 }  // namespace
 
 Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
-    const Vec3 tip = entry + w.depth * along + w.medial * medial + w.aside * aside();
+    Vec3 from_entry = w.depth * along + w.medial * medial + w.aside * aside();
     Quat rotation = quat_between({0, 0, 1}, along);
     if (across != Vec3{}) rotation = turn_about(along, rotate(rotation, {0, 1, 0}), across) * rotation;
     if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
-    return {tip, rotation};
+    if (w.medial_angle != 0.0) {
+        const Quat turn = quat_from_rotation_vector(w.medial_angle * cross(along, medial));
+        from_entry = rotate(turn, from_entry);
+        rotation = turn * rotation;
+    }
+    return {entry + from_entry, rotation};
 }
 
 AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy, const LandmarkPlane* plane) noexcept {
