@@ -44,7 +44,7 @@ rehearsals:
     path: [ {depth: -5 mm}, {depth: 32 mm} ]
   - id: breach
     expect: {fail: canal}
-    path: [ {depth: -5 mm, medial: 5 mm}, {depth: 32 mm, medial: 5 mm} ]
+    path: [ {depth: -5 mm, medial: 5 mm}, {depth: 32 mm, medial: 5 mm, medial_angle: -10 deg} ]
 )";
 
 std::optional<Procedure> read(const std::string& text, Diagnostics& diagnostics) {
@@ -91,6 +91,7 @@ TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
     EXPECT_EQ(procedure->rehearsals.at(1).expect, "fail");
     EXPECT_EQ(procedure->rehearsals.at(1).expect_limit, "canal");
     EXPECT_EQ(procedure->rehearsals.at(1).path.at(1).medial, 5.0_mm);
+    EXPECT_EQ(procedure->rehearsals.at(1).path.at(1).medial_angle, -10.0_deg);
 }
 
 TEST(ReadProcedure, ResolvesTheAnatomyAgainstItsOwnFolder) {

@@ -65,6 +65,20 @@ TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
     expect_near(tilted.position, straight.position);
 }
 
+TEST(AxisFrame, AimedBesideTheAxisAllOfTheWayTurnsAboutTheEntryTowardsTheMidline) {
+    const LandmarkAxis axis{"way", {0, 0, 0}, {0, 0, 40.0_mm}, 0.0};
+    Anatomy anatomy;
+    anatomy.points.push_back({"midline", {20.0_mm, 0, 30.0_mm}, 0.0});
+    const AxisFrame frame = axis_frame(axis, 10.0_mm, anatomy);
+
+    const Pose aimed = frame.pose_at({.depth = 8.0_mm, .medial = 1.0_mm, .medial_angle = 30.0_deg});
+
+    const double c = std::cos(30.0_deg), s = std::sin(30.0_deg);
+    EXPECT_LT(length(rotate(aimed.rotation, {0, 0, 1}) - Vec3{s, 0, c}), 1e-12);
+    EXPECT_LT(length(aimed.position - Vec3{8.0_mm * s + 1.0_mm * c, 0, 10.0_mm + 8.0_mm * c - 1.0_mm * s}), 1e-12);
+    EXPECT_LT(length(frame.pose_at({.medial_angle = 30.0_deg}).position - frame.entry), 1e-15) << "the entry stays";
+}
+
 TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
     const LandmarkAxis axis{"way", {0, 0, -1.0_mm}, {0, 0, 1.0_mm}, 0.0};
     const LandmarkPlane plane{"level", {}, {0, -1, 0}, 0.0};

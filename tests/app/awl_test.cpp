@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shipped procedure of an awl, run whole.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/run_procedure.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+RunOutcome outcome_of(const char* rehearsal) {
+    Diagnostics diagnostics;
+    const auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml", "", test::plugins(), diagnostics);
+    if (!scene) throw std::runtime_error(to_text(diagnostics));
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return run_procedure(*scene, test::plugins(), request);
+}
+
+auto told(const RunOutcome& run, const std::string& id) {
+    return std::count_if(run.events.begin(), run.events.end(), [&](const EventRow& event) { return event.id == id; });
+}
+
+double most_thrust(const RunOutcome& run) {
+    double most = 0.0;
+    for (const TickRow& row : run.ticks)
+        if (row.step == 1) most = std::max(most, row.thrust);
+    return most;
+}
+
+TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
+    const RunOutcome run = outcome_of("expert");
+    EXPECT_TRUE(run.is_as_expected);
+    EXPECT_EQ(told(run, "drilling.crushing"), 1);
+    EXPECT_EQ(told(run, "drilling.wall_broken"), 0);
+    EXPECT_NEAR(most_thrust(run), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
+}
+
+TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
+    const RunOutcome run = outcome_of("aimed-at-the-canal");
+    EXPECT_TRUE(run.is_as_expected);
+    EXPECT_EQ(told(run, "drilling.wall_broken"), 1);
+    EXPECT_GT(most_thrust(run), 220.0);
+    EXPECT_LT(most_thrust(run), 380.0) << "N: as much as 1 mm of cortex bears";
+}
+
+}  // namespace
+}  // namespace kerf
