@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick costs while a tip that does not turn is pushed: an awl of 4 mm led through bone at 2 mm/s, beside a drill of 3.2 mm that cuts the
-// same bone at the same rate. Time on the processor, of this thread, in one run; each row is gone through three times.
+// What a tick costs while a tip that does not turn is pushed: an awl of 4 mm led through bone at 2 mm/s, beside a drill of 3.2 mm that cuts
+// cortex at the same rate. Time on the processor, of this thread, in one run; each row is gone through three times.
 //
 //     drill     it turns, 3 … 6 mm deep in cortex
 //     stands    on cortex with the spring of its contact: bone is asked each tick whether it gives way

@@ -32,11 +32,11 @@ double AwlWay::most() const noexcept {
 }
 
 std::vector<AwlWay> awl_ways() {
-    constexpr double towards_canal = 20.0_deg;
+    constexpr double towards_canal = aimed_wrong * 1.0_deg;
     return {way_through(0.0, 1.0_mm, "", ""),
             way_through(towards_canal, 1.0_mm, "the phantom's wall of 1 mm", "a wall breaks by the square of its thickness"),
             way_through(towards_canal, 0.8_mm, "0.8 mm, the medial wall of L3", "its mean in men; in women 0.9 mm [l3-pedicle-wall]"),
-            way_through(towards_canal, 0.35_mm, "0.35 mm, a vertebra's shell", "[silva-1994]; in newtons it lies with what was measured")};
+            way_through(towards_canal, 0.35_mm, "0.35 mm, a vertebra's shell", "[silva-1994]")};
 }
 
 }  // namespace kerf::chart

@@ -18,10 +18,13 @@ struct AwlWay {
     [[nodiscard]] double most() const noexcept;  ///< [N]
 };
 
-/// Along the planned axis first, then 20° beside it towards the canal [judgement], through walls of several thicknesses.
+/// Along the planned axis first, then `aimed_wrong` beside it towards the canal, through walls of several thicknesses.
 [[nodiscard]] std::vector<AwlWay> awl_ways();
 
-/// What surgeons pushed with, in 42 pedicles of cadavers (CORS 2013, abstract): safe ways and breaches on purpose [N].
+/// [deg] [judgement]
+inline constexpr double aimed_wrong = 20.0;
+
+/// What surgeons pushed with, in 42 pedicles of cadavers [cors-2013]: safe ways and breaches on purpose [N].
 inline constexpr double measured_safe_push = 90.0, measured_breach_push[] = {135.0, 155.0};
 
 }  // namespace kerf::chart

@@ -152,7 +152,7 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                           ratio >= 1.5 && ratio <= 1.7, note});
     };
     for (std::size_t i = 1; i < awl.size(); ++i)
-        compare("push of an awl aimed 20 degrees towards the canal over that along the axis, behind the entry: " + awl[i].wall, awl[i].most(), awl.front().most(),
+        compare("push of an awl aimed " + figure(aimed_wrong) + " degrees towards the canal over that along the axis, behind the entry: " + awl[i].wall, awl[i].most(), awl.front().most(),
                 awl[i].remark + "; " + figure(measured_breach_push[0]) + " to " + figure(measured_breach_push[1]) + " over about " + figure(measured_safe_push) + " N were measured");
     compare("thrust of a drill that goes 6.3 mm beside the axis over that along it", breach_peak, safe_peak,
             "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");

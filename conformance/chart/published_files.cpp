@@ -100,7 +100,7 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
 
 /// An awl's push into a pedicle, beside what surgeons pushed with.
 drawing::Panel awl_panel(std::span<const AwlWay> ways) {
-    drawing::Panel panel{.title = "Push of an awl, 4 mm and 30 degrees, along a pedicle's axis and 20 degrees towards the canal, where its wall breaks"};
+    drawing::Panel panel{.title = "Push of an awl, 4 mm and 30 degrees, along a pedicle's axis and " + figure(aimed_wrong) + " degrees towards the canal, where its wall breaks"};
     panel.x = {.title = "depth of the tip in mm", .is_log = false, .low = ways.front().pushes.front().depth / 1.0_mm, .high = ways.front().pushes.back().depth / 1.0_mm};
     panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 350.0};
     panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], "measured, a breach: from here"}, {measured_breach_push[1], "to here"}};

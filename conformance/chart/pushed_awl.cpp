@@ -15,11 +15,13 @@ using namespace literals;
 namespace {
 
 constexpr double step = 0.1_mm;          // of a ray
-constexpr double reach = 5.3_mm;         // bone whose far side is farther has none near by: 2 2/3 radii of 2 mm
+constexpr double reach = 8.0 / 3.0;      // [radii] bone whose far side is farther has none near by
 constexpr double free_way = 0.3_mm;      // so much air is a far side
-constexpr double of_strongest = 0.5;     // what is weaker is not of the shell
-constexpr double of_one_wall = 0.7;      // cosine between far sides of one wall
-constexpr double also_broken = 1.5;      // times what broke: a shell of a fifth more is whole
+constexpr double of_strongest = 0.5;     // what is weaker is not of the shell [judgement]
+constexpr double most_askew = 0.2;       // cosine: what lies along the ray is not its far side [judgement]
+constexpr double most_backwards = -0.3;  // along the shaft: it is the side that the tip comes from [judgement]
+constexpr double of_one_wall = 0.7;      // cosine between far sides of one wall [judgement]
+constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
 
 /// Between two places on a ray, one in what is asked for and one out of it.
 template <typename Is>
@@ -50,7 +52,7 @@ std::optional<PushedAwl::Shell> PushedAwl::shell_on(Vec3 from, Vec3 along, const
     double strongest = 0.0;
     std::size_t end = 0;  // of bone
     while (end == 0 || static_cast<double>(on_way.size() - end) * step < free_way) {
-        if (static_cast<double>(on_way.size()) * step > reach) return std::nullopt;
+        if (static_cast<double>(on_way.size()) * step > reach * 0.5 * awl_.diameter) return std::nullopt;
         on_way.push_back(strength(static_cast<double>(on_way.size()) * step));
         strongest = std::max(strongest, on_way.back());
         if (on_way.back() > 0.0) end = on_way.size();
@@ -75,7 +77,7 @@ std::optional<PushedAwl::Shell> PushedAwl::shell_on(Vec3 from, Vec3 along, const
     }
     normal = normalized(normal);
     const double upright = dot(normal, along);
-    if (upright < 0.2 || normal.z < -0.3) return std::nullopt;  // it lies along the ray; the tip comes from there
+    if (upright < most_askew || normal.z < most_backwards) return std::nullopt;  // it lies along the ray; the tip comes from there
     const double c = std::clamp(normal.z, std::sin(0.5 * awl_.point_angle), 1.0), thick = (far - near) * upright;
     const double sigma = 133.0 / 193.0 * sum / static_cast<double>(end - begin), m = sigma * thick * thick / 6.0;
     return Shell{4.0 * pi * m * (c + awl_.friction * std::sqrt(1.0 - c * c)), near, normal};
@@ -92,10 +94,12 @@ std::optional<PushedAwl::Shell> PushedAwl::shell_before(int ring, int side, cons
 double PushedAwl::what_shells_bear(const std::array<Side, sides>& all) {
     std::array<double, sides> crushes{};  // [N] of what is not broken
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const double share = broken_ > 0.0 ? std::clamp((all[i].shell.load / broken_ - 1.0) / (also_broken - 1.0), 0.0, 1.0) : 1.0;
+        const bool is_broken = has_broken() && dot(all[i].shell.normal, broken_.normal) >= 0.0;
+        const double share = is_broken ? std::clamp((all[i].shell.load / broken_.load - all_broken) / (none_broken - all_broken), 0.0, 1.0) : 1.0;
         crushes[i] = all[i].crushes > 0.0 ? share * all[i].crushes : 0.0;
     }
-    double force = 0.0, breaks = 0.0;
+    double force = 0.0;
+    Shell breaks;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (crushes[i] <= 0.0) continue;
         double of_wall = 0.0, bears = 0.0, count = 0.0;
@@ -106,10 +110,10 @@ double PushedAwl::what_shells_bear(const std::array<Side, sides>& all) {
             count += 1.0;
         }
         bears /= count;
-        if (of_wall > bears) breaks = std::max(breaks, bears);
+        if (of_wall > bears && all[i].shell.load > breaks.load) breaks = all[i].shell;
         force += crushes[i] * std::min(1.0, bears / of_wall);
     }
-    broken_ = std::max(broken_, breaks);
+    if (breaks.load > broken_.load) broken_ = breaks;
     return force;
 }
 

@@ -25,7 +25,8 @@ struct Awl {
 ///     P = 4π m (c + μ √(1 − c²)),    m = σ t²/6,    σ = 133/193 S(ρ)     [N]
 ///
 /// if that is less than what crushes it, and bears nothing from then on; c the larger of its far side's n̂·ẑ and sin p. By the midpoint rule over
-/// the cone in the exact bone, the shells on rays ahead of each place and along its normal. The shaft behind the cone is left out.
+/// the cone in the exact bone, the shells on rays ahead of each place and along its normal. The shaft behind the cone is left out. Where a shell begins and
+/// what is one wall is judged as the plugin does: what agrees with it is told of grids, rings and ticks, not of the law.
 ///
 /// Source: S from [carter-hayes-1977], σ from [reilly-burstein-1975], 4π m by yield lines [johansen-1962]; the law of the drilling plugin's still
 /// tip, docs/models/drilling.md.
@@ -34,9 +35,9 @@ public:
     /// @param scene  outlives it
     PushedAwl(const Awl& awl, const Scene& scene) noexcept : awl_(awl), scene_(&scene) {}
 
-    /// [N] with its tip at `depth` [m], no less deep than before.   [any]
+    /// [N] with its tip at `depth` [m], no less deep than before.   [main]
     double push_at(double depth);
-    [[nodiscard]] bool has_broken() const noexcept { return broken_ > 0.0; }  ///< some shell
+    [[nodiscard]] bool has_broken() const noexcept { return broken_.load > 0.0; }  ///< some shell
 
 private:
     static constexpr int rings = 32, sides = 16;
@@ -59,7 +60,7 @@ private:
 
     Awl awl_;
     const Scene* scene_;
-    double broken_ = 0.0;  // [N] under which a shell broke
+    Shell broken_;  // the last
 };
 
 }  // namespace kerf::chart

@@ -32,7 +32,9 @@ void Shells::Section::add(std::size_t step, double sigma, double engagement) noe
     strength[step] = sigma;
     bone[step] = engagement;
     strongest = std::max(strongest, sigma);
-    if (sigma > 0.0) ends = step + 1;
+    if (sigma <= 0.0) return;
+    if (ends == 0) begins = step;
+    ends = step + 1;
 }
 
 std::pair<std::size_t, std::size_t> Shells::Section::shell() const noexcept {
@@ -61,7 +63,7 @@ Shells::Shells(std::span<const WayOut> ways, double step, double friction, const
     Ended ended;
     follow(ways, step, bone, sections, ended);
     find_sides(ways, step, bone, sections, ended);
-    tell(ways, friction, bone, sections, ended);
+    tell(ways, step, friction, bone, sections, ended);
 }
 
 void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept {
@@ -87,7 +89,8 @@ void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& 
         count = going_on;
     }
     for (std::size_t i = 0; i < count; ++i)
-        if (sections[followed[i]].ends > 0) shell_[followed[i]].load = Shell::never;
+        if (const Section& section = sections[followed[i]]; section.ends > 0)
+            shell_[followed[i]] = {.load = Shell::never, .air = static_cast<double>(section.begins) * step};
 }
 
 void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections, Ended& ended) noexcept {
@@ -117,21 +120,23 @@ void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQue
     }
 }
 
-void Shells::tell(std::span<const WayOut> ways, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept {
+void Shells::tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept {
     std::array<Vec3, most> at;
     std::array<kerf_surface_point, most> near;
     for (std::size_t i = 0; i < ended.count; ++i) at[i] = ways[ended.way[i]].from + ended.far[i] * ways[ended.way[i]].along;
     bone.nearest({at.data(), ended.count}, {near.data(), ended.count});
     for (std::size_t i = 0; i < ended.count; ++i) {
         const WayOut& way = ways[ended.way[i]];
+        Shell& shell = shell_[ended.way[i]];
+        shell.air = static_cast<double>(sections[ended.way[i]].begins) * step;
         const Vec3 n = near[i].normal;
         const double upright = dot(n, way.along), c = std::clamp(n.z, way.least, 1.0);
         if (upright < most_askew || n.z < most_backwards) {
-            shell_[ended.way[i]].load = Shell::never;
+            shell.load = Shell::never;
             continue;
         }
         const double load = plate(sections[ended.way[i]].mean(), (ended.far[i] - ended.near[i]) * upright);
-        shell_[ended.way[i]] = {load * (c + friction * std::sqrt(1.0 - c * c)), ended.near[i], n};
+        shell = {.load = load * (c + friction * std::sqrt(1.0 - c * c)), .before = ended.near[i], .air = shell.air, .normal = n, .far = at[i]};
     }
 }
 

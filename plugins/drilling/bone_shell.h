@@ -22,7 +22,9 @@ struct Shell {
     static constexpr double never = 1e300;
     double load = 0.0;    ///< [N] along the shaft under which it breaks out; 0 where there is no bone, `never` where there is no far side near by
     double before = 0.0;  ///< [m] of the way before it
+    double air = 0.0;     ///< [m] of the way before any bone
     Vec3 normal{};        ///< unit, outwards, of its far side
+    Vec3 far{};           ///< [m] where the way comes out of that, tool frame
 };
 
 /// The shells on a few ways, and what each bears: a plate on which one place presses and which goes on all round, and which cracks outwards
@@ -36,7 +38,7 @@ struct Shell {
 /// Source: 4π m by yield lines [johansen-1962]; σ [reilly-burstein-1975]; docs/models/drilling.md.
 class Shells {
 public:
-    static constexpr std::size_t most = 16;
+    static constexpr std::size_t most = 32;
 
     /// @param ways      #N ≤ most
     /// @param step      [m] from place to place on them: 32 at most
@@ -52,6 +54,7 @@ private:
         std::array<double, most_steps> strength;  ///< [Pa] times how much of it is bone; 0 in air
         std::array<double, most_steps> bone;      ///< [–] how much of it
         double strongest = 0.0;                   ///< [Pa]
+        std::size_t begins = 0;                   ///< step at which bone begins
         std::size_t ends = 0;                     ///< step at which bone ends; 0: none yet
 
         void add(std::size_t step, double sigma, double engagement) noexcept;
@@ -69,7 +72,7 @@ private:
 
     void follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept;
     static void find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections, Ended& ended) noexcept;
-    void tell(std::span<const WayOut> ways, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept;
+    void tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept;
 
     std::array<Shell, most> shell_;
 };

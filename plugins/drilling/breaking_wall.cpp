@@ -10,103 +10,122 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double clear = 0.25;        // [voxels] so far from its own hole's wall no way meets that
-constexpr double begins_in = 1.5;     // [steps] a shell that begins no farther is pressed on: the first of them may be half in the hole
-constexpr double of_one_wall = 0.7;   // cosine between the normals of its far side [judgement]
-constexpr double worth_telling = 10.0; // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
-constexpr double also_broken = 1.5;   // times what broke: a wall of a fifth more, to which its crack has not come [judgement]
+constexpr double of_one_wall = 0.7;     // cosine between the normals of its far side [judgement]
+constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
+constexpr double worth_telling = 10.0;  // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
+constexpr double radii_away = 4.0;      // of half a radius
 
-/// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already.
-const Shell& weaker(const Shell& ahead, const Shell& beside) noexcept {
-    return ahead.load > 0.0 && beside.load > 0.0 && beside.load < ahead.load ? beside : ahead;
+/// Whether far sides face one way and lie `within` [m] of each other along that.
+bool is_one_wall(const Shell& a, const Shell& b, double within) noexcept {
+    return dot(a.normal, b.normal) >= of_one_wall && std::abs(dot(a.normal + b.normal, b.far - a.far)) <= 2.0 * within;
 }
 
-/// The weaker of two that are the same wall as `shell`, or else itself; of a piece at the far side nobody knows which that is.
-Shell same_wall(const Shell& shell, const Shell& ahead, const Shell& beside) noexcept {
-    Shell whole = shell;
-    double least = Shell::never;
-    for (const Shell* there : {&ahead, &beside}) {
-        if (there->load <= 0.0 || there->load >= least || (shell.load > 0.0 && dot(there->normal, shell.normal) < of_one_wall)) continue;
-        whole = *there;
-        least = there->load;
-    }
-    return whole;
+/// Whether a far side lies in that of a wall, where it may be bent inwards about a hole.
+bool is_part_of(const Shell& shell, const Shell& wall, double within) noexcept {
+    return dot(shell.normal, wall.normal) >= 0.0 && std::abs(dot(wall.normal, shell.far - wall.far)) <= within;
 }
 
 }  // namespace
 
-void WallAhead::look(std::span<const Piece> pieces, double step, double friction, const BoneQuery& bone) noexcept {
-    KERF_ASSERT(pieces.size() <= pieces_of_side, "give the pieces of one side");
+// ---- What has broken ------------------------------------------------------------------------------------------------
 
-    // Ahead of each piece, and across its cone: a wall is met end on or alongside.
-    std::array<WayOut, Shells::most> ways;
-    for (std::size_t n = 0; n < pieces.size(); ++n) {
-        const Vec3 inside = pieces[n].at + clear * bone.voxel() * pieces[n].normal;
-        ways[2 * n] = {inside, {0, 0, 1}, pieces[n].normal.z};
-        ways[2 * n + 1] = {inside, pieces[n].normal, pieces[n].normal.z};
-    }
-    const Shells shells({ways.data(), 2 * pieces.size()}, step, friction, bone);
-    for (std::size_t n = 0; n < pieces.size(); ++n) {
-        ahead_[n * azimuth_count + next_] = shells.on(2 * n);
-        beside_[n * azimuth_count + next_] = shells.on(2 * n + 1);
-    }
-    next_ = (next_ + 1) % azimuth_count;
-    step_ = step;
-    has_seen_ = true;
+double BrokenWall::is_left_of(const Shell& shell) const noexcept {
+    if (!is_there() || !is_part_of(shell, shell_, within_)) return 1.0;
+    return std::clamp((shell.load / shell_.load - all_broken) / (none_broken - all_broken), 0.0, 1.0);
 }
 
-void WallAhead::forget() noexcept {
-    if (has_seen_) *this = {};
+bool BrokenWall::break_out(const Shell& shell) noexcept {
+    const bool is_same = is_there() && is_part_of(shell, shell_, within_);
+    const bool was_told = is_same && shell_.load >= worth_telling;
+    if (!is_same || shell.load > shell_.load) shell_ = shell;
+    away_ = {};
+    return !was_told && shell_.load >= worth_telling;
 }
 
-PressedWall::PressedWall(std::span<const double> crushes, const WallAhead& wall, double broken) noexcept {
-    KERF_ASSERT(crushes.size() <= WallAhead::most_pieces && crushes.size() % azimuth_count == 0, "give whole rings of pieces, few enough");
+void BrokenWall::go(const Vec6& rate, double dt, bool is_in_it) noexcept {
+    if (!is_there()) return;
+    const Vec3 moved = dt * Vec3{rate[0], rate[1], rate[2]}, turned = dt * Vec3{rate[3], rate[4], rate[5]};
+    shell_.far = shell_.far - moved - cross(turned, shell_.far);
+    shell_.normal = shell_.normal - cross(turned, shell_.normal);
+    away_ = is_in_it ? Vec3{} : away_ + moved - cross(turned, away_);
+    if (length(away_) > radii_away * within_) *this = BrokenWall(within_);
+}
+
+// ---- What is pressed on ---------------------------------------------------------------------------------------------
+
+/// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already: bone beyond free space is another wall.
+PressedWall::Pressed PressedWall::pressed_by(std::size_t piece, const WallAhead& wall) noexcept {
+    const auto has_bone = [&](std::size_t way) { return wall.on(way).load > 0.0 && wall.is_at_once(wall.on(way).air); };
+    const std::size_t ahead = WallAhead::ahead_of(piece), beside = WallAhead::beside(piece);
+    if (!has_bone(ahead)) return {true, no_way};
+    const std::size_t way = has_bone(beside) && wall.on(beside).load < wall.on(ahead).load ? beside : ahead;
+    return {wall.on(way).load < Shell::never && wall.is_at_once(wall.on(way).before), way};
+}
+
+/// The weaker of two ways behind that lead to the same wall, or else the way itself; of a piece at the far side nobody knows which wall that is.
+std::size_t PressedWall::whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall, double within) noexcept {
+    std::size_t whole = way;
+    double least = Shell::never;
+    for (const std::size_t there : {WallAhead::ahead_of(piece_behind), WallAhead::beside(piece_behind)}) {
+        const Shell& shell = wall.on(there);
+        if (shell.load <= 0.0 || shell.load >= least || (way != no_way && !is_one_wall(shell, wall.on(way), within))) continue;
+        whole = there;
+        least = shell.load;
+    }
+    return whole;
+}
+
+PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::uint8_t> parts, const WallAhead& wall, const BrokenWall& broken) noexcept {
+    KERF_ASSERT(crushes.size() <= WallAhead::most_pieces && crushes.size() == azimuth_count * parts.size(), "give whole rings of pieces, few enough");
 
     share_.fill(1.0);
-    std::array<Side, azimuth_count> sides;
-    std::array<bool, WallAhead::most_pieces> is_in_shell{};
-    for (std::size_t n = 0; n < crushes.size(); ++n) {
-        const Shell& shell = weaker(wall.ahead(n), wall.beside(n));
-        is_in_shell[n] = crushes[n] > 0.0 && shell.load < Shell::never && shell.before < begins_in * wall.step();
-        if (!is_in_shell[n]) continue;
-        Side& side = sides[n % azimuth_count];
-        const std::size_t behind = n + azimuth_count;
-        side.shell = behind < crushes.size() ? same_wall(shell, wall.ahead(behind), wall.beside(behind)) : shell;
-        side.crushes += crushes[n];
+    const double within = broken.within();
+    const auto are_one = [&](std::size_t a, std::size_t b) { return a != no_way && b != no_way && is_one_wall(wall.on(a), wall.on(b), within); };
+    std::array<Group, WallAhead::most_pieces> groups;
+    std::array<std::size_t, WallAhead::most_pieces> group_of;
+    constexpr std::size_t none = WallAhead::most_pieces;
+    std::size_t count = 0;
+    group_of.fill(none);
+    for (std::size_t side = 0; side < azimuth_count; ++side) {
+        std::size_t group = none;
+        for (std::size_t ring = 0; ring < parts.size(); ++ring) {
+            const std::size_t n = ring * azimuth_count + side;
+            const Pressed pressed = crushes[n] > 0.0 ? pressed_by(n, wall) : Pressed{};
+            if (!pressed.is_in_shell) {
+                group = none;
+                continue;
+            }
+            const bool has_behind = ring + 1 < parts.size() && parts[ring + 1] == parts[ring];
+            const std::size_t whole = has_behind ? whole_of(pressed.way, n + azimuth_count, wall, within) : pressed.way;
+            const bool goes_on = group != none && parts[ring - 1] == parts[ring] && (whole == no_way || groups[group].way == no_way || are_one(whole, groups[group].way));
+            if (!goes_on) groups[group = count++] = {};
+            if (whole != no_way) groups[group].way = whole;
+            groups[group].crushes += crushes[n];
+            group_of[n] = group;
+        }
     }
-    for (Side& side : sides) {
-        if (side.crushes > 0.0 && broken > 0.0) side.share = std::clamp((side.shell.load / broken - 1.0) / (also_broken - 1.0), 0.0, 1.0);
-        side.crushes *= side.share;
-        is_broken_ = is_broken_ || side.share < 1.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Group& group = groups[i];
+        if (group.way != no_way) group.left = broken.is_left_of(wall.on(group.way));
+        group.crushes *= group.left;
+        is_broken_ = is_broken_ || group.left < 1.0;
     }
 
-    std::array<double, azimuth_count> gives;  // [–] share of each side in what its wall bears
-    for (std::size_t i = 0; i < azimuth_count; ++i) {
-        double bears = 0.0, together = 0.0, count = 0.0;
-        for (std::size_t other = 0; other < azimuth_count; ++other) {
-            if (sides[other].crushes <= 0.0 || (other != i && dot(sides[other].shell.normal, sides[i].shell.normal) < of_one_wall)) continue;
-            bears += sides[other].shell.load;
-            together += sides[other].crushes;
-            count += 1.0;
+    std::array<double, WallAhead::most_pieces> gives;  // [–] share of each group in what its wall bears
+    for (std::size_t i = 0; i < count; ++i) {
+        double bears = 0.0, together = 0.0, sharing = 0.0;
+        for (std::size_t other = 0; other < count; ++other) {
+            if (groups[other].crushes <= 0.0 || (other != i && !are_one(groups[other].way, groups[i].way))) continue;
+            bears += groups[other].way != no_way ? wall.on(groups[other].way).load : 0.0;
+            together += groups[other].crushes;
+            sharing += 1.0;
         }
-        const bool breaks = sides[i].crushes > 0.0 && together * count > bears;
-        if (breaks) breaks_ = std::max(breaks_, bears / count);
-        gives[i] = sides[i].share * (breaks ? bears / (count * together) : 1.0);
+        const bool breaks = groups[i].crushes > 0.0 && together * sharing > bears;
+        if (breaks && groups[i].way != no_way && (breaks_on_ == no_way || wall.on(groups[i].way).load > wall.on(breaks_on_).load)) breaks_on_ = groups[i].way;
+        gives[i] = groups[i].left * (breaks ? bears / (sharing * together) : 1.0);
     }
     for (std::size_t n = 0; n < crushes.size(); ++n)
-        if (is_in_shell[n]) share_[n] = gives[n % azimuth_count];
-}
-
-bool BrokenWall::break_under(double load) noexcept {
-    const bool was_told = load_ >= worth_telling;
-    load_ = std::max(load_, load);
-    away_ = 0.0;
-    return !was_told && load_ >= worth_telling;
-}
-
-void BrokenWall::go(double along, bool is_in_it, double radius) noexcept {
-    away_ = is_in_it ? 0.0 : away_ + std::abs(along);
-    if (away_ > radius) load_ = 0.0;
+        if (group_of[n] != none) share_[n] = gives[group_of[n]];
 }
 
 }  // namespace kerf::drilling

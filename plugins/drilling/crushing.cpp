@@ -6,6 +6,7 @@
 
 #include "drill_channels.h"
 #include "drill_edges.h"
+#include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 
 namespace kerf::drilling {
@@ -36,14 +37,24 @@ Standing::Standing(const Advance& advance) noexcept {
 
 CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
     : play_(inside_of_hole(tick, bone, drill.widest_radius())),
-      step_(std::max(0.5 * bone.voxel(), drill.widest_radius() / 12.0)),
+      step_(std::clamp(drill.widest_radius() / 12.0, 0.5 * bone.voxel(), 0.7 * bone.voxel())),
       friction_(tick.force[force_friction]) {
     const TwistDrill::Cones cones = drill.cones();
     double whole = 0.0;  // [m] height of all cones
+    std::uint8_t part = 0;
     for (const Cone& cone : cones) whole += cone.z - cone.end();
     for (const Cone& cone : cones) {
         const double share = (cone.z - cone.end()) / whole;
+        const std::size_t before = count_ / azimuth_count;  // rings
         add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share));
+        const std::size_t first = piece_rings_;
+        for (std::size_t ring = 0; ring < count_ / azimuth_count - before; ++ring) {
+            KERF_ASSERT(first + ring / rings_of_piece < most_piece_rings, "few enough cones");
+            piece_rings_ = first + ring / rings_of_piece + 1;
+            piece_ring_[before + ring] = static_cast<std::uint8_t>(piece_rings_ - 1);
+            part_[piece_rings_ - 1] = part;
+        }
+        if (cone.straight > 0.0) ++part;
     }
     on_cones_ = count_;
     for (const Cone& cone : cones) {
@@ -88,7 +99,7 @@ void CrushingTip::add_ring(double radius, double z, SinCos slope, double height,
     }
 }
 
-CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall, double broken, std::uint32_t tissues) const noexcept {
+CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall, const BrokenWall& broken, std::uint32_t tissues) const noexcept {
     Ahead ahead;
     ahead.gap = nowhere;
     for (const kerf_bone_sample& here : samples)
@@ -103,13 +114,13 @@ CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall,
     return ahead;
 }
 
-void CrushingTip::give_way(Ahead& ahead, const WallAhead& wall, double broken) const noexcept {
-    std::array<double, most_pieces> crushes{};
+void CrushingTip::give_way(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept {
+    std::array<double, WallAhead::most_pieces> crushes{};
     for (std::size_t i = 0; i < on_cones_; ++i) crushes[piece_of(i)] += ahead.force[i];
-    const std::size_t count = on_cones_ > 0 ? piece_of(on_cones_ - 1) + 1 : 0;
-    const PressedWall pressed({crushes.data(), count}, wall, broken);
+    const std::size_t count = piece_rings_ * azimuth_count;
+    const PressedWall pressed({crushes.data(), count}, {part_.data(), piece_rings_}, wall, broken);
     for (std::size_t n = 0; n < count; ++n) ahead.share[n] = pressed.share(n);
-    ahead.met = {pressed.breaks(), pressed.is_broken()};
+    ahead.met = {pressed.breaks_on(), pressed.is_broken()};
     for (std::size_t i = 0; i < on_cones_; ++i) ahead.sum += ahead.force[i] *= ahead.share[piece_of(i)];
 }
 
@@ -121,28 +132,28 @@ void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
     const auto on_ring = [&](std::size_t ring) -> const Place& { return place_[ring * azimuth_count + wall.next_side()]; };
     for (std::size_t ring = 0; ring < rings; ++ring) at[ring] = on_ring(ring).at;
     bone.sample({at.data(), rings}, Vec3{0, 0, 1}, {here.data(), rings});
-    std::array<Piece, WallAhead::pieces_of_side> pieces;
+    std::array<Piece, WallAhead::pieces_of_side> pieces{};
     std::array<bool, WallAhead::pieces_of_side> is_in_bone{};
     for (std::size_t ring = 0; ring < rings; ++ring) {
-        const std::size_t n = ring / rings_of_piece;
-        const bool is_in = in_bone(here[ring]) > 0.0;
-        if (ring % rings_of_piece != 0 && (is_in_bone[n] || !is_in)) continue;
+        const std::size_t n = piece_ring_[ring];
+        const bool is_in = in_bone(here[ring]) > 0.0, is_first = ring == 0 || piece_ring_[ring - 1] != n;
+        if (!is_first && (is_in_bone[n] || !is_in)) continue;
         const Place& place = on_ring(ring);
         pieces[n] = {place.at, place.slope.cos * place.out + Vec3{0, 0, place.slope.sin}};
         is_in_bone[n] = is_in;
     }
-    wall.look({pieces.data(), (rings + rings_of_piece - 1) / rings_of_piece}, step_, friction_, bone);
+    wall.look({pieces.data(), piece_rings_}, step_, friction_, bone);
 }
 
-bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BoneQuery& bone) const noexcept {
+bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
     std::array<kerf_bone_sample, most_on_cones> samples;
     bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
-    const double bears = ahead_of({samples.data(), on_cones_}, wall, 0.0, bone.tissue_count()).sum;
-    return bears > 0.0 && (standing.force >= bears || standing.depth > deepest_spring);
+    const Ahead ahead = ahead_of({samples.data(), on_cones_}, wall, broken, bone.tissue_count());
+    return (ahead.sum > 0.0 || ahead.met.is_broken) && (standing.force >= ahead.sum || standing.depth > deepest_spring);
 }
 
-CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, double broken, const BoneQuery& bone) const noexcept {
+CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept {
     const std::size_t asked = on_cones_ + count_;
     std::array<kerf_bone_sample, most_on_cones + most> samples;
     bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});

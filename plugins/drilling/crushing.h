@@ -31,28 +31,26 @@ public:
     CrushingTip() = default;
     CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
 
-    /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone.   [haptic, nonblocking]
-    [[nodiscard]] bool begins(const Standing& standing, const WallAhead& wall, const BoneQuery& bone) const noexcept;
+    /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring alone; or it is broken already.   [haptic, nonblocking]
+    [[nodiscard]] bool begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept;
     /// Looks for what is thin before it, on the next of its sides.   [haptic, nonblocking]
     void look(WallAhead& wall, const BoneQuery& bone) const noexcept;
     /// What a tick's push meets besides its channels.
     struct Met {
-        double breaks = 0.0;      ///< [N] under which what is before it breaks out; 0: all is crushed
+        std::size_t breaks_on = PressedWall::no_way;  ///< a way to what breaks out under it; none: all is crushed
         bool is_broken = false;   ///< some of what it presses on
     };
     /// A cut along the mean normal of what is crushed, and one each way across the shaft.
-    /// @param broken  [N] under which the wall before it broke, or 0   [haptic, nonblocking]
-    Met add_to(Channels& channels, const WallAhead& wall, double broken, const BoneQuery& bone) const noexcept;
+    /// @param wall    looked for before
+    /// @param broken  which of it is   [haptic, nonblocking]
+    Met add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept;
 
 private:
     static constexpr std::size_t most_cone_rings = 24, most_straight_rings = 4 * TwistDrill::most_lands;
     static constexpr std::size_t most_on_cones = azimuth_count * most_cone_rings, most = most_on_cones + azimuth_count * most_straight_rings;
-    /// So many rings behind each other, at an azimuth, are a piece that breaks out or does not.
-    static constexpr std::size_t rings_of_piece = 3, most_pieces = most_on_cones / rings_of_piece;
-    static_assert(most_pieces == WallAhead::most_pieces && most_cone_rings % rings_of_piece == 0);
-    [[nodiscard]] static std::size_t piece_of(std::size_t place) noexcept {
-        return place / (rings_of_piece * azimuth_count) * azimuth_count + place % azimuth_count;
-    }
+    /// So many rings of a cone behind each other, at an azimuth, are a piece that breaks out or does not.
+    static constexpr std::size_t rings_of_piece = 3, most_piece_rings = WallAhead::pieces_of_side;
+    [[nodiscard]] std::size_t piece_of(std::size_t place) const noexcept { return piece_ring_[place / azimuth_count] * azimuth_count + place % azimuth_count; }
     /// A place on a cone, or on what is straight behind it, which stands for an eighth of a ring.
     struct Place {
         Vec3 at, out;   ///< [m]; unit, away from the shaft
@@ -67,7 +65,7 @@ private:
     struct Ahead {
         std::array<double, most_on_cones> force;
         double sum = 0.0, gap = 0.0;
-        std::array<double, most_pieces> share;  ///< [–] of each piece, which has not broken out
+        std::array<double, WallAhead::most_pieces> share;  ///< [–] of each piece, which has not broken out
         Met met;
     };
     using Samples = std::span<const kerf_bone_sample>;
@@ -77,13 +75,16 @@ private:
     /// @param ahead   [m²] of all of the ring
     /// @param across  [–] of n̂ + μ t̂ for one along the shaft
     void add_ring(double radius, double z, SinCos slope, double height, double ahead, double across, double rubs) noexcept;
-    [[nodiscard]] Ahead ahead_of(Samples ahead, const WallAhead& wall, double broken, std::uint32_t tissues) const noexcept;
-    void give_way(Ahead& ahead, const WallAhead& wall, double broken) const noexcept;
+    [[nodiscard]] Ahead ahead_of(Samples ahead, const WallAhead& wall, const BrokenWall& broken, std::uint32_t tissues) const noexcept;
+    void give_way(Ahead& ahead, const WallAhead& wall, const BrokenWall& broken) const noexcept;
     void add_ahead(const Ahead& ahead, Channels& channels) const noexcept;
     void add_aside(Samples aside, const Ahead& ahead, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept;
 
     std::array<Place, most> place_;  ///< on cones, then on what is straight
     std::size_t on_cones_ = 0, count_ = 0;
+    std::array<std::uint8_t, most_cone_rings> piece_ring_{};  ///< of each ring: which of the rings of pieces it is in
+    std::array<std::uint8_t, most_piece_rings> part_{};       ///< of each ring of pieces: cones with nothing straight between them are one
+    std::size_t piece_rings_ = 0;
     std::array<Vec3, most_on_cones + most> asked_, direction_;  ///< those on cones ahead, then all of them aside
     double play_ = 0.0;  ///< [m] so far from bone a place presses no more on it sideways
     double step_ = 0.0;  ///< [m] from place to place as it asks how thick a wall is

@@ -18,8 +18,8 @@ constexpr double bending_time = 5.0_ms;
 // That it is bent too far is told once, until it is hardly bent any more: lips that graze a wall bend it twice a turn.
 constexpr double straight_again = 0.05;  // [–] of what it stands [judgement]
 
-// Share of the edges in bone; whether the shank does not fit into its hole; load under which the bone before a still tip breaks out, and whether it has.
-enum Note : std::size_t { note_engagement, note_is_bent, note_breaks, note_is_broken };
+// Share of the edges in bone; whether the shank does not fit into its hole; a way to what breaks out before a still tip, and one; whether something has.
+enum Note : std::size_t { note_engagement, note_is_bent, note_breaks_on, note_is_broken };
 
 Turning turning_of(const DrillCutting::State& state) noexcept {
     return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
@@ -64,6 +64,24 @@ double torque_of_standing(Edges& edges, const Tick& tick, double push, bool is_r
     return thin.torque() + (push - thin.thrust()) * (thick.torque() - thin.torque()) / (thick.thrust() - thin.thrust());
 }
 
+/// Whether the tip, which does not turn, goes into bone or stands on it from the next tick on, and what breaks before it.
+void crush_or_stand(const Tick& tick, const BoneQuery& bone, const Advance& advance, DrillCutting::State& state, Actions& actions) noexcept {
+    const auto note = [&](Note which) { return advance.note.empty() ? 0.0 : advance.note[which]; };
+    const Standing standing(advance);
+    const bool breaks = state.crushes && note(note_breaks_on) > 0.0 && is_crushed(advance), is_in_broken = state.crushes && note(note_is_broken) > 0.0;
+    if (breaks && state.broken.break_out(state.wall.on(static_cast<std::size_t>(note(note_breaks_on)) - 1))) actions.event("drilling.wall_broken");
+    state.broken.go(advance.rate, tick.dt, breaks || is_in_broken);
+    if (state.crushes || standing.force > 0.0 || state.broken.is_there()) state.prepared.tip.look(state.wall, bone);
+    else state.wall.forget();
+    if (state.crushes) {
+        state.crushes = breaks || is_in_broken || goes_on_crushing(advance, state.crushing_from);
+    } else if (state.prepared.tip.begins(standing, state.wall, state.broken, bone)) {
+        state.crushes = true;
+        state.crushing_from = standing.force;
+        if (!state.broken.is_there()) actions.event("drilling.crushing");
+    }
+}
+
 }  // namespace
 
 void DrillCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept {
@@ -74,6 +92,7 @@ void DrillCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) 
     p.touching_in_cut = touching_points(p.drill, tick, bone, true);
     p.touching = touching_points(p.drill, tick, bone, false);
     p.tip = {p.drill, tick, bone};
+    state.broken = BrokenWall(0.5 * p.drill.widest_radius());
     p.bending_share = 1.0 - exp_exact(-tick.dt / bending_time);
 }
 
@@ -87,8 +106,8 @@ void DrillCutting::resist(const Tick& tick, const BoneQuery& bone, const State& 
         if (turning.removes()) add_side_cutting(sides, tick, bone, turning, state.travel, state.holes, channels);
     }
     if (state.crushes) {
-        const CrushingTip::Met met = tip.add_to(channels, state.wall, state.broken.load(), bone);
-        channels.note(note_breaks, met.breaks);
+        const CrushingTip::Met met = tip.add_to(channels, state.wall, state.broken, bone);
+        channels.note(note_breaks_on, met.breaks_on == PressedWall::no_way ? 0.0 : static_cast<double>(met.breaks_on + 1));
         channels.note(note_is_broken, met.is_broken ? 1.0 : 0.0);
     }
     const bool is_bent = add_contact(drill, turning.removes() || state.crushes ? touching_in_cut : touching, tick, bone, turning, state.hole, state.carried, channels);
@@ -142,25 +161,12 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     const bool cuts = state.spindle.speed >= slowest_cut;  // in reverse the edges rub
     const double sense = state.spindle.speed != 0.0 ? state.spindle.speed : tick.drive[drive_spindle_speed];
     state.reaction = std::copysign(1.0, sense) * (cuts ? state.spindle.reaction_beyond(load) : state.spindle.torque);
-    const Standing standing(advance);
-    if (!cuts && (state.crushes || standing.force > 0.0)) state.prepared.tip.look(state.wall, bone);
-    else state.wall.forget();
     if (cuts) {
         state.crushes = false;
-        state.broken = {};
-    } else if (state.crushes) {
-        const double breaks = advance.note.empty() ? 0.0 : advance.note[note_breaks];
-        const bool is_in_broken = !advance.note.empty() && advance.note[note_is_broken] > 0.0;
-        if (breaks > 0.0 && is_crushed(advance)) {
-            if (state.broken.break_under(breaks)) actions.event("drilling.wall_broken");
-        } else {
-            state.broken.go(advance.rate[2] * tick.dt, is_in_broken, drill.widest_radius());
-        }
-        state.crushes = state.broken.is_there() || goes_on_crushing(advance, state.crushing_from);
-    } else if (state.prepared.tip.begins(standing, state.wall, bone)) {
-        state.crushes = true;
-        state.crushing_from = standing.force;
-        actions.event("drilling.crushing");
+        state.wall.forget();
+        state.broken = BrokenWall(state.broken.within());
+    } else {
+        crush_or_stand(tick, bone, advance, state, actions);
     }
     state.cut_share = cuts ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
 }

@@ -32,7 +32,7 @@ struct DrillCutting {
         bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
         double crushing_from = 0.0;  ///< [N] that it stood with when that began
         WallAhead wall;              ///< before a tip that stands or crushes
-        BrokenWall broken;           ///< the same
+        BrokenWall broken;           ///< what of it has broken
         double bending_stress = 0.0; ///< [Pa] of the bit, in the mean over a few milliseconds
         bool is_overbent = false;    ///< the bit, since it was last nearly straight
         double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse

@@ -64,5 +64,16 @@ TEST(Published, ChecksSayWhatPassesAndWhatDoesNot) {
     EXPECT_GE(failed, 1);
 }
 
+TEST(Published, AnAwlsPushLiesAboutWhatWasMeasured) {
+    const std::vector<AwlWay> ways = awl_ways();
+    ASSERT_EQ(ways.size(), 4u);
+    // Along the axis what 4 mm and 30 degrees crush in 0.25 g/cm3
+    EXPECT_NEAR(ways[0].most(), 68e6 * 0.25 * 0.25 * pi * 4e-6 * (1.0 + 0.3 / std::tan(0.2618)), 1.0);
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(ways[i].most(), ways[0].most()) << ways[i].wall;
+    EXPECT_GT(ways[1].most(), measured_breach_push[1]) << "1 mm bears more than was measured";
+    EXPECT_GE(ways[3].most(), measured_breach_push[0]) << "0.35 mm as much";
+    EXPECT_LE(ways[3].most(), measured_breach_push[1]);
+}
+
 }  // namespace
 }  // namespace kerf::chart

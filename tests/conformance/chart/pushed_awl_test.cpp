@@ -89,10 +89,12 @@ TEST(PushedAwl, BreaksOutOfTheLastCortexWhereThePluginsStillDrillDoes) {
         int n = 0;
         for (double depth = scene.depth.front(); depth < 21.0_mm; depth += 4.0_um) {
             const double thrust = both.thrust_at(depth);
-            if (depth > 14.0_mm && thrust > 0.5 * most) thrust_broke = depth;
-            most = std::max(most, thrust);
+            const bool is_last = depth > 14.0_mm;
+            if (is_last && thrust > 0.5 * most) thrust_broke = depth;
+            if (is_last) most = std::max(most, thrust);
             if (++n % 12 != 0) continue;
-            awl_most = std::max(awl_most, both.awl.push_at(depth));
+            const double push = both.awl.push_at(depth);
+            if (is_last) awl_most = std::max(awl_most, push);
             if (awl_broke == 0.0 && both.awl.has_broken()) awl_broke = depth;
         }
         EXPECT_NEAR(most / awl_most, 1.0, 0.04) << tilt / 1.0_deg;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wall_ahead.h"
+
+#include "kerf/assert.hpp"
+
+namespace kerf::drilling {
+
+namespace {
+
+constexpr double clear = 0.25;  // [voxels] so far from its own hole's wall no way meets that
+
+}  // namespace
+
+void WallAhead::look(std::span<const Piece> pieces, double step, double friction, const BoneQuery& bone) noexcept {
+    KERF_ASSERT(pieces.size() <= pieces_of_side, "give the pieces of one side");
+
+    // Ahead of each piece, and across its cone: a wall is met end on or alongside.
+    std::array<WayOut, Shells::most> ways;
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        const Vec3 inside = pieces[n].at + clear * bone.voxel() * pieces[n].normal;
+        ways[ahead_of(n)] = {inside, {0, 0, 1}, pieces[n].normal.z};
+        ways[beside(n)] = {inside, pieces[n].normal, pieces[n].normal.z};
+    }
+    const Shells shells({ways.data(), 2 * pieces.size()}, step, friction, bone);
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        const std::size_t piece = n * azimuth_count + next_;
+        shell_[ahead_of(piece)] = shells.on(ahead_of(n));
+        shell_[beside(piece)] = shells.on(beside(n));
+    }
+    next_ = (next_ + 1) % azimuth_count;
+    step_ = step;
+    has_seen_ = true;
+}
+
+void WallAhead::forget() noexcept {
+    if (has_seen_) *this = {};
+}
+
+}  // namespace kerf::drilling
