@@ -180,6 +180,18 @@ TEST(BreakingWall, ElsewhereTheWallIsWhole) {
     EXPECT_EQ(awl.broke, 2);
 }
 
+TEST(BreakingWall, AShoulderThatIsStillAboveBoneChangesNothing) {
+    const auto breaks_at = [](double shoulder_depth) {
+        Awl drill(4.0_mm, 0.25_mm, 0.0, "step_drill", {{"spindle_speed", 0.0}, {"diameter", 2.0_mm}, {"shoulder_diameter", 4.0_mm}, {"shoulder_depth", shoulder_depth}});
+        double depth = -0.2_mm;
+        for (; depth < 6.0_mm && drill.broke == 0; depth += 8.0_um) (void)drill.led_to({}, depth);
+        return depth;
+    };
+    const double alone = breaks_at(10.0_mm);
+    EXPECT_LT(alone, 2.95_mm) << "before the shoulder at 3 mm is there";
+    EXPECT_NEAR(breaks_at(3.0_mm), alone, 0.1_mm);
+}
+
 TEST(BreakingWall, ThickBoneIsCrushedUntilItIsThin) {
     // A blunt tip takes 2.2 kN to crush; 2.6 mm bear that.
     const std::map<std::string, double> blunt{{"spindle_speed", 0.0}, {"diameter", 3.2_mm}, {"runout", 0.0}};
