@@ -51,10 +51,10 @@ struct Awl {
         return r;
     }
     double led_to(Vec3 entry, double to) { return tell(simulation.tick_direct({test::at_depth(to, tilt, entry)})).thrust; }
-    /// The largest thrust on the way to a depth.
-    double peak(double to, Vec3 entry = {}) {
+    /// The largest thrust on the way to a depth, by so much a tick [m].
+    double peak(double to, Vec3 entry = {}, double step = 8.0_um) {
         double most = 0.0;
-        for (; deepest < to; deepest += 8.0_um) most = std::max(most, led_to(entry, deepest));
+        for (; deepest < to; deepest += step) most = std::max(most, led_to(entry, deepest));
         return most;
     }
     void push(double force) {
@@ -72,6 +72,14 @@ TEST(BreakingWall, APlateOfTwoVoxelsAndMoreBearsTheClosedForm) {
         Awl awl(one.thickness, one.spacing, one.tilt);
         EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.04) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
         EXPECT_EQ(awl.broke, 1) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
+    }
+}
+
+TEST(BreakingWall, WideTipsLookAsCloselyAsSlenderOnes) {
+    for (const auto& [diameter, point] : {std::pair{6.0_mm, 118.0_deg}, std::pair{10.0_mm, 118.0_deg}, std::pair{14.0_mm, 60.0_deg}}) {
+        Awl drill(0.5_mm, 0.25_mm, 0.0, "twist_drill", {{"spindle_speed", 0.0}, {"diameter", diameter}, {"point_angle", point}});
+        EXPECT_NEAR(drill.peak(1.0_mm, {}, 1.0_um) / closed_form(0.5_mm), 1.0, 0.06) << diameter;
+        EXPECT_EQ(drill.broke, 1) << diameter;
     }
 }
 
