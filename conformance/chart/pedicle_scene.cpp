@@ -72,10 +72,7 @@ Scene pedicle_scene(double medial) {
 }
 
 Scene pedicle_awl_scene(double towards_canal, double shell) {
-    Scene scene = scene_on({.towards_canal = towards_canal, .shell = shell});
-    scene.id = "pedicle-awl";
-    scene.title = "Pedicle of L4, a phantom with " + drawing::figure(1e3 * shell) + " mm of cortex, an awl " + drawing::figure(towards_canal / 1.0_deg) + " degrees towards the canal";
-    return scene;
+    return scene_on({.towards_canal = towards_canal, .shell = shell});
 }
 
 }  // namespace kerf::chart

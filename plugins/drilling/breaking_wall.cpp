@@ -13,7 +13,7 @@ namespace {
 constexpr double of_one_wall = 0.7;     // cosine between the normals of its far side [judgement]
 constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
 constexpr double worth_telling = 10.0;  // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
-constexpr double radii_away = 4.0;      // of half a radius
+constexpr double far_away = 4.0;        // times `within`: two radii [judgement]
 
 /// Whether far sides face one way and lie `within` [m] of each other along that.
 bool is_one_wall(const Shell& a, const Shell& b, double within) noexcept {
@@ -48,7 +48,7 @@ void BrokenWall::go(const Vec6& rate, double dt, bool is_in_it) noexcept {
     shell_.far = shell_.far - moved - cross(turned, shell_.far);
     shell_.normal = shell_.normal - cross(turned, shell_.normal);
     away_ = is_in_it ? Vec3{} : away_ + moved - cross(turned, away_);
-    if (length(away_) > radii_away * within_) *this = BrokenWall(within_);
+    if (length(away_) > far_away * within_) *this = BrokenWall(within_);
 }
 
 // ---- What is pressed on ---------------------------------------------------------------------------------------------

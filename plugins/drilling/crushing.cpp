@@ -45,15 +45,7 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQu
     for (const Cone& cone : cones) whole += cone.z - cone.end();
     for (const Cone& cone : cones) {
         const double share = (cone.z - cone.end()) / whole;
-        const std::size_t before = count_ / azimuth_count;  // rings
-        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share));
-        const std::size_t first = piece_rings_;
-        for (std::size_t ring = 0; ring < count_ / azimuth_count - before; ++ring) {
-            KERF_ASSERT(first + ring / rings_of_piece < most_piece_rings, "few enough cones");
-            piece_rings_ = first + ring / rings_of_piece + 1;
-            piece_ring_[before + ring] = static_cast<std::uint8_t>(piece_rings_ - 1);
-            part_[piece_rings_ - 1] = part;
-        }
+        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), part);
         if (cone.straight > 0.0) ++part;
     }
     on_cones_ = count_;
@@ -71,7 +63,7 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQu
     }
 }
 
-void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings) noexcept {
+void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, std::uint8_t part) noexcept {
     const SinCos p = cone.half_angle;
     const double cot = p.cos / p.sin, wide = (cone.outer - cone.inner) / static_cast<double>(rings);
     const double across = (p.cos - friction_ * p.sin) / (p.sin + friction_ * p.cos);
@@ -80,6 +72,11 @@ void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings) n
         return r > 0.0 ? r + runout : 0.0;
     };
     for (std::size_t ring = 0; ring < rings; ++ring) {
+        if (ring % rings_of_piece == 0) {
+            KERF_ASSERT(piece_rings_ < most_piece_rings, "few enough cones");
+            part_[piece_rings_++] = part;
+        }
+        piece_ring_[count_ / azimuth_count] = static_cast<std::uint8_t>(piece_rings_ - 1);
         const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide, inner = radius(ring), outer = radius(ring + 1);
         add_ring(r + runout, cone.z_at(r), p, wide * cot, pi * (outer * outer - inner * inner), across, 1.0 + friction_ * cot);
     }

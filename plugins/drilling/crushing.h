@@ -70,7 +70,8 @@ private:
     };
     using Samples = std::span<const kerf_bone_sample>;
 
-    void add_cone(const Cone& cone, double runout, std::size_t rings) noexcept;
+    /// @param part  of the tip, counted by what is straight between them
+    void add_cone(const Cone& cone, double runout, std::size_t rings, std::uint8_t part) noexcept;
     void add_straight(double radius, double from, double length) noexcept;
     /// @param ahead   [m²] of all of the ring
     /// @param across  [–] of n̂ + μ t̂ for one along the shaft

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] static std::size_t ahead_of(std::size_t piece) noexcept { return 2 * piece; }
     [[nodiscard]] static std::size_t beside(std::size_t piece) noexcept { return 2 * piece + 1; }
     [[nodiscard]] const Shell& on(std::size_t way) const noexcept { return shell_[way]; }
-    /// Whether what begins after so much of a way [m] is where the way does: the first step may be half in the hole.
+    /// Whether what begins after so much of a way [m] is where the way does: the first step may be half in the hole [judgement].
     [[nodiscard]] bool is_at_once(double begins) const noexcept { return begins < 1.5 * step_; }
 
 private:
