@@ -197,7 +197,7 @@ constexpr kerf_signal dental_signals[] = {{"elements", "Cutting elements.", dime
 template <class Law, std::size_t N>
 constexpr kerf_force table_of(const kerf_signal (&signals)[N]) {
     static_assert(N == Law::signal_count);
-    return {sizeof(kerf_force),      sizeof(typename Law::State), alignof(typename Law::State), signals, N, 1000000,
+    return {sizeof(kerf_force),      sizeof(typename Law::State), alignof(typename Law::State), signals, N, nullptr, 0, 1000000,
             &ForceTable<Law>::begin, &ForceTable<Law>::resist,    &ForceTable<Law>::commit};
 }
 constexpr kerf_force tsai = table_of<Tsai2007>(tsai_signals);

@@ -63,7 +63,7 @@ kerf_status shape(const double* points, kerf_tool_shape* out) {
 
 constexpr kerf_tool tool{sizeof(kerf_tool), nullptr, 0, &shape};
 constexpr kerf_force force{
-    sizeof(kerf_force),        sizeof(Touch::State),       alignof(Touch::State),     nullptr, 0, 5000,
+    sizeof(kerf_force),        sizeof(Touch::State),       alignof(Touch::State),     nullptr, 0, nullptr, 0, 5000,
     &ForceTable<Touch>::begin, &ForceTable<Touch>::resist, &ForceTable<Touch>::commit};
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},

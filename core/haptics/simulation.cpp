@@ -390,7 +390,8 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
 }
 
 void Simulation::do_as_told(const kerf_action& action, TickResult& result) noexcept {
-    if (action.kind == KERF_ACTION_EVENT) result.add_event(action.event);
+    const kerf_force& law = *setup().force->force;
+    if (action.kind == KERF_ACTION_EVENT && action.value < law.event_count) result.add_event(law.events[action.value].id);
     if (action.kind == KERF_ACTION_RELEASE) held_.let_go();
     if (action.kind != KERF_ACTION_HOLD || action.value >= bodies_.size() || !bodies_[action.value]->is_present) return;
     if (bodies_.size() == 1) result.add_event("haptics.bone_is_whole");  // nobody takes the patient

@@ -28,6 +28,11 @@ struct SignalInfo {
     std::string display_unit;
 };
 
+struct EventInfo {
+    std::string id;
+    std::string help;
+};
+
 /// One parameter that a feature sets when it is left out (kerf_feature).
 struct FeatureInfo {
     std::string id, help;
@@ -44,6 +49,7 @@ struct ComponentInfo {
     std::vector<ParameterInfo> parameters;
     std::vector<ParameterInfo> drives;  ///< tools only; source is empty
     std::vector<SignalInfo> signals;    ///< forces only
+    std::vector<EventInfo> events;      ///< forces only
     std::vector<FeatureInfo> features;  ///< what it can do without
 };
 

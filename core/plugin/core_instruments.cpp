@@ -30,6 +30,7 @@ struct Grasp {
     };
     enum : std::size_t { contact_stiffness, bite, force_parameter_count };
     enum : std::size_t { drive_count = 1, signal_count = 0 };
+    enum Event : std::size_t { closed_on_nothing, event_count };
     static constexpr std::size_t around = 6, rings = 4, tip_rings = 2;
 
     static bool closes(const Tick& tick) noexcept { return tick.drive[0] >= 0.5; }
@@ -75,9 +76,12 @@ struct Grasp {
         kerf_surface_point nearest;
         bone.nearest({&tip, 1}, {&nearest, 1});
         if (nearest.body >= 0 && nearest.distance <= tick.force[bite]) actions.hold(nearest.body);
-        else actions.event("kerf.core.closed_on_nothing");
+        else actions.event(closed_on_nothing);
     }
 };
+
+constexpr kerf_event events[] = {{"kerf.core.closed_on_nothing", "The jaws closed, and no bone was within their bite."}};
+static_assert(std::size(events) == Grasp::event_count);
 
 kerf_status shape(const double*, kerf_tool_shape* out) {
     constexpr kerf_profile_point points[] = {{0.0, 0.0}, {-0.5 * jaw_radius, 0.85 * jaw_radius}, {-jaw_radius, jaw_radius}, {-jaw_length, jaw_radius}, {-80.0_mm, 4.0_mm}};
@@ -90,7 +94,7 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
 }
 
 constexpr kerf_tool forceps{sizeof(kerf_tool), drives, std::size(drives), &shape};
-constexpr kerf_force grasp{sizeof(kerf_force),       sizeof(Grasp::State), alignof(Grasp::State), nullptr, 0, 5000, &ForceTable<Grasp>::begin,
+constexpr kerf_force grasp{sizeof(kerf_force),       sizeof(Grasp::State), alignof(Grasp::State), nullptr, 0, events, Grasp::event_count, 5000, &ForceTable<Grasp>::begin,
                            &ForceTable<Grasp>::resist, &ForceTable<Grasp>::commit};
 constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_TOOL, "forceps", "Forceps, closed and opened by hand, that hold a piece of bone.", nullptr, 0, 0, &forceps, nullptr, nullptr},

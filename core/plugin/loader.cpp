@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "core/plugin/core_instruments.h"
 #include "core/plugin/loading_note.h"
@@ -22,7 +23,8 @@ struct LayoutField {
 };
 constexpr LayoutField layout_fields[] = {
     {"kerf_param", &kerf_layout::param},           {"kerf_drive", &kerf_layout::drive},
-    {"kerf_signal", &kerf_layout::signal},         {"kerf_solid", &kerf_layout::solid},
+    {"kerf_signal", &kerf_layout::signal},         {"kerf_event", &kerf_layout::event},
+    {"kerf_solid", &kerf_layout::solid},
     {"kerf_tool_shape", &kerf_layout::tool_shape}, {"kerf_tool", &kerf_layout::tool},
     {"kerf_bone_sample", &kerf_layout::bone_sample}, {"kerf_surface_point", &kerf_layout::surface_point},
     {"kerf_bone_query", &kerf_layout::bone_query}, {"kerf_channel", &kerf_layout::channel},
@@ -37,8 +39,14 @@ std::string differs(const std::string& path, const std::string& what, std::uint6
            std::to_string(got) + ", need " + std::to_string(wanted) + ": rebuild it against this Kerf.";
 }
 
+/// Whether an event is told under its plugin's own name, so that nobody takes it for the core's or another plugin's.
+bool is_own_name(std::string_view event, std::string_view plugin) noexcept {
+    const auto is_under = [&](std::string_view name) { return event.size() > name.size() + 1 && event.starts_with(name) && event[name.size()] == '.'; };
+    return is_under(plugin) || is_under(plugin.substr(plugin.rfind('.') + 1));
+}
+
 /// What is wrong with one component's own tables; empty when nothing.
-std::string fault_of(const kerf_component& c) {
+std::string fault_of(const kerf_component& c, const std::string& plugin_id) {
     if (c.id == nullptr || c.id[0] == '\0') return "a component without an id";
     const std::string name = std::string("component `") + c.id + "` ";
     if (c.kind != KERF_KIND_TOOL && c.kind != KERF_KIND_FORCE) return name + "is of no known kind (tool 1, force 2)";
@@ -51,6 +59,13 @@ std::string fault_of(const kerf_component& c) {
         (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->begin == nullptr))
         return name + "has no complete force table (begin, resist, commit)";
     if (c.kind == KERF_KIND_FORCE && c.force->signal_count > KERF_MAX_SIGNALS) return name + "has too many signals";
+    if (c.kind == KERF_KIND_FORCE && c.force->event_count > 0 && c.force->events == nullptr) return name + "has no table of its events";
+    for (std::uint32_t i = 0; c.kind == KERF_KIND_FORCE && i < c.force->event_count; ++i) {
+        const kerf_event& e = c.force->events[i];
+        if (e.id == nullptr || e.help == nullptr) return name + "has an event without id or help";
+        if (!is_own_name(e.id, plugin_id))
+            return name + "event `" + e.id + "` is not under its plugin's name: it needs `" + plugin_id.substr(plugin_id.rfind('.') + 1) + ".` before it";
+    }
     for (std::uint32_t i = 0; i < c.param_count; ++i) {
         const kerf_param& p = c.params[i];
         if (p.id == nullptr || p.help == nullptr || p.source == nullptr || p.display_unit == nullptr)
@@ -95,7 +110,7 @@ std::string refusal_of(const kerf_entry& entry, const std::string& path) {
     if (entry.plugin_id == nullptr || entry.plugin_version == nullptr || entry.components == nullptr || entry.component_count == 0)
         return name + "its entry names no id, version or components: fill in kerf_entry.";
     for (std::uint32_t i = 0; i < entry.component_count; ++i)
-        if (const std::string fault = fault_of(entry.components[i]); !fault.empty()) return name + fault + ": mend its table.";
+        if (const std::string fault = fault_of(entry.components[i], entry.plugin_id); !fault.empty()) return name + fault + ": mend its table.";
     return {};
 }
 
@@ -151,6 +166,8 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
             const kerf_signal& s = c.force->signals[i];
             info.signals.push_back({s.id, s.help, s.dimension, s.display_unit});
         }
+    if (c.kind == KERF_KIND_FORCE)
+        for (std::uint32_t i = 0; i < c.force->event_count; ++i) info.events.push_back({c.force->events[i].id, c.force->events[i].help});
     return info;
 }
 

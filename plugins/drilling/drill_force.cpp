@@ -25,17 +25,17 @@ Turning turning_of(const DrillCutting::State& state) noexcept {
     return {std::max(state.spindle.speed, slowest_cut), state.cut_share, std::abs(state.spindle.speed)};
 }
 
-const char* event_of(Spindle::Phase phase) noexcept {
+Event event_of(Spindle::Phase phase) noexcept {
     switch (phase) {
-        case Spindle::Phase::off: return "drilling.spindle_off";
-        case Spindle::Phase::spinning_up: return "drilling.spinning_up";
-        case Spindle::Phase::running: return "drilling.running";
-        case Spindle::Phase::reversing: return "drilling.reversing";
-        case Spindle::Phase::stalled: return "drilling.stalled";
-        case Spindle::Phase::bogging: return "drilling.bogging";
-        case Spindle::Phase::running_down: return "drilling.running_down";
+        case Spindle::Phase::off: return event_spindle_off;
+        case Spindle::Phase::spinning_up: return event_spinning_up;
+        case Spindle::Phase::running: return event_running;
+        case Spindle::Phase::reversing: return event_reversing;
+        case Spindle::Phase::stalled: return event_stalled;
+        case Spindle::Phase::bogging: return event_bogging;
+        case Spindle::Phase::running_down: return event_running_down;
     }
-    return "drilling.spindle_off";
+    return event_spindle_off;
 }
 
 /// What pushes the drill back along its shaft, of all channels [N].
@@ -69,7 +69,7 @@ void crush_or_stand(const Tick& tick, const BoneQuery& bone, const Advance& adva
     const auto note = [&](Note which) { return advance.note.empty() ? 0.0 : advance.note[which]; };
     const Standing standing(advance);
     const bool breaks = state.crushes && note(note_breaks_on) > 0.0 && is_crushed(advance), is_in_broken = state.crushes && note(note_is_broken) > 0.0;
-    if (breaks && state.broken.break_out(state.wall.on(static_cast<std::size_t>(note(note_breaks_on)) - 1))) actions.event("drilling.wall_broken");
+    if (breaks && state.broken.break_out(state.wall.on(static_cast<std::size_t>(note(note_breaks_on)) - 1))) actions.event(event_wall_broken);
     state.broken.go(advance.rate, tick.dt, breaks || is_in_broken);
     if (state.crushes || standing.force > 0.0 || state.broken.is_there()) state.prepared.tip.look(state.wall, bone);
     else state.wall.forget();
@@ -78,7 +78,7 @@ void crush_or_stand(const Tick& tick, const BoneQuery& bone, const Advance& adva
     } else if (state.prepared.tip.begins(standing, state.wall, state.broken, bone)) {
         state.crushes = true;
         state.crushing_from = standing.force;
-        if (!state.broken.is_there()) actions.event("drilling.crushing");
+        if (!state.broken.is_there()) actions.event(event_crushing);
     }
 }
 
@@ -149,7 +149,7 @@ void DrillCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance
     state.bending_stress += state.prepared.bending_share * (bending_stress(drill, advance) - state.bending_stress);
     signals[signal_bending_stress] = state.bending_stress;
     const bool is_overbent = state.bending_stress > (state.is_overbent ? straight_again : 1.0) * tick.tool[tool_yield_strength];
-    if (is_overbent && !state.is_overbent) actions.event("drilling.bit_overbent");
+    if (is_overbent && !state.is_overbent) actions.event(event_bit_overbent);
     state.is_overbent = is_overbent;
 
     if (turning.removes() || state.crushes) actions.cut();

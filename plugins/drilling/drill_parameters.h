@@ -38,6 +38,7 @@ enum ForceParameter : std::size_t {
 enum Drive : std::size_t { drive_spindle_speed, drive_count };
 inline constexpr double slowest_cut = 0.5;  ///< [1/s] from here on it takes bone
 enum Signal : std::size_t { signal_chip_thickness, signal_feed_per_revolution, signal_engagement, signal_drive_power, signal_spindle_speed, signal_bending_stress, signal_count };
+enum Event : std::size_t { event_spindle_off, event_spinning_up, event_running, event_bogging, event_stalled, event_running_down, event_reversing, event_bit_overbent, event_crushing, event_wall_broken, event_count };
 
 [[nodiscard]] TwistDrill drill_of(std::span<const double> tool_parameters) noexcept;
 [[nodiscard]] Motor motor_of(std::span<const double> tool_parameters) noexcept;

@@ -99,6 +99,20 @@ constexpr kerf_signal signals[] = {
 };
 static_assert(std::size(signals) == signal_count);
 
+constexpr kerf_event events[] = {
+    {"drilling.spindle_off", "The spindle stands, and its motor is off."},
+    {"drilling.spinning_up", "The motor brings the spindle up to the commanded speed."},
+    {"drilling.running", "The spindle turns as it is commanded."},
+    {"drilling.bogging", "The spindle is slower than 0.7 of what is commanded: the bone asks for more than the motor has."},
+    {"drilling.stalled", "The spindle was held fast; it starts again once it has been commanded off."},
+    {"drilling.running_down", "The spindle runs down with its motor off."},
+    {"drilling.reversing", "The spindle turns in reverse, and the edges rub."},
+    {"drilling.bit_overbent", "The bit was bent beyond its `yield_strength`: one of steel would have stayed bent, or broken."},
+    {"drilling.crushing", "The tip does not turn, and is pushed harder than the bone before it bears: it crushes its way."},
+    {"drilling.wall_broken", "A thin wall with free space behind it broke out before a tip that does not turn."},
+};
+static_assert(std::size(events) == event_count);
+
 /// The cones and the land behind the last of them cut; what is behind does not.
 kerf_status outline(const TwistDrill& drill, double mass, kerf_tool_shape* out) {
     const double tip = drill.point_depth(), widest = drill.widest_radius(), shank = drill.shank_radius(), e = drill.runout;
@@ -174,6 +188,8 @@ constexpr kerf_force cutting{sizeof(kerf_force),
                              alignof(DrillCutting::State),
                              signals,
                              signal_count,
+                             events,
+                             event_count,
                              20000,
                              &ForceTable<DrillCutting>::begin,
                              &ForceTable<DrillCutting>::resist,

@@ -66,6 +66,16 @@ constexpr kerf_signal signals[] = {
 };
 static_assert(std::size(signals) == signal_count);
 
+constexpr kerf_event events[] = {
+    {"sawing.off", "The blade stands, and its motor is off."},
+    {"sawing.speeding_up", "The motor brings the blade up to the commanded rate."},
+    {"sawing.running", "The blade swings as it is commanded."},
+    {"sawing.bogging", "The blade is slower than 0.7 of what is commanded: the bone asks for more than the motor has."},
+    {"sawing.stalled", "The blade was held fast; it starts again once it has been commanded off."},
+    {"sawing.running_down", "The blade runs down with its motor off."},
+};
+static_assert(std::size(events) == event_count);
+
 /// All that the teeth sweep while they swing removes bone, as deep as they are high; the blade behind it does not.
 kerf_status shape(const double* params, kerf_tool_shape* out) {
     constexpr std::uint32_t pieces = 8;  // of the half front: an arc of 60 mm is met within 8 µm; stamps cost less for each left out
@@ -103,6 +113,8 @@ constexpr kerf_force cutting{sizeof(kerf_force),
                              alignof(SawCutting::State),
                              signals,
                              signal_count,
+                             events,
+                             event_count,
                              20000,
                              &ForceTable<SawCutting>::begin,
                              &ForceTable<SawCutting>::resist,

@@ -26,17 +26,17 @@ Going going_of(const SawBlade& blade, const Tick& tick, const SawCutting::State&
             !(commanded > 0.0 && commanded <= averaged_from)};
 }
 
-const char* event_of(Spindle::Phase phase) noexcept {
+Event event_of(Spindle::Phase phase) noexcept {
     switch (phase) {
-        case Spindle::Phase::off: return "sawing.off";
-        case Spindle::Phase::spinning_up: return "sawing.speeding_up";
-        case Spindle::Phase::running: return "sawing.running";
-        case Spindle::Phase::reversing: return "sawing.running";  // an oscillation has no other sense
-        case Spindle::Phase::stalled: return "sawing.stalled";
-        case Spindle::Phase::bogging: return "sawing.bogging";
-        case Spindle::Phase::running_down: return "sawing.running_down";
+        case Spindle::Phase::off: return event_off;
+        case Spindle::Phase::spinning_up: return event_speeding_up;
+        case Spindle::Phase::running: return event_running;
+        case Spindle::Phase::reversing: return event_running;  // an oscillation has no other sense
+        case Spindle::Phase::stalled: return event_stalled;
+        case Spindle::Phase::bogging: return event_bogging;
+        case Spindle::Phase::running_down: return event_running_down;
     }
-    return "sawing.off";
+    return event_off;
 }
 
 /// What the teeth carried against the feed, of all sectors [N].

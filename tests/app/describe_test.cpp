@@ -28,7 +28,9 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
         for (const SignalInfo& s : component.signals)
             for (const std::string& part : {s.id, s.help, s.display_unit})
                 EXPECT_NE(text.find(part), std::string::npos) << s.id;
+        for (const EventInfo& e : component.events) EXPECT_NE(text.find(e.id + "\n        " + e.help + "\n"), std::string::npos) << e.id;
     }
+    EXPECT_NE(text.find("drilling.wall_broken\n"), std::string::npos);
     EXPECT_NE(text.find("not for diagnosis"), std::string::npos);
 }
 

@@ -58,7 +58,7 @@ inline ToolSetup mill() {
                                         return KERF_OK;
                                     }};
     using Table = ForceTable<Milling>;
-    static constexpr kerf_force force{sizeof(kerf_force), sizeof(Milling::State), alignof(Milling::State), nullptr, 0, 5000,
+    static constexpr kerf_force force{sizeof(kerf_force), sizeof(Milling::State), alignof(Milling::State), nullptr, 0, nullptr, 0, 5000,
                                       &Table::begin,      &Table::resist,         &Table::commit};
     static constexpr kerf_component components[] = {{sizeof(kerf_component), KERF_KIND_TOOL, "mill", "", nullptr, 0, 0, &tool, nullptr, nullptr},
                                                     {sizeof(kerf_component), KERF_KIND_FORCE, "milling", "", nullptr, 0, 0, nullptr, &force, nullptr}};

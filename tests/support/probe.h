@@ -56,7 +56,7 @@ inline ToolSetup probe(double k, double fault_from = 1e18, double fault_until = 
             return KERF_OK;
         }};
     using Table = ForceTable<Touch>;
-    static constexpr kerf_force force{sizeof(kerf_force), sizeof(Touch::State), alignof(Touch::State), nullptr, 0, 5000,
+    static constexpr kerf_force force{sizeof(kerf_force), sizeof(Touch::State), alignof(Touch::State), nullptr, 0, nullptr, 0, 5000,
                                       &Table::begin,      &Table::resist,       &Table::commit};
     static constexpr kerf_component components[] = {
         {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},

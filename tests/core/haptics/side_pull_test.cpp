@@ -31,7 +31,7 @@ struct CrossedPull {
 
 ToolSetup crossed_pull(double mu) {
     using Table = ForceTable<CrossedPull>;
-    static constexpr kerf_force force{sizeof(kerf_force), sizeof(CrossedPull::State), alignof(CrossedPull::State), nullptr, 0, 5000,
+    static constexpr kerf_force force{sizeof(kerf_force), sizeof(CrossedPull::State), alignof(CrossedPull::State), nullptr, 0, nullptr, 0, 5000,
                                       &Table::begin, &Table::resist, &Table::commit};
     static constexpr kerf_component component{sizeof(kerf_component), KERF_KIND_FORCE, "crossed_pull", "", nullptr, 0, 0, nullptr, &force, nullptr};
     ToolSetup setup = test::twist_drill();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -43,19 +44,22 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("components"), std::string::npos);
 }
 
-/// The first tool of the drilling plugin alone, to be changed.
-struct OneTool {
+/// The first component of its kind of the drilling plugin alone, to be changed.
+template <std::uint32_t kind>
+struct One {
     PluginLoad load = load_plugin(drilling);
     kerf_entry entry = load.plugin->entry();
-    kerf_component component = entry.components[0];
+    kerf_component component = *std::find_if(entry.components, entry.components + entry.component_count, [](const auto& c) { return c.kind == kind; });
 
-    OneTool() {
+    One() {
         entry.components = &component;
         entry.component_count = 1;
     }
-    OneTool(const OneTool&) = delete;
-    OneTool& operator=(const OneTool&) = delete;
+    One(const One&) = delete;
+    One& operator=(const One&) = delete;
 };
+using OneTool = One<KERF_KIND_TOOL>;
+using OneLaw = One<KERF_KIND_FORCE>;
 
 TEST(Loader, RefusesAFeatureThatSetsWhatItMustNot) {
     OneTool one;
@@ -91,6 +95,27 @@ TEST(Loader, RefusesADriveAtWhichTheToolNeverTakesBone) {
         drive.least = least;
         EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("drive `spindle_speed`"), std::string::npos) << least;
     }
+}
+
+TEST(Loader, RefusesAnEventOfAnothersNameOrOfNone) {
+    OneLaw one;
+    kerf_force law = *one.component.force;
+    one.component.force = &law;
+    kerf_event event{};
+    law.events = &event;
+    law.event_count = 1;
+    for (const char* own : {"drilling.stalled", "kerf.drilling.stalled"}) {
+        event = {own, "It stands."};
+        EXPECT_EQ(refusal_of(one.entry, "libsaw.so"), "") << own;
+    }
+    for (const char* foreign : {"haptics.held_back", "stalled", "drilling.", "drilling", "drillings.stalled"}) {
+        event = {foreign, "It stands."};
+        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("it needs `drilling.` before it"), std::string::npos) << foreign;
+    }
+    event = {"drilling.stalled", nullptr};
+    EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("an event without id or help"), std::string::npos);
+    law.events = nullptr;
+    EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("no table of its events"), std::string::npos);
 }
 
 std::string bad(const std::string& how) { return KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_" + how + ".so"; }

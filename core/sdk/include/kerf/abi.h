@@ -72,6 +72,12 @@ typedef struct kerf_signal {
     const char *display_unit;
 } kerf_signal;
 
+/* What may happen that is worth telling: recorded with its tick, by its id. */
+typedef struct kerf_event {
+    const char *id;   /* "<plugin>.<name>", the plugin by all of its id or by what follows its last dot */
+    const char *help; /* one sentence */
+} kerf_event;
+
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
 /* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the radius
@@ -212,13 +218,12 @@ typedef struct kerf_advance {
 /*   cut      what the tool sweeps in this tick is gone
  *   hold     body `value` is rigid to the tool from now on: it moves with it, and other bodies stop it
  *   release  nothing is held any more
- *   event    something worth telling */
+ *   event    number `value` of the law's declared events has happened */
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_HOLD = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
 
 typedef struct kerf_action {
     uint32_t kind;
     uint32_t value;
-    const char *event; /* static text, "<plugin>.<name>", for KERF_ACTION_EVENT */
 } kerf_action;
 
 typedef struct kerf_commit_out {
@@ -233,6 +238,8 @@ typedef struct kerf_force {
     uint32_t state_size, state_align;
     const kerf_signal *signals;
     uint32_t signal_count;
+    const kerf_event *events;
+    uint32_t event_count;
     uint32_t budget_ns; /* what one `resist` should take at most */
     /* The state that a law begins with. Parameters, and how finely the bone of `in` is known, stay as they are until it begins again: what
        follows from them alone is worked out here, once. [haptic, nonblocking] */
@@ -276,13 +283,13 @@ typedef struct kerf_component {
 
 /* Sizes of every struct that crosses the boundary, so that a mismatch is named, not suffered. */
 typedef struct kerf_layout {
-    uint32_t param, drive, signal, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
+    uint32_t param, drive, signal, event, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
         tick_in, advance, action, commit_out, force, component, feature;
 } kerf_layout;
 
 #define KERF_LAYOUT_INIT                                                                                              \
     {                                                                                                                 \
-        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_solid), sizeof(kerf_tool_shape),     \
+        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_event), sizeof(kerf_solid), sizeof(kerf_tool_shape), \
             sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), sizeof(kerf_bone_query),         \
             sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in), sizeof(kerf_advance), sizeof(kerf_action),  \
             sizeof(kerf_commit_out), sizeof(kerf_force), sizeof(kerf_component), sizeof(kerf_feature)     \

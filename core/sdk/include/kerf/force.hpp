@@ -130,16 +130,16 @@ struct Advance {
 class Actions {
 public:
     explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = 0; }
-    void cut() noexcept { add(KERF_ACTION_CUT, nullptr); }
+    void cut() noexcept { add(KERF_ACTION_CUT); }
     /// @param body  as the bone's answers name it
-    void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, nullptr, static_cast<std::uint32_t>(body)); }
-    void release() noexcept { add(KERF_ACTION_RELEASE, nullptr); }
-    /// @param id  static text, "<plugin>.<name>"
-    void event(const char* id) noexcept { add(KERF_ACTION_EVENT, id); }
+    void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, static_cast<std::uint32_t>(body)); }
+    void release() noexcept { add(KERF_ACTION_RELEASE); }
+    /// @param which  of the events that the law's table declares
+    void event(std::size_t which) noexcept { add(KERF_ACTION_EVENT, static_cast<std::uint32_t>(which)); }
 
 private:
-    void add(std::uint32_t kind, const char* event, std::uint32_t value = 0) noexcept {
-        if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, value, event};
+    void add(std::uint32_t kind, std::uint32_t value = 0) noexcept {
+        if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, value};
     }
     kerf_commit_out* out_;
 };
