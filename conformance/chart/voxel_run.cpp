@@ -38,13 +38,15 @@ Felt VoxelRun::tick(const Pose& next) {
     felt.cost = processor_time_of([&] {
         const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
         if (setup_.force->force->resist(&in, state_.data(), &law) != KERF_OK) law.count = 0;
-        for (std::size_t i = 0; i < 6; ++i) felt.wrench[i] = gain_ * law.wrench[i];
+        kerf_advance advance{};
+        for (std::size_t i = 0; i < 6; ++i) felt.wrench[i] = gain_ * (advance.following[i] = law.wrench[i]);
         for (std::uint32_t c = 0; c < law.count; ++c) {
             lambda[c] = channel_force(channels[c], dot(direction(channels[c]), rate), dt).lambda;
-            for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t i = 0; i < 6; ++i) {
+                advance.following[i] += channels[c].follow[i] * lambda[c];
                 felt.wrench[i] += gain_ * (channels[c].follow[i] - channels[c].d[i]) * lambda[c];
+            }
         }
-        kerf_advance advance{};
         advance.size = sizeof advance;
         advance.channel_count = law.count;
         std::copy(rate.begin(), rate.end(), advance.rate);

@@ -65,6 +65,7 @@ void PrintedLoop::go(const Pose& next) {
     advance.size = sizeof advance;
     const Vec6 rate = make_vec6((1.0 / period_) * tool_from_next.position, (1.0 / period_) * small_rotation_vector(tool_from_next.rotation));
     std::copy(rate.begin(), rate.end(), advance.rate);
+    if (is_sound) std::copy(std::begin(law.wrench), std::end(law.wrench), advance.following);
     advance.channel = channels;
     advance.note = law.note;
     kerf_action actions[KERF_MAX_ACTIONS];

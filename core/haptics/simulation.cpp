@@ -230,7 +230,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
         report(balance, motion, 1.0 / result.parts, result);
         following_.update(balance, motion);
         supplied_ += coupling_.gains().force_scale * std::max(0.0, dot(balance.following, motion.rate)) * step;
-        commit(motion.rate, motion.lambda.data(), step, result);
+        commit(motion.rate, motion.lambda.data(), balance.following, step, result);
         if (part == result.parts) break;
         if (!find_motion(handle_in(part + 1), step, balance, motion)) return false;
     }
@@ -246,7 +246,7 @@ void Simulation::rest(TickResult& result) noexcept {
     result.thrust = result.torque = result.power_hand = 0.0;
     if (result.is_quarantined) return;
     constexpr double nothing[most_channels] = {};
-    commit(Vec6{}, nothing, period_, result);
+    commit(Vec6{}, nothing, Vec6{}, period_, result);
 }
 
 void Simulation::report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept {
@@ -311,11 +311,15 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
 
     result.is_quarantined = !ask(period_);
     double lambda[most_channels] = {};
-    Vec6 bone = result.is_quarantined ? Vec6{} : law_wrench_;
+    Vec6 following = result.is_quarantined ? Vec6{} : law_wrench_, bone{};
     for (std::uint32_t c = 0; c < channel_count_; ++c) {
         lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), period_).lambda;
-        for (std::size_t i = 0; i < 6; ++i) bone[i] += (channels_[c].follow[i] - channels_[c].d[i]) * lambda[c];
+        for (std::size_t i = 0; i < 6; ++i) {
+            following[i] += channels_[c].follow[i] * lambda[c];
+            bone[i] -= channels_[c].d[i] * lambda[c];
+        }
     }
+    for (std::size_t i = 0; i < 6; ++i) bone[i] += following[i];
     report_bone(bone, 1.0, result);
     result.coupled_on_hand = result.bone_on_tool;
     const CouplingGains& gains = coupling_.gains();
@@ -324,7 +328,7 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     add(result.limited_on_hand, gains.force_scale, result.command.wrench);
     commanded_ = result.command.wrench;
     result.power_hand = -dot(bone, result.rate);
-    if (!result.is_quarantined) commit(result.rate, lambda, period_, result);
+    if (!result.is_quarantined) commit(result.rate, lambda, following, period_, result);
     result.world_from_tool = world_from_tool_;
     ++tick_;
     return result;
@@ -338,7 +342,7 @@ void Simulation::command_drive(std::size_t drive, double value) noexcept {
 
 // ---- what it leads to ---------------------------------------------------------------------------------------------
 
-void Simulation::commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept {
+void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& following, double step, TickResult& result) noexcept {
     last_rate_ = rate;
     kerf_advance advance{};
     advance.size = sizeof advance;
@@ -346,6 +350,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, double step, Tic
     std::copy(rate.begin(), rate.end(), advance.rate);
     advance.channel = channels_;
     advance.lambda = lambda;
+    std::copy(following.begin(), following.end(), advance.following);
     advance.note = notes_;
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_commit_out out{};

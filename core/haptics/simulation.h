@@ -178,7 +178,7 @@ private:
     void rest(TickResult& result) noexcept;
     void report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept;
     void report_bone(const Vec6& bone_on_tool_in_tool, double share, TickResult& result) const noexcept;
-    void commit(const Vec6& rate, const double* lambda, double step, TickResult& result) noexcept;
+    void commit(const Vec6& rate, const double* lambda, const Vec6& following, double step, TickResult& result) noexcept;
     void command(TickResult& result) noexcept;
 
     /// Whether any bone that can be felt comes within `margin` [m] of the tool.

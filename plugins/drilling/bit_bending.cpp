@@ -11,7 +11,7 @@ namespace kerf::drilling {
 
 namespace {
 
-/// What a channel does to the bit: forces across it and moments about the tip, as if they pushed at one height.
+/// Forces across the bit and moments about its tip, as if they pushed at one height.
 struct Load {
     double fx = 0.0, fy = 0.0, mx = 0.0, my = 0.0;  ///< [N], [N·m]
     double z = 0.0;                                 ///< [m]
@@ -19,9 +19,9 @@ struct Load {
     [[nodiscard]] bool bends() const noexcept { return fx != 0.0 || fy != 0.0 || mx != 0.0 || my != 0.0; }
 };
 
-Load load_of(const kerf_channel& channel, double lambda, double length) noexcept {
-    const auto on_bit = [&](std::size_t i) { return lambda * (channel.follow[i] - channel.d[i]); };
-    Load load{on_bit(0), on_bit(1), on_bit(3), on_bit(4)};
+/// What `wrench`, times so much, does to the bit.
+Load load_of(const double* wrench, double times, double length) noexcept {
+    Load load{times * wrench[0], times * wrench[1], times * wrench[3], times * wrench[4]};
     const double squared = load.fx * load.fx + load.fy * load.fy;
     if (squared > 0.0) load.z = std::clamp((load.my * load.fx - load.mx * load.fy) / squared, -length, 0.0);
     return load;
@@ -30,13 +30,15 @@ Load load_of(const kerf_channel& channel, double lambda, double length) noexcept
 }  // namespace
 
 double bending_stress(const TwistDrill& drill, const Advance& advance) noexcept {
-    std::array<Load, KERF_MAX_CHANNELS> load;
+    std::array<Load, KERF_MAX_CHANNELS + 1> load;
     std::size_t count = 0;
-    for (std::size_t c = 0; c < advance.channel.size() && count < load.size(); ++c) {
-        if (advance.lambda[c] == 0.0) continue;
-        load[count] = load_of(advance.channel[c], advance.lambda[c], drill.length);
+    const auto add = [&](const double* wrench, double times) {
+        if (times == 0.0 || count == load.size()) return;
+        load[count] = load_of(wrench, times, drill.length);
         count += load[count].bends() ? 1 : 0;
-    }
+    };
+    add(advance.following.data(), 1.0);
+    for (std::size_t c = 0; c < advance.channel.size(); ++c) add(advance.channel[c].d, -advance.lambda[c]);
     double most2 = 0.0;  // [Pa²]
     const auto look_at = [&](double z) {
         double mx = 0.0, my = 0.0;

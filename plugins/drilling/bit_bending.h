@@ -7,7 +7,7 @@
 /// How hard the bit is bent.
 namespace kerf::drilling {
 
-/// The largest bending stress in the bit [Pa], held at its chuck and loaded where its channels push:
+/// The largest bending stress in the bit [Pa], held at its chuck and loaded where its channels push and by what follows them, as it was given:
 ///
 ///     σ = |M| / W,    W = I / (d/2) = π d³/64,    I = ½ π d⁴/64
 ///

@@ -212,6 +212,8 @@ typedef struct kerf_advance {
     double rate[6];           /* the tool's rate that balanced, tool frame [m/s, rad/s] */
     const kerf_channel *channel; /* the law that was solved                    */
     const double *lambda;        /* what each of its channels carried [N]      */
+    double following[6];         /* on the tool, about its tip, tool frame [N, N·m]: what the host gave of what follows the channels and of
+                                    the law's own wrench. It goes with filtered λ and has a limit, so it is no sum over `lambda` */
     const double *note;          /* that law's notes; null when no law was asked */
 } kerf_advance;
 

@@ -117,6 +117,7 @@ struct Advance {
     std::span<const kerf_channel> channel;  ///< the law that was solved
     std::span<const double> lambda;         ///< what each of its channels carried [N]
     std::span<const double> note;           ///< what `resist` left; empty when no law was asked
+    Vec6 following{};                       ///< on the tool: what was given of what follows the channels and of the law's own wrench [N, N·m]
 
     /// What all channels of one kind carried together [N].
     [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
@@ -185,9 +186,10 @@ struct ForceTable {
     }
     static kerf_status commit(const kerf_tick_in* in, const kerf_advance* a, void* state, kerf_commit_out* out) {
         Actions actions(*out);
-        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}, {}};
+        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}, {}, {}};
         if (a->note != nullptr) advance.note = {a->note, KERF_MAX_NOTES};
         for (std::size_t i = 0; i < 6; ++i) advance.rate[i] = a->rate[i];
+        for (std::size_t i = 0; i < 6; ++i) advance.following[i] = a->following[i];
         L::commit(tick_of(*in), BoneQuery(*in->bone), advance, *static_cast<typename L::State*>(state),
                   {out->signal, L::signal_count}, actions);
         return KERF_OK;
