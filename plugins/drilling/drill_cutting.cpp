@@ -74,8 +74,9 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = e.resistance[i];
         if (i < e.lip_points) full_width += e.element(i).width;
+        if (m <= 0.0) continue;  // then nothing is said of what it takes
         const auto [chip, edge] = e.takes[i];
-        if (m <= 0.0 || chip <= 0.0) continue;
+        if (chip <= 0.0) continue;
         if (i >= e.lip_points) {
             const double width = m * e.places.chisel_width;
             axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);

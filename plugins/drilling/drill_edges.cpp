@@ -110,8 +110,9 @@ EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_r
     EdgeForces sum;
     for (std::size_t i = 0; i < e.count; ++i) {
         const double m = e.resistance[i];
+        if (m <= 0.0) continue;
         const auto [chip, edge] = e.takes[i];
-        if (m <= 0.0 || chip <= 0.0) continue;
+        if (chip <= 0.0) continue;
         const Vec3 at = e.point[i];
         if (i >= e.lip_points) {
             const double thrust = m * e.places.chisel_width * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
