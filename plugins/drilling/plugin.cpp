@@ -38,7 +38,7 @@ constexpr kerf_param step_drill_parameters[] = {
 };
 static_assert(std::size(step_drill_parameters) == step_drill_parameter_count);
 
-#define KERF_CORNER(N)     {"depth_" #N, "From the tip to corner " #N " of the outline behind the point; 0: there is none, nor a further one.", dimension::length, "mm", 0.0_mm, 200.0_mm, 0.0_mm, "as the tool is"},     {"diameter_" #N, "Diameter at corner " #N ": no less than at the one before.", dimension::length, "mm", 0.0_mm, 30.0_mm, 0.0_mm, "as the tool is"},
+#define KERF_CORNER(N)     {"depth_" #N, "From the tip to corner " #N " of the outline behind the point, 0.01 mm and more behind the one before; 0: there is none, nor a further one.", dimension::length, "mm", 0.0_mm, 200.0_mm, 0.0_mm, "as the tool is"},     {"diameter_" #N, "Diameter at corner " #N ": that of the one before, or wider by a degree of half angle and more.", dimension::length, "mm", 0.0_mm, 30.0_mm, 0.0_mm, "as the tool is"},
 
 constexpr kerf_param profile_drill_parameters[] = {
     KERF_DRILL_PARAMETERS
@@ -155,14 +155,14 @@ kerf_status step_shape(const double* params, kerf_tool_shape* out) {
 
 /// Corners go backwards from the point, and from one to the next the outline is straight or widens by a degree of half angle or more.
 kerf_status profile_shape(const double* params, kerf_tool_shape* out) {
-    constexpr double slightest = 0.0174550649282176;  // tan 1°
+    constexpr double slightest = 0.0174550649282176, nearest = 0.01_mm - 1e-9;  // tan 1°; [m], less what rounding takes
     const TwistDrill drill = drill_of({params, profile_drill_parameter_count});
     OutlineCorner last{drill.point_depth(), drill.radius()};
     for (std::size_t i = 0; i < drill.corner_count; ++i) {
         const double longer = drill.corners[i].depth - last.depth, wider = drill.corners[i].radius - last.radius;
         const char nth[] = {static_cast<char>('1' + i), '\0'};
-        if (!(longer > 1.0_um))
-            return refuse(out, "`depth_", nth, "` is ", in_mm(drill.corners[i].depth), "; it needs more than the depth of ", i == 0 ? "the point" : "the corner before",
+        if (!(longer >= nearest))
+            return refuse(out, "`depth_", nth, "` is ", in_mm(drill.corners[i].depth), "; it needs ", in_mm(nearest), " or more beyond the depth of ", i == 0 ? "the point" : "the corner before",
                           ", ", in_mm(last.depth), ".");
         if (wider != 0.0 && wider < slightest * longer)
             return refuse(out, "`diameter_", nth, "` is ", in_mm(2.0 * drill.corners[i].radius), "; it needs that of ", i == 0 ? "the point" : "the corner before", ", ",

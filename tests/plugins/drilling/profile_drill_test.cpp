@@ -156,8 +156,9 @@ TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
     };
     const std::string begin = "tool `profile_drill` cannot be made from these parameters: ";
     EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {5.0_mm, 2.0_mm}, {8.0_mm, 2.0_mm}, {9.0_mm, 3.0_mm}}), "");
-    EXPECT_EQ(refusal({}, {{0.5_mm, 2.0_mm}}), begin + "`depth_1` is 0.5 mm; it needs more than the depth of the point, 0.961 mm.");
-    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}), begin + "`depth_2` is 4 mm; it needs more than the depth of the corner before, 4 mm.");
+    EXPECT_EQ(refusal({}, {{0.5_mm, 2.0_mm}}), begin + "`depth_1` is 0.5 mm; it needs 0.01 mm or more beyond the depth of the point, 0.961 mm.");
+    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}), begin + "`depth_2` is 4 mm; it needs 0.01 mm or more beyond the depth of the corner before, 4 mm.");
+    EXPECT_NE(refusal({}, {{4.0_mm, 1.6_mm}, {4.001_mm, 2.0_mm}}).find("0.01 mm or more beyond"), std::string::npos);
     EXPECT_EQ(refusal({}, {{4.0_mm, 1.0_mm}}), begin + "`diameter_1` is 2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 3.31 mm.");
     EXPECT_EQ(refusal({}, {{40.0_mm, 1.601_mm}}), begin + "`diameter_1` is 3.2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 4.56 mm.");
     EXPECT_EQ(refusal({{"depth_3", 9.0_mm}, {"diameter_3", 4.0_mm}}, {{4.0_mm, 1.6_mm}}),
