@@ -124,6 +124,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     for (auto& limit : state.limits) {
         if (!is_running) continue;  // a still tool harms nothing
         if (limit.limit->is_of_wall()) continue;  // there is none yet
+        if (limit.limit->quantity == "depth" && state.deepest < 0.0) continue;  // beside the bone there is no hole that could be too deep
         double value = limit.limit->quantity == "thrust" ? now.thrust : depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),

@@ -45,6 +45,16 @@ struct Watch {
     }
 };
 
+TEST(StepMonitor, BesideTheBoneThereIsNoHoleThatCouldBeTooDeep) {
+    Watch watch;
+    for (double depth = -1.0_mm; depth < 20.0_mm; depth += 0.1_mm) watch.show(depth, 0.0, true, false);
+    EXPECT_TRUE(watch.scene.news.empty()) << watch.scene.news.front();
+
+    watch.show(1.0_mm);                      // it enters,
+    watch.show(20.0_mm, 0.0, true, false);   // and is out of the far side: that is too deep
+    EXPECT_EQ(watch.scene.news, (std::vector<std::string>{"entered_bone", "goal_reached", "limit_broken"}));
+}
+
 TEST(AxisFrame, ABladeIsFedAlongTheAxisAndLiesInThePlane) {
     // Given an axis to the back and a plane that looks to the feet, as in a cut across a femur
     const LandmarkAxis axis{"way", {0, -40.0_mm, 0}, {0, 40.0_mm, 0}, 0.0};
