@@ -118,7 +118,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
                "text (if not given) for people, json for programs, github for its annotations",
                one_of({"text", "json", "github"}));
     add_changes(validate);
-    validate->add_flag("--bone", line.is_with_bone, "Make the bone as well, and check what needs it: axes, scans");
+    validate->add_flag("--bone", line.is_with_bone, "Make the bone as well, and check what needs it: axes, scans, hands, the force scale");
+    validate->footer(std::string("Exit code: 0 no errors, 2 errors.\n") + notice_line + ".");
 
     CLI::App* rehearse = add("rehearse", "Run every rehearsal and see whether it ends as it says");
     add_files(rehearse, "YAML files of procedures", many);
@@ -126,12 +127,13 @@ void describe_to(CLI::App& app, CommandLine& line) {
                not_empty(yaml_help));
 
     add_changes(rehearse);
+    rehearse->footer(std::string("Exit code: 0 all ended as they say, 1 one did not, 2 bad input, 3 fault or interrupted.\n") + notice_line + ".");
 
     CLI::App* expand = add("expand", "Print the procedure as a variant or `--set` makes it, with each value's origin");
     add_files(expand, "YAML file of the procedure", 1);
     add_changes(expand);
 
-    CLI::App* describe = add("describe", "Tell every parameter, drive and signal of a component");
+    CLI::App* describe = add("describe", "Tell every parameter, drive, signal and event of a component");
     describe->add_option("COMPONENT", line.component, "PLUGIN or PLUGIN/COMPONENT; all of them if not given")
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));

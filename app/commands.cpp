@@ -189,9 +189,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
             error = line.replay + another_text;
         if (!error.empty()) return complain(error, exit_bad_input);
     }
+    const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
+    if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
     if (recorded && recorded->anatomy_hash != scene->anatomy_hash) return complain(line.replay + another_text, exit_bad_input);
 
     RunRequest request;
@@ -214,7 +216,6 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
         return complain("the replay would take the place of its recording. Give another folder with `--out`.", exit_bad_input);
-    const Interruption interruption;
     request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);

@@ -161,22 +161,37 @@ void check_force_scale(const Procedure& procedure, const DeviceRecord& device, d
     const Node* instruments = document->root.find("instruments");
     Report(*document, diagnostics)
         .warning(Code::no_force_scale, haptics != nullptr ? haptics->span : instruments != nullptr ? instruments->span : TextSpan{},
-                 "No tool cuts with the drives that it is given, so no force scale is made to fit: at 1/1 the device holds " +
+                 "No tool cuts with the drives and coefficients that it is given, so no force scale is made to fit: at 1/1 the device holds " +
                      quantity_text(device.peak_force, "N") + ". A tool that is pushed needs `force_scale:` under `haptics:`, such as 1/50 for 100 N at 2 N.");
 }
 
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
+    const auto fastest = std::max_element(procedure.rehearsals.begin(), procedure.rehearsals.end(), [](const auto& a, const auto& b) { return a.feed < b.feed; });
+    const auto is_held = [&](const Rehearsal& rehearsal) { return rehearsal.push * force_scale <= device.friction; };
+    const double needed = std::ceil(1.5 * device.friction / force_scale);
+    const std::string scale = "at the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale));
+    // No hand pushes so hard: one feed is wrong, not all the pushes.
+    if (needed > hardest_push && !procedure.force_scale && std::any_of(procedure.rehearsals.begin(), procedure.rehearsals.end(), is_held)) {
+        std::string held;
+        for (const Rehearsal& rehearsal : procedure.rehearsals)
+            if (is_held(rehearsal)) held += (held.empty() ? "`" : ", `") + rehearsal.id + "`";
+        Report(*document, diagnostics)
+            .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", static_cast<std::size_t>(fastest - procedure.rehearsals.begin()), "hand"),
+                     "The hand of `" + fastest->id + "` feeds with " + quantity_text(fastest->feed, "mm/s") + ". The force scale follows from how hard bone resists at the fastest feed, and " +
+                         scale + " the push of " + held + " is less at the device than its friction of " + quantity_text(device.friction, "N") +
+                         ": who pushes so stands still. Feed more slowly, or write `force_scale:` under `haptics:`.");
+        return;
+    }
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const Rehearsal& rehearsal = procedure.rehearsals[i];
-        if (rehearsal.push * force_scale > device.friction) continue;
-        const double needed = std::ceil(1.5 * device.friction / force_scale);
+        if (!is_held(rehearsal)) continue;
         Report(*document, diagnostics)
             .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", i, "hand"),
-                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; at the force scale of 1/" +
-                         std::to_string(std::lround(1.0 / force_scale)) + " that is less at the device than its friction of " +
+                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; " + scale + " that is less at the device than its friction of " +
                          quantity_text(device.friction, "N") + ", and it stands still. It needs a push of " + quantity_text(needed, "N") +
-                         " or more, or a slower feed: the scale follows from how hard bone resists at the fastest.",
+                         " or more" +
+                         (procedure.force_scale ? std::string(".") : ", or a slower feed: the scale follows from how hard bone resists at the fastest, " + quantity_text(fastest->feed, "mm/s") + " of `" + fastest->id + "`."),
                      quantity_text(needed, "N"));
     }
 }

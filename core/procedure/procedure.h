@@ -91,6 +91,8 @@ struct Waypoint {
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
 };
 
+inline constexpr double hardest_push = 500.0;  ///< [N] of a simulated hand
+
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.
 struct Rehearsal {
     std::string id, title;
@@ -98,7 +100,7 @@ struct Rehearsal {
     std::string expect_limit;  ///< for "fail": the zone (or quantity) whose limit must be the only one broken
     double feed = 1e-3;        ///< [m/s] what the hand aims at in bone
     double approach = 10e-3;   ///< [m/s] in air
-    double push = 60.0;        ///< [N] the most it pushes, bone side
+    double push = 60.0;        ///< [N] the most it pushes, bone side; no more than `hardest_push`
     double reaction = 0.15;    ///< [s]
     std::vector<Waypoint> path;
 };

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/procedure/procedure.h"
 #include "kerf/units.hpp"
 
 namespace kerf::shapes {
@@ -157,7 +158,7 @@ const Shape expectation{"expectation", "How the rehearsal fails.", {
 const Shape hand{"hand", "What the simulated hand is like.", {
     {optional, "feed", speed(), "What it aims at in bone.", "1 mm/s"},
     {optional, "approach", speed(), "Its speed in air.", "10 mm/s"},
-    {optional, "push", quantity(dimension::force, "N", 0.1_N, 500.0_N), "The most it pushes, at the bone.", "60 N"},
+    {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push), "The most it pushes, at the bone.", "60 N"},
     {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
 }};
 
