@@ -24,6 +24,15 @@ TEST(Cutting, TheLawChattersAtTheDevicesRateAndIsQuietWhenSolved) {
     EXPECT_EQ(found[1].outcome, Outcome::fail) << "directly: " << found[1].measured;
     EXPECT_EQ(found[2].outcome, Outcome::pass) << "solved: " << found[2].measured;
     EXPECT_EQ(found[2].method, Method::kerf);
+    EXPECT_NE(found[2].measured.find(" mm deep"), std::string::npos) << "it stays in the block: " << found[2].measured;
+}
+
+TEST(Cutting, WhatFliesOutOfTheBlockIsNotJudgedAsIfItWereInIt) {
+    std::vector<Finding> found;
+    look_at_cutting(only("premium-1.5-6dof", no_hand, 0), the_drill(), [&](const Finding& f) { found.push_back(f); });
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_NE(found[1].measured.find("the block after"), std::string::npos) << "directly: " << found[1].measured;
+    EXPECT_EQ(found[2].outcome, Outcome::pass) << "solved: " << found[2].measured;
 }
 
 TEST(Cutting, APluginThatIsNotThereIsSaid) {
