@@ -9,6 +9,7 @@
 #include "conformance/stability/bone_block.h"
 #include "conformance/stability/led_tool.h"
 #include "conformance/stability/scenes.h"
+#include "conformance/worst.h"
 #include "kerf/units.hpp"
 
 namespace kerf::stability {
@@ -58,7 +59,7 @@ Crossing cross(const LedTool& tool, const ToolUnderTest& of, double feed, double
         const double turned = angle;
         go(feed);
         crossing.fastest = std::max(crossing.fastest, (tool.tip() - was) / period);
-        crossing.step = std::max(crossing.step, std::abs(tool.thrust() - last));
+        crossing.step = worst(crossing.step, std::abs(tool.thrust() - last));
         last = tool.thrust();
         crossing.moments.push_back({was, last, tool.torque(), tool.sideways(), turned});
     }

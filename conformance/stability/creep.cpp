@@ -9,6 +9,7 @@
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/printed_loop.h"
 #include "conformance/stability/scenes.h"
+#include "conformance/worst.h"
 #include "kerf/units.hpp"
 
 namespace kerf::stability {
@@ -62,7 +63,7 @@ Crept creep(const Prescribed& tool, double engaged, double from, double way) {
     }
     std::vector<double> thrust;
     for (const double until = depth + way; depth < until;) thrust.push_back(go(slow));
-    for (std::size_t i = 1; i < thrust.size(); ++i) crept.step = std::max(crept.step, std::abs(thrust[i] - thrust[i - 1]));
+    for (std::size_t i = 1; i < thrust.size(); ++i) crept.step = worst(crept.step, std::abs(thrust[i] - thrust[i - 1]));
     const auto [low, high] = std::minmax_element(thrust.begin(), thrust.end());
     crept.swing = *high - *low;
     return crept;

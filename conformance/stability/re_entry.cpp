@@ -6,6 +6,7 @@
 #include "conformance/stability/bone_block.h"
 #include "conformance/stability/led_tool.h"
 #include "conformance/stability/scenes.h"
+#include "conformance/worst.h"
 
 namespace kerf::stability {
 
@@ -15,9 +16,10 @@ constexpr double above = -0.3e-3, deep = 3e-3, shallow = 1e-3;  // [m]
 
 struct BackAgain {
     bool is_out = false;
+    double front = 0.0;               ///< [N] of bone while it drilled
     double most = 0.0;                ///< [N] of bone on the way back in, before the front
     double deepest = 0.0, end = 0.0;  ///< [m] of the tip
-    [[nodiscard]] bool is_empty() const noexcept { return is_out && most < 0.05 && end > shallow + 1e-3; }
+    [[nodiscard]] bool is_empty() const noexcept { return is_out && front >= 0.05 && most < 0.05 && end > shallow + 1e-3; }
 };
 
 BackAgain out_and_in(const LedTool& tool) {
@@ -34,13 +36,14 @@ BackAgain out_and_in(const LedTool& tool) {
         }
     };
     go(feed, [&] { return tool.tip() >= deep; });
+    again.front = std::abs(tool.thrust());
     go(-travel, [&] { return tool.tip() <= shallow; });
     again.is_out = tool.tip() <= shallow;
     // Up to a tick's travel before the front: from there on it is bone.
     go(travel, [&] {
         const double way = std::max(travel * Simulation::dt, tool.tip() - last);
         const bool is_there = tool.tip() >= again.deepest - 1.5 * way;
-        if (!is_there && tool.tip() > last) again.most = std::max(again.most, std::abs(tool.thrust()));
+        if (!is_there && tool.tip() > last) again.most = worst(again.most, std::abs(tool.thrust()));
         return is_there;
     });
     again.end = tool.tip();
@@ -50,7 +53,7 @@ BackAgain out_and_in(const LedTool& tool) {
 Finding finding_of(const BackAgain& again) {
     Finding finding{.test = "S-12", .scene = "out of a hole and in again", .hand = led};
     finding.measured = "at most " + figure(again.most, "N") + " of bone down to " + figure(1e3 * again.end, "mm") +
-                       " of " + figure(1e3 * again.deepest, "mm");
+                       " of " + figure(1e3 * again.deepest, "mm") + ", " + figure(again.front, "N") + " as it drilled";
     finding.criterion = "< 0.05 N of bone before the front";
     finding.outcome = passes(again.is_empty());
     return finding;
