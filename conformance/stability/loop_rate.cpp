@@ -50,17 +50,17 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
     return std::sqrt(difference / whole);
 }
 
-/// Who makes the force: the papers' law or the plugin's at a prescribed motion, or the plugin's, solved.
-enum class Law { printed, prescribed, solved };
+/// Who makes the force: a law of the papers or the plugin's at a prescribed motion, or the plugin's, solved.
+enum class Way { printed, prescribed, solved };
 
-Drilled drill_with(Law law, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double push, double feed, double period) {
-    if (law == Law::printed) {
+Drilled drill_with(Way how, const ToolUnderTest& tool, const CouplingGains& gains, const Body& body, double push, double feed, double period) {
+    if (how == Way::printed) {
         PrintedLoop loop(block, body.grid(), tool.setup, at_depth(above), period);
         return drill(led_by(loop, tool.setup, above, 0.0, period), way, feed, period);
     }
-    KerfLoop loop(body, tool.setup, gains, above, law == Law::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct, 0.0, period);
+    KerfLoop loop(body, tool.setup, gains, above, how == Way::solved ? KerfLoop::Way::solved : KerfLoop::Way::direct, 0.0, period);
     // Solved: as far again as the push stretches the coupling, or the tool would hardly have set out.
-    const double hand_way = law == Law::solved ? way + push / gains.stiffness : way;
+    const double hand_way = how == Way::solved ? way + push / gains.stiffness : way;
     Drilled drilled = drill(led_by(loop, above, period), hand_way, feed, period);
     loop.simulation().finish();
     drilled.removed = loop.simulation().present().removed();
@@ -73,43 +73,48 @@ ToolUnderTest strong(ToolUnderTest tool) {
     return tool;
 }
 
-}  // namespace
-
-void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, const ToolUnderTest* printed, const Report& report) {
-    const Body body = make(block);
+void look_at(Way how, const ToolUnderTest& tool, const Scope& scope, const Body& body, Finding finding, const Report& report) {
     const DeviceRecord& device = scope.devices.front();
-    const ToolUnderTest tool = strong(of);
-    for (const Law law : {Law::printed, Law::prescribed, Law::solved}) {
-        Finding finding{.test = "P-05", .hand = led};
-        finding.scene = law == Law::solved ? "loop rate, solved" : "loop rate, prescribed feed";
-        finding.method = law == Law::printed ? Method::as_printed : Method::kerf;
-        finding.criterion = "each within 2 %";
-        if (law == Law::solved) finding.device = device.id;
-        if (law == Law::printed && printed == nullptr) {
-            finding.reason = no_papers;
+    if (how == Way::solved) finding.device = device.id;
+    for (const double feed : {0.5e-3, 2e-3, 8e-3}) {
+        // Scaled so that the push feeds the tool at this rate.
+        const double push = push_of(device);
+        const CouplingGains gains = how == Way::printed ? CouplingGains{} : gains_for(device, std::min(1.0, push / work_force(tool.setup, body, feed)));
+        const auto at = [&](double period) { return drill_with(how, tool, gains, body, push, feed, period); };
+        const Drilled at_1_khz = at(1e-3);
+        for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
+            const Drilled other = at(period);
+            const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
+            const bool torque_counts = rms(at_1_khz.torque) >= least_torque * rms(at_1_khz.thrust) * tool.radius;
+            const double removed = how == Way::printed ? 0.0 : other.removed / at_1_khz.removed - 1.0;
+            finding.measured = figure(1e3 * feed, "mm/s, ") + figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") +
+                               ", torque " + (torque_counts ? figure(100.0 * torque, "%") : "next to none") +
+                               (how == Way::printed ? "" : ", bone taken " + figure(100.0 * removed, "%")) + " off 1000 Hz";
+            finding.outcome = passes(thrust <= 0.02 && (!torque_counts || torque <= 0.02) && std::abs(removed) <= 0.02);
             report(finding);
-            continue;
-        }
-        for (const double feed : {0.5e-3, 2e-3, 8e-3}) {
-            // Scaled so that the push feeds the tool at this rate.
-            const double push = push_of(device);
-            const CouplingGains gains = gains_for(device, std::min(1.0, push / work_force(tool.setup, body, feed)));
-            const auto at = [&](double period) { return drill_with(law, law == Law::printed ? *printed : tool, gains, body, push, feed, period); };
-            const Drilled at_1_khz = at(1e-3);
-            for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {
-                const Drilled other = at(period);
-                const double thrust = apart(at_1_khz.thrust, other.thrust), torque = apart(at_1_khz.torque, other.torque);
-                const bool torque_counts = rms(at_1_khz.torque) >= least_torque * rms(at_1_khz.thrust) * tool.radius;
-                const double removed = law == Law::printed ? 0.0 : other.removed / at_1_khz.removed - 1.0;
-                finding.measured = figure(1e3 * feed, "mm/s, ") + figure(1.0 / period, "Hz") + ": thrust " + figure(100.0 * thrust, "%") +
-                                   ", torque " + (torque_counts ? figure(100.0 * torque, "%") : "next to none") +
-                                   (law == Law::printed ? "" : ", bone taken " + figure(100.0 * removed, "%")) + " off 1000 Hz";
-                finding.outcome = passes(thrust <= 0.02 && (!torque_counts || torque <= 0.02) && std::abs(removed) <= 0.02);
-                if (law == Law::printed) finding.reason = "its bone stays until the drilling ends";
-                report(finding);
-            }
         }
     }
+}
+
+}  // namespace
+
+void look_at_loop_rate(const Scope& scope, const ToolUnderTest& of, std::span<const ToolUnderTest> printed, const Report& report) {
+    const Body body = make(block);
+    const auto finding_of = [](const std::string& scene, Method method) {
+        return Finding{.test = "P-05", .scene = scene, .method = method, .hand = led, .criterion = "each within 2 %"};
+    };
+    Finding as_printed = finding_of("loop rate, prescribed feed", Method::as_printed);
+    if (printed.empty()) {
+        as_printed.reason = no_papers;
+        report(as_printed);
+    }
+    for (const ToolUnderTest& tool : printed) {
+        as_printed.reason = std::string(tool.law) + ": its bone stays until the drilling ends";
+        look_at(Way::printed, tool, scope, body, as_printed, report);
+    }
+    const ToolUnderTest tool = strong(of);
+    look_at(Way::prescribed, tool, scope, body, finding_of("loop rate, prescribed feed", Method::kerf), report);
+    look_at(Way::solved, tool, scope, body, finding_of("loop rate, solved", Method::kerf), report);
 }
 
 }  // namespace kerf::stability

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "conformance/stability/finding.h"
 #include "conformance/stability/scope.h"
 #include "conformance/stability/tool_under_test.h"
@@ -31,8 +33,8 @@ void look_at_many_contacts(const Scope& scope, const Report& report);
 void look_at_switching_off(const Scope& scope, const ToolUnderTest& tool, const Report& report);
 /// S-21: the loop misses ticks while a hand moves on a wall.   [main]
 void look_at_missed_ticks(const Scope& scope, const Report& report);
-/// P5: the same way with ticks of another length.   [main]
-void look_at_loop_rate(const Scope& scope, const ToolUnderTest& tool, const ToolUnderTest* printed, const Report& report);
+/// P5: the same way with ticks of another length, with each of the papers' laws and with the tool's.   [main]
+void look_at_loop_rate(const Scope& scope, const ToolUnderTest& tool, std::span<const ToolUnderTest> printed, const Report& report);
 /// A9: a lever cycle gives no work.   [main]
 void look_at_lever(const Scope& scope, const Report& report);
 

@@ -21,7 +21,7 @@ std::vector<double> defaults(const std::vector<ParameterInfo>& infos) {
 
 }  // namespace
 
-std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std::string& plugin, std::string& error) {
+std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std::string& plugin, std::string& error, const std::string& force) {
     ToolUnderTest found;
     ToolSetup& setup = found.setup;
     for (const ComponentInfo& info : plugins.catalog()) {
@@ -31,13 +31,14 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
             setup.tool_parameters = defaults(info.parameters);
             setup.drives = defaults(info.drives);
         }
-        if (info.kind == KERF_KIND_FORCE && setup.force == nullptr) {
+        if (info.kind == KERF_KIND_FORCE && setup.force == nullptr && (force.empty() || force == info.id)) {
             setup.force = plugins.find(plugin, info.kind, info.id);
+            found.law = info.id;
             setup.force_parameters = defaults(info.parameters);
         }
     }
     if (setup.tool == nullptr || setup.force == nullptr) {
-        error = "there is no plugin `" + plugin + "` with a tool and a force. `kerf list` names those that were found.";
+        error = "there is no plugin `" + plugin + "` with a tool and " + (force.empty() ? "a force" : "the force `" + force + "`") + ". `kerf list` names those that were found.";
         return std::nullopt;
     }
     ToolOutline outline;

@@ -10,15 +10,17 @@
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::stability {
 
-/// A plugin's first tool with its first force, everything at its default.
+/// A tool with a force of the same plugin, everything at its default.
 struct ToolUnderTest {
     ToolSetup setup;
+    std::string law;          ///< the force's id
     double full_depth = 0.0;  ///< [m] behind the tip: there the cutting outline has its full radius
     double radius = 0.0;      ///< [m] of the cutting outline
 };
-/// Error: there is no such plugin, or it has no tool or no force, or the tool cannot be made.   [main]
+/// The plugin's first tool, with its first force or the one of this id.
+/// Error: there is no such plugin, or it has no tool or no such force, or the tool cannot be made.   [main]
 [[nodiscard]] std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std::string& plugin,
-                                                     std::string& error);
+                                                     std::string& error, const std::string& force = "");
 
 /// Where a tool's parameters have one by its id.   [any] pure.
 [[nodiscard]] std::optional<std::size_t> tool_parameter(const ToolSetup& setup, const char* id) noexcept;

@@ -18,15 +18,15 @@ inline ToolUnderTest the_drill() {
     return *tool;
 }
 
-/// The papers' drill and law, as they were built.
-inline ToolUnderTest the_papers_drill() {
+/// The papers' drill with their first law or another one, as they were built.
+inline ToolUnderTest the_papers_drill(const std::string& law = "") {
     static const PluginRegistry papers = [] {
         PluginRegistry registry;
         registry.scan({KERF_BUILD_DIR "/lib/kerf-bench"});
         return registry;
     }();
     std::string error;
-    const auto tool = find_tool(papers, "bench.as_printed", error);
+    const auto tool = find_tool(papers, "bench.as_printed", error, law);
     if (!tool) throw std::runtime_error(error);
     return *tool;
 }

@@ -91,8 +91,11 @@ TEST(Scenes, ManyPointsGiveEnergyAsPrintedAndAreAsOneSolved) {
 
 TEST(Scenes, TheLengthOfATickChangesNothing) {
     Found found;
-    look_at_loop_rate(nominal, the_drill(), nullptr, found.report);
+    const std::vector<ToolUnderTest> papers{the_papers_drill(), the_papers_drill("volumetric_drilling"), the_papers_drill("dental_implant")};
+    look_at_loop_rate(nominal, the_drill(), papers, found.report);
     found.expect_that_kerf_passes();
+    for (const ToolUnderTest& paper : papers)
+        EXPECT_EQ(std::count_if(found.all.begin(), found.all.end(), [&](const Finding& f) { return f.reason.starts_with(paper.law); }), 9) << paper.law;
     EXPECT_EQ(found.count("loop rate, prescribed feed", Method::kerf, Outcome::pass), 9);
     EXPECT_EQ(found.count("loop rate, solved", Method::kerf, Outcome::pass), 9);
 }
