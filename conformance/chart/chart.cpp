@@ -71,6 +71,7 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
                         measure(method, scene, *law, fineness, grids_of(fineness), led),
                         chart.standings[standing++].fails};
                 if (row.measured.peak_step > largest_step) row.fails.push_back("S-16");
+                if (!row.measured.is_finite) row.fails.push_back("finite");
                 say(scene.id + "  " + row.method + "  " + row.knob + "  force error " +
                     percent(row.measured.force_error) + ", volume " + percent(row.measured.volume_error) + ", step " +
                     percent(row.measured.peak_step) + ", p99.9 " + drawing::figure(row.measured.cost.p999) + " us" +

@@ -138,16 +138,13 @@ Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law
         for (std::size_t t = 0; t < track.felt.size(); ++t) {
             costs.push_back(track.felt[t].cost);
             Vec3 force = linear(track.felt[t].wrench), reference = track.reference[t];
-            if (!is_finite(force)) {
-                measured.is_finite = false;
-                continue;
-            }
-            if (!track.is_compared[t]) {
+            measured.is_finite = measured.is_finite && is_finite(force);
+            if (!is_finite(force) || !track.is_compared[t]) {
                 has_last = false;
                 continue;
             }
-            if (method.is_solved)
-                force = {0, 0, force.z}, reference = {0, 0, reference.z};
+            if (walks(method, scene))  // a replay tells the thrust alone
+                force = {0, 0, force.z};
             else if (std::hypot(reference.x, reference.y) < 1.0)
                 measured.off_lateral = std::max(measured.off_lateral, std::hypot(force.x, force.y));
             const Vec3 difference = force - reference;

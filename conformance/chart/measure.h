@@ -11,7 +11,7 @@ struct Cost {
 };
 
 struct Measured {
-    double force_error = 0.0;   ///< [–] RMS|F − F_ref| / RMS|F_ref|, all grids together
+    double force_error = 0.0;   ///< [–] RMS|F − F_ref| / RMS|F_ref|, all grids together; of a method that `walks`, of the thrust
     double worst_grid = 0.0;    ///< [–] of the grid on which it is largest
     double volume_error = 0.0;  ///< [–] |V − V_exact| / V_exact, mean of the grids
     double peak_step = 0.0;  ///< [–] largest step from tick to tick beside the reference's own, of the largest |F_ref|
@@ -22,7 +22,7 @@ struct Measured {
     double same_hand_turn = 0.0;  ///< [–] the same of means over a turn of the spindle
     double apart = 0.0;           ///< [m] how far its tip comes from where that hand leads it there, at most
     Cost cost;
-    bool is_finite = true;  ///< every force was
+    bool is_finite = true;  ///< every force was; those that were not count in nothing else
 };
 
 /// The gain with which a method's mean thrust in whole cortical bone, at the scene's feed and drill, is the

@@ -49,7 +49,7 @@ inline constexpr double medial_breach = 6.3e-3;
 /// Pecks at 100 mm/s, out and in at up to 1 m/s, then through 0.5 mm of bone at 1 m/s.
 [[nodiscard]] Scene fast_scene();
 
-/// All of them, in the order of the chart. `quick`: the first, and shorter.
+/// All of them, in the order of the chart.
 [[nodiscard]] std::vector<Scene> all_scenes();
 
 }  // namespace kerf::chart

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "conformance/chart/reference.h"
 #include "conformance/drawing/svg.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/press.h"
 #include "conformance/stability/tool_under_test.h"
-#include "conformance/stability/wall.h"
 #include "core/haptics/coupling.h"
 #include "kerf/units.hpp"
 
@@ -160,16 +160,31 @@ Verdict pushed_by_a_hand(const Bench& bench) {
 
 // ---- K_max --------------------------------------------------------------------------------------------------------
 
-bool rests_on_a_wall(const Body& body, const ToolSetup& setup, const DeviceRecord& device, double stiffness) {
-    CouplingGains gains = gains_for(device, 1.0);
-    gains.stiffness = stiffness;
-    const PortSettings settings = port_of(device, stability::no_hand, 0);
-    constexpr double above = -0.1_mm, push = 2.0;
-    Port port(settings, above);
-    stability::KerfLoop loop(body, setup, gains, above);
-    const auto trace = stability::press(
-        port, [&](double depth) { return loop.answer(depth); }, 1500, push);
-    return stability::judge(trace, settings.resolution, false).is_stable();
+constexpr double above_wall = -0.1_mm;
+
+/// Whether the bare device, pushed onto a wall with 2 N, swings less and less: the same question for all methods.
+bool dies_down(const PortSettings& settings, const stability::Renderer& wall) {
+    constexpr double push = 2.0, still = 1e-6;  // [N], [m]
+    constexpr std::size_t ticks = 10000, settled = 500, window = 3000;
+    Port port(settings, above_wall);
+    const std::vector<double> depth = stability::press(port, wall, ticks, push).depth;
+    const auto swing = [&](std::size_t from) {
+        const auto [least, most] = std::minmax_element(depth.begin() + static_cast<std::ptrdiff_t>(from), depth.begin() + static_cast<std::ptrdiff_t>(from + window));
+        return *most - *least;
+    };
+    return swing(ticks - window) < std::max(still, swing(settled));
+}
+
+/// The stiffest [N/m] of those for which `holds` says so, within 2 %.
+template <class Holds>
+double stiffest_of(const Holds& holds) {
+    double most = 10.0, too_much = 1e5;
+    if (!holds(most)) return 0.0;
+    while (too_much / most > 1.02) {
+        const double middle = std::sqrt(most * too_much);
+        (holds(middle) ? most : too_much) = middle;
+    }
+    return most;
 }
 
 }  // namespace
@@ -178,18 +193,18 @@ double stiffest(const Method& method, const CuttingLaw& law) {
     const DeviceRecord& device = *find_device("premium-1.5-6dof");
     PortSettings settings = port_of(device, stability::no_hand, 0);
     settings.friction = settings.resolution = 0.0;
-    if (!method.is_solved) return stability::stiffest_wall(settings);
+    if (!method.is_solved)
+        return stiffest_of([&](double stiffness) { return dies_down(settings, [=](double depth) { return std::max(0.0, stiffness * depth); }); });
     const Bench bench(method, law, {.spacing = 0.5_mm, .points = 31});
     const Body body = body_of(bench.scene.bone, bench.fineness.spacing, bench.fineness.offset);
     ToolSetup setup = method.setup(bench.scene, bench.fineness);
     setup.drives[0] = 0.0;
-    double holds = 100.0, swings = 1e5;  // [N/m]
-    if (!rests_on_a_wall(body, setup, device, holds)) return 0.0;
-    while (swings / holds > 1.05) {
-        const double middle = std::sqrt(holds * swings);
-        (rests_on_a_wall(body, setup, device, middle) ? holds : swings) = middle;
-    }
-    return holds;
+    return stiffest_of([&](double stiffness) {
+        CouplingGains gains = gains_for(device, 1.0);
+        gains.stiffness = stiffness;
+        stability::KerfLoop loop(body, setup, gains, above_wall);
+        return dies_down(settings, [&](double depth) { return loop.answer(depth); });
+    });
 }
 
 Standing standing_of(const Method& method, const CuttingLaw& law, const Fineness& fineness) {

@@ -20,8 +20,8 @@ inline constexpr double largest_step = 1.0 / 31.0;
 /// [main]
 [[nodiscard]] Standing standing_of(const Method& method, const CuttingLaw& law, const Fineness& fineness);
 
-/// K_max [N/m]: the stiffest wall that can be rendered on a bare device. For what is evaluated at the device's rate,
-/// that of any sampled spring; for what is solved, the stiffest coupling.   [main]
+/// K_max [N/m]: the stiffest wall on which a bare device, without friction and counts, swings less and less. For what is evaluated at the
+/// device's rate, whatever its law, that of a sampled spring; for what is solved, the stiffest coupling, damped as it is by default.   [main]
 [[nodiscard]] double stiffest(const Method& method, const CuttingLaw& law);
 
 }  // namespace kerf::chart
