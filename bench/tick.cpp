@@ -97,19 +97,20 @@ struct ManyPoints {
         samples.resize(edges.size());  // also for all of them, which kernels are compared with
         surface.resize(contact.size());
     }
-    [[nodiscard]] std::size_t edge_count() const { return edges.size() - own_.edges; }
+    [[nodiscard]] std::size_t edge_count() const { return edges.size() - std::min(edges.size(), own_.edges); }
+    [[nodiscard]] std::size_t contact_count() const { return contact.size() - std::min(contact.size(), own_.contact); }
     void ask_edges(const BodiesView& bone, std::size_t count) {
         bone.sample(edges.data(), static_cast<std::uint32_t>(count), {0, 0, 1}, samples.data());
         sink += samples[7].engagement;
     }
     void ask_contact(const BodiesView& bone) {
-        bone.nearest(contact.data(), static_cast<std::uint32_t>(contact.size() - own_.contact), surface.data());
+        bone.nearest(contact.data(), static_cast<std::uint32_t>(contact_count()), surface.data());
         sink += surface[7].distance;
     }
     /// Those asked last with a border within `reach` [m].
     [[nodiscard]] std::size_t near(double reach) const {
         std::size_t count = 0;
-        for (std::size_t n = 0; n < contact.size() - own_.contact; ++n) count += surface[n].body >= 0 && std::abs(surface[n].distance) <= reach;
+        for (std::size_t n = 0; n < contact_count(); ++n) count += surface[n].body >= 0 && std::abs(surface[n].distance) <= reach;
         return count;
     }
 
@@ -219,7 +220,7 @@ void measure(double h) {
     const Baselines baselines{times_of(papers), times_of(dense)};
     std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name);
     std::printf("  the law asks about %zu edge and %zu contact points; of %zu other contact points a border is within a voxel of %zu\n",
-                own.edges, own.contact, bench::PlainPapers::contact_points - own.contact, points.near(h));
+                own.edges, own.contact, points.contact_count(), points.near(h));
     print("loop", loop, &baselines);
     print("+ points", with_points, &baselines);
     print("no lag", no_lag);
