@@ -59,7 +59,7 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
         return request.is_quick || fineness.spacing < fine ? 1 : 4;
     };
     for (const Scene& scene : scenes) {
-        chart.scenes.push_back({scene.id, scene.title});
+        chart.scenes.push_back({scene.id, scene.title, scene.is_oblique});
         std::size_t standing = 0;
         for (const Method& method : methods) {
             const std::vector<Felt> led = walks(method, scene) ? led_by_hand(method, scene, finest) : std::vector<Felt>{};

@@ -35,6 +35,7 @@ struct MethodNote {
 
 struct SceneTitle {
     std::string id{}, title{};
+    bool is_oblique = false;  ///< what is solved walks there, and is held against its replay: by its thrust alone
 };
 
 struct Chart {

@@ -163,9 +163,10 @@ std::string tests_csv(const Chart& chart) {
 }
 
 std::string scene_svg(const Chart& chart, const std::string& scene) {
-    std::string title = scene;
+    SceneTitle said{.id = scene, .title = scene};
     for (const SceneTitle& one : chart.scenes)
-        if (one.id == scene) title = one.title;
+        if (one.id == scene) said = one;
+    const std::string& title = said.title;
 
     auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref| in %", 1e-4,
                           [](const Measured& m) { return 100.0 * m.force_error; });
@@ -218,7 +219,8 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
                                                        : "none."));
     content += drawing::text_at(12, picture_height - 10,
                                 std::string(notice_line) +
-                                    ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device. " +
+                                    ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device without friction. " +
+                                    (said.is_oblique ? "M9 walks here: its thrust alone. " : "") +
                                     "Costs: " + chart.processor + ".",
                                 "class=\"kp-note\"");
     return drawing::picture(picture_width, picture_height, title, content);
@@ -256,7 +258,7 @@ std::string chart_html(const Chart& chart) {
         "back into a "
         "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest "
         "the pointer "
-        "on a line for its figures. K_max: the stiffest wall on a bare device.</p></section>\n";
+        "on a line for its figures. K_max: the stiffest wall on a bare device without friction. Where M9 walks, its error is that of its thrust alone.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {
         html += "<section><figure>" + scene_svg(chart, scene.id) + "</figure>";
         html +=

@@ -114,6 +114,13 @@ TEST(Chart, ItsFilesAreWrittenWhole) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(Chart, WhereKerfsForceIsJudgedByItsThrustAloneThePictureSaysSo) {
+    Chart chart = small_chart();
+    EXPECT_EQ(scene_svg(chart, "slab-0").find("thrust alone"), std::string::npos);
+    chart.scenes.front().is_oblique = true;
+    EXPECT_NE(scene_svg(chart, "slab-0").find("M9 walks here: its thrust alone."), std::string::npos);
+}
+
 TEST(Chart, AFilledMarkerPassesAndAHollowOneSaysWhatItFails) {
     const Chart chart = small_chart();
     const std::string svg = scene_svg(chart, "slab-0");
