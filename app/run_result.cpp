@@ -71,9 +71,10 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             continue;
         }
         length_row("depth", std::max(0.0, state.deepest), half_voxel, "info", "Deepest tip position in bone, along the planned axis from its entry.");
-        // Of a tool that cut nothing nobody knows how well it was aimed.
-        if (state.deepest >= 0.0) length_row("entry-offset", state.entry_offset, half_voxel, "info", "Distance of the tip from the planned axis when it first cut bone.");
-        if (state.deepest >= 0.0) length_row("offset", state.farthest_offset, half_voxel, "info", "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
+        if (state.has_cut_bone()) {  // of one that cut nothing nobody knows how well it was aimed
+            length_row("entry-offset", state.entry_offset, half_voxel, "info", "Distance of the tip from the planned axis when it first cut bone.");
+            length_row("offset", state.farthest_offset, half_voxel, "info", "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
+        }
         for (const auto& limit : state.limits) {
             if (limit.limit->quantity != "clearance" || !limit.is_seen) continue;
             length_row("clearance." + limit.limit->zone, limit.worst, half_voxel, limit.broken_at ? "broken" : "ok",

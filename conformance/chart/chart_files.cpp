@@ -256,7 +256,7 @@ std::string chart_html(const Chart& chart) {
     html +=
         "</tbody></table></div><p class=\"soft small\">S-01: a hand pushes into a block. S-07: twice the points. S-12: "
         "back into a "
-        "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. Rest "
+        "finished hole. S-16: a step of more than one point of 31. S-19: the spindle stops. P9: standing in bone. finite: every force is a number. Rest "
         "the pointer "
         "on a line for its figures. K_max: the stiffest wall on a bare device without friction. Where M9 walks, its error is that of its thrust alone.</p></section>\n";
     for (const SceneTitle& scene : chart.scenes) {

@@ -8,6 +8,7 @@
 
 #include "conformance/chart/reference.h"
 #include "conformance/drawing/svg.h"
+#include "conformance/stability/bracket.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/press.h"
 #include "conformance/stability/tool_under_test.h"
@@ -178,13 +179,8 @@ bool dies_down(const PortSettings& settings, const stability::Renderer& wall) {
 /// The stiffest [N/m] of those for which `holds` says so, within 2 %.
 template <class Holds>
 double stiffest_of(const Holds& holds) {
-    double most = 10.0, too_much = 1e5;
-    if (!holds(most)) return 0.0;
-    while (too_much / most > 1.02) {
-        const double middle = std::sqrt(most * too_much);
-        (holds(middle) ? most : too_much) = middle;
-    }
-    return most;
+    constexpr stability::Bracket widest{10.0, 1e5};
+    return holds(widest.holds) ? widest.narrowed(1.02, holds).holds : 0.0;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "conformance/stability/bone_block.h"
+#include "conformance/stability/bracket.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/press.h"
 #include "conformance/stability/unreleased.h"
@@ -102,12 +103,8 @@ void look_at_damper(const DeviceRecord& device, const PortSettings& settings, do
 
 double largest_damper(PortSettings settings, double push) {
     settings.friction = settings.resolution = 0.0;
-    double stable = 0.1, unstable = 1e6;  // [N·s/m]
-    while (unstable / stable > 1.002) {
-        const double middle = std::sqrt(stable * unstable);
-        (alternates(settings, middle, push) ? unstable : stable) = middle;
-    }
-    return std::sqrt(stable * unstable);
+    constexpr Bracket widest{0.1, 1e6};  // [N·s/m]
+    return widest.narrowed(1.002, [&](double gain) { return !alternates(settings, gain, push); }).middle();
 }
 
 void look_at_cutting(const Scope& scope, const ToolUnderTest& tool, const Report& report) {

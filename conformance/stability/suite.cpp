@@ -15,9 +15,11 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     std::vector<Finding> findings;
     const auto tool = find_tool(plugins, plugin, error);
     if (!tool) return findings;
-    std::string why_no_papers;  // said in the rows that want them
-    const auto found = find_tool(papers, "bench.as_printed", why_no_papers);
-    const ToolUnderTest* const printed = found ? &*found : nullptr;
+    std::vector<ToolUnderTest> printed_laws;
+    std::string why_not_there;  // the rows that want them have their own words
+    for (const char* law : {"tsai_2007", "volumetric_drilling", "dental_implant"})
+        if (const auto found = find_tool(papers, "bench.as_printed", why_not_there, law)) printed_laws.push_back(*found);
+    const ToolUnderTest* const printed = printed_laws.empty() ? nullptr : &printed_laws.front();
     const Report report = [&](const Finding& finding) {
         findings.push_back(finding);
         if (as_found) as_found(finding);
@@ -35,9 +37,6 @@ std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegist
     look_at_many_contacts(scope, report);
     look_at_switching_off(scope, *tool, report);
     look_at_missed_ticks(scope, report);
-    std::vector<ToolUnderTest> printed_laws;
-    for (const char* law : {"tsai_2007", "volumetric_drilling", "dental_implant"})
-        if (const auto one = find_tool(papers, "bench.as_printed", why_no_papers, law)) printed_laws.push_back(*one);
     look_at_loop_rate(scope, *tool, printed_laws, report);
     look_at_lever(scope, report);
     return findings;

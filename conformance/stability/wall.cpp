@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "conformance/stability/bone_block.h"
+#include "conformance/stability/bracket.h"
 #include "conformance/stability/kerf_loop.h"
 #include "conformance/stability/press.h"
 #include "conformance/stability/touch_probe.h"
@@ -145,12 +146,8 @@ double stiffest_wall_in_theory(const PortSettings& settings) noexcept {
 }
 
 double stiffest_wall(const PortSettings& settings) {
-    double stable = 2.0, unstable = 1e5;  // [N/m]
-    while (unstable / stable > 1.0005) {
-        const double middle = std::sqrt(stable * unstable);
-        (swings_out(settings, middle) ? unstable : stable) = middle;
-    }
-    return std::sqrt(stable * unstable);
+    constexpr Bracket widest{2.0, 1e5};  // [N/m]
+    return widest.narrowed(1.0005, [&](double stiffness) { return !swings_out(settings, stiffness); }).middle();
 }
 
 void look_at_walls(const Scope& scope, const Report& report) {

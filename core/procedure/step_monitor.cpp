@@ -109,7 +109,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
         state.moved = std::max(state.moved, length(now.world_from_body[owner] * frame.entry - frame.entry));
     const double depth = frame.depth_of(tool.position);
     const double offset = length(tool.position - frame.entry - depth * frame.along);
-    const bool is_first_bone = is_in_bone && state.deepest < 0.0;
+    const bool is_first_bone = is_in_bone && !state.has_cut_bone();
     if (is_first_bone) {
         state.deepest = 0.0;
         state.entry_offset = offset;
@@ -124,7 +124,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     for (auto& limit : state.limits) {
         if (!is_running) continue;  // a still tool harms nothing
         if (limit.limit->is_of_wall()) continue;  // there is none yet
-        if (limit.limit->quantity == "depth" && state.deepest < 0.0) continue;  // beside the bone there is no hole that could be too deep
+        if (limit.limit->quantity == "depth" && !state.has_cut_bone()) continue;  // beside the bone there is no hole that could be too deep
         double value = limit.limit->quantity == "thrust" ? now.thrust : depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
@@ -157,11 +157,11 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
 }
 
 bool StepMonitor::is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept {
-    if (goal.quantity == "entry") return state.deepest >= 0.0;
+    if (goal.quantity == "entry") return state.has_cut_bone();
     if (goal.quantity == "separated") return now.world_from_body.size() > 1;
     if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
     if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
-    return state.deepest >= 0.0 && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest && state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
+    return state.has_cut_bone() && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest && state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
 }
 
 void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {

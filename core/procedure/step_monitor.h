@@ -63,7 +63,7 @@ struct StepState {
     std::vector<bool> goal_done;
     std::vector<LimitState> limits;
     std::optional<double> start, end;  ///< [s]
-    double deepest = -1.0;             ///< [m]
+    double deepest = -1.0;             ///< [m] of the tip in bone; negative until it has cut some
     double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first cut bone
     double farthest_offset = 0.0;      ///< [m] of the tip from the axis while it cut bone
     bool has_met_bone_still = false;   ///< it stood on bone without running
@@ -72,6 +72,7 @@ struct StepState {
 
     double moved = 0.0;                ///< [m] the farthest that the bone at the entry was from where it had been
 
+    [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
 };
 
