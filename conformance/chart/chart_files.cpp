@@ -216,12 +216,12 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
                                 std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
                                     (enough != nullptr ? enough->method + " at " + enough->knob + ", " +
                                                              figure(enough->measured.cost.p999) + " us."
-                                                       : "none."));
+                                                       : "none.") +
+                                    (said.is_oblique ? " M9 walks here: its thrust alone." : ""));
     content += drawing::text_at(12, picture_height - 10,
                                 std::string(notice_line) +
-                                    ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device without friction. " +
-                                    (said.is_oblique ? "M9 walks here: its thrust alone. " : "") +
-                                    "Costs: " + chart.processor + ".",
+                                    ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device without friction. Costs: " +
+                                    chart.processor + ".",
                                 "class=\"kp-note\"");
     return drawing::picture(picture_width, picture_height, title, content);
 }
