@@ -37,13 +37,7 @@ const Vec3 low{-8.0_mm, -8.0_mm, -22.0_mm}, high{8.0_mm, 8.0_mm, 0};
 
 double sink = 0.0;
 
-/// [µs] that asking for the processor's time takes by itself.
-double cost_of_asking() {
-    std::vector<double> nothing;
-    for (int n = 0; n < 10000; ++n) nothing.push_back(processor_time_of([] {}));
-    return times_of(std::move(nothing)).median;
-}
-const double asking = cost_of_asking();
+const double asking = cost_of_asking([](const auto& work) { return processor_time_of(work); });
 
 template <class Work>
 double cost_of(const Work& work) {

@@ -45,4 +45,12 @@ double processor_time_of(const Work& work) {
     return now() - start;
 }
 
+/// [µs] that a clock takes by itself: what `time` tells of nothing.
+template <class TimeOf>
+double cost_of_asking(const TimeOf& time) {
+    std::vector<double> nothing;
+    for (int n = 0; n < 10000; ++n) nothing.push_back(time([] {}));
+    return times_of(std::move(nothing)).median;
+}
+
 }  // namespace kerf

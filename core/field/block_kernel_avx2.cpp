@@ -59,18 +59,13 @@ inline Four3 load_points(const double* p) noexcept {
     return {_mm256_shuffle_pd(a, b, 0b1010), _mm256_shuffle_pd(a, c, 0b0101), _mm256_shuffle_pd(b, c, 0b1010)};
 }
 
+inline Four3 each(const kerf_vec3& v) noexcept { return {_mm256_broadcast_sd(&v.x), _mm256_broadcast_sd(&v.y), _mm256_broadcast_sd(&v.z)}; }
+
 /// A frame's factors, each for four points.
 struct FourFrame {
     Four3 x, y, z, origin;
 
-    explicit FourFrame(const Frame& f) noexcept {
-        double v[12];
-        std::memcpy(v, &f, sizeof v);
-        x = {all(v[0]), all(v[1]), all(v[2])};
-        y = {all(v[3]), all(v[4]), all(v[5])};
-        z = {all(v[6]), all(v[7]), all(v[8])};
-        origin = {all(v[9]), all(v[10]), all(v[11])};
-    }
+    explicit FourFrame(const Frame& f) noexcept : x(each(f.x)), y(each(f.y)), z(each(f.z)), origin(each(f.origin)) {}
     Four3 operator*(const Four3& p) const noexcept {
         return {((x.x * p.x + y.x * p.y) + z.x * p.z) + origin.x, ((x.y * p.x + y.y * p.y) + z.y * p.z) + origin.y,
                 ((x.z * p.x + y.z * p.y) + z.z * p.z) + origin.z};
@@ -206,23 +201,31 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         place_there.template operator()<false>();
 }
 
-/// Where the bricks of eight points begin among the samples.
+/// Where the bricks of eight points begin among the samples. What is asked of all of them is asked of the first by itself: most often that settles it.
 struct Starts {
     std::int32_t of[wide];
-    std::int32_t any = 0, common = -1;  ///< each bit that one of them has, that all of them have
 
     [[gnu::always_inline]] Starts(const std::int32_t* start, const ConstPlaces& places, std::size_t i) noexcept {
-        for (std::size_t n = 0; n < wide; ++n) {
-            of[n] = start[places.brick[i + n]];
-            any |= of[n];
-            common &= of[n];
-        }
+        for (std::size_t n = 0; n < wide; ++n) of[n] = start[places.brick[i + n]];
     }
     /// Whether all of them begin before `first_stored`: at 0, or where one brick's samples end.
-    [[nodiscard]] bool are_uniform(std::int32_t first_stored) const noexcept { return any < first_stored; }
-    [[nodiscard]] bool are_all(std::int32_t start) const noexcept { return any == start && common == start; }
-    [[nodiscard]] bool is_any_missing() const noexcept { return any < 0; }
-    [[nodiscard]] bool are_all_missing() const noexcept { return common < 0; }
+    [[nodiscard, gnu::always_inline]] bool are_uniform(std::int32_t first_stored) const noexcept { return of[0] < first_stored && any() < first_stored; }
+    [[nodiscard, gnu::always_inline]] bool are_all(std::int32_t start) const noexcept { return of[0] == start && any() == start && common() == start; }
+    [[nodiscard]] bool is_any_missing() const noexcept { return any() < 0; }
+    [[nodiscard]] bool are_all_missing() const noexcept { return common() < 0; }
+
+private:
+    /// Each bit that one of them has, that all of them have.
+    [[nodiscard, gnu::always_inline]] std::int32_t any() const noexcept {
+        std::int32_t bits = 0;
+        for (const std::int32_t each : of) bits |= each;
+        return bits;
+    }
+    [[nodiscard, gnu::always_inline]] std::int32_t common() const noexcept {
+        std::int32_t bits = -1;
+        for (const std::int32_t each : of) bits &= each;
+        return bits;
+    }
 };
 
 /// The low corners of eight cells. What is at their corners is loaded cell by cell: eight by a gather take longer.
@@ -238,16 +241,18 @@ private:
     const Sample* corner_[wide];
 };
 
-/// Two neighbours along x, for each of eight points.
+/// Two neighbours along x, for each of eight points: the lower one, and by how much the other is more.
 struct Pairs {
-    Eight low, high;
+    Eight low, rise;
 };
 /// The two rows of each cell along y.
 struct Rows {
     Pairs first, second;
 };
+/// Of two samples a place. What they differ by is exact in whole numbers and in floats alike.
 inline Pairs pairs_of(EightInts both) noexcept {
-    return {_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(both, 16), 16)), _mm256_cvtepi32_ps(_mm256_srai_epi32(both, 16))};
+    const EightInts lower = all_ints(1), difference = all_ints(0x1ffff);  // (1, 0) and (−1, 1)
+    return {_mm256_cvtepi32_ps(_mm256_madd_epi16(both, lower)), _mm256_cvtepi32_ps(_mm256_madd_epi16(both, difference))};
 }
 /// A load of sixteen samples has both rows: one in its low half, from the first sample on, the other, nine farther, in its high
 /// half from the second on.
@@ -263,7 +268,8 @@ inline Pairs pairs_of(EightInts both) noexcept {
     const auto pair = [&](std::size_t n) { return reinterpret_cast<const __m64*>(cells[n] + offset); };
     const auto two = [&](std::size_t n) { return _mm_loadh_pi(_mm_loadl_pi(_mm_setzero_ps(), pair(n)), pair(n + 1)); };
     const Eight a = _mm256_set_m128(two(lanes), two(0)), b = _mm256_set_m128(two(lanes + 2), two(2));
-    return {_mm256_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)), _mm256_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))};
+    const Eight low = _mm256_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0));
+    return {low, _mm256_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)) - low};
 }
 [[gnu::always_inline]] inline Rows load_rows(const Cells<float>& cells, int offset) noexcept {
     return {load_pairs(cells, offset), load_pairs(cells, offset + stored)};
@@ -280,7 +286,7 @@ struct EightFractions {
 template <class Sample>
 [[gnu::always_inline]] inline Eight interpolated(const Cells<Sample>& cells, const EightFractions& f) noexcept {
     const Rows below = load_rows(cells, 0), above = load_rows(cells, stored * stored);
-    const auto along_x = [&](const Pairs& p) { return lerp(p.low, p.high, f.x); };
+    const auto along_x = [&](const Pairs& p) { return p.low + p.rise * f.x; };
     return lerp(lerp(along_x(below.first), along_x(below.second), f.y), lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
@@ -322,10 +328,19 @@ private:
 
 void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept {
     const FieldShape field = shape;
+    const Four of_quantum = all(quantum);
+    Eight largest = _mm256_setzero_ps();
     for (std::size_t i = 0; i < count; i += wide) {
-        const Metres m(values_of(field, places, i), all(quantum), all(clamp));
-        _mm256_storeu_pd(values + i, m.low);
-        _mm256_storeu_pd(values + i + lanes, m.high);
+        const Eight quanta = values_of(field, places, i);
+        largest = most(largest, magnitude(quanta));
+        _mm256_storeu_pd(values + i, of_quantum * _mm256_cvtps_pd(_mm256_castps256_ps128(quanta)));
+        _mm256_storeu_pd(values + i + lanes, of_quantum * _mm256_cvtps_pd(_mm256_extractf128_ps(quanta, 1)));
+    }
+    if (!any(not_less(largest, eight(32767.0f)))) return;
+    const Four end = all(quantum * 32767.0), sign = all(-0.0);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Four here = _mm256_loadu_pd(values + i);
+        _mm256_storeu_pd(values + i, _mm256_blendv_pd(here, _mm256_or_pd(all(clamp), _mm256_and_pd(here, sign)), not_less(_mm256_andnot_pd(sign, here), end)));
     }
 }
 
@@ -357,11 +372,10 @@ struct EightSlopes {
     const Cells cells(field.samples, starts, places, i);
     const auto [v00, v10] = load_rows(cells, 0);
     const auto [v01, v11] = load_rows(cells, stored * stored);
-    const Eight x00 = v00.high - v00.low, x10 = v10.high - v10.low, x01 = v01.high - v01.low, x11 = v11.high - v11.low;
-    const Eight c00 = v00.low + x00 * f.x, c10 = v10.low + x10 * f.x, c01 = v01.low + x01 * f.x, c11 = v11.low + x11 * f.x;
+    const Eight c00 = v00.low + v00.rise * f.x, c10 = v10.low + v10.rise * f.x, c01 = v01.low + v01.rise * f.x, c11 = v11.low + v11.rise * f.x;
     const Eight y0 = c10 - c00, y1 = c11 - c01;
     const Eight c0 = c00 + y0 * f.y, c1 = c01 + y1 * f.y;
-    return {c0 + (c1 - c0) * f.z, lerp(lerp(x00, x10, f.y), lerp(x01, x11, f.y), f.z), lerp(y0, y1, f.z), c1 - c0};
+    return {c0 + (c1 - c0) * f.z, lerp(lerp(v00.rise, v10.rise, f.y), lerp(v01.rise, v11.rise, f.y), f.z), lerp(y0, y1, f.z), c1 - c0};
 }
 
 float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept {

@@ -11,7 +11,7 @@
 /// Each stage does for every point what its scalar namesake does for one, operation by operation: the same bits.
 namespace kerf {
 
-inline constexpr std::size_t block_capacity = 128;
+inline constexpr std::size_t block_capacity = 256;
 using BlockValues = std::array<double, block_capacity>;
 using FloatBlock = std::array<float, block_capacity>;
 
