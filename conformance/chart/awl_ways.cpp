@@ -14,16 +14,22 @@ using namespace literals;
 namespace {
 
 /// A way of its own, so that what breaks at the entry is not seen.
-AwlWay way_through(double towards_canal, double shell, std::string wall, std::string remark) {
-    constexpr double from = 11.0_mm, to = 26.0_mm, step = 0.2_mm;
-    const Scene scene = pedicle_awl_scene(towards_canal, shell);
+AwlWay way_through(const PedicleWall* wall) {
+    constexpr double from = 11.0_mm, to = 26.0_mm, step = 0.2_mm;  // before it goes on into the body
+    const Scene scene = wall == nullptr ? pedicle_awl_scene({})
+                                        : pedicle_awl_scene({.towards_canal = (wall->is_medial ? 1.0 : -1.0) * aimed_wrong * 1.0_deg, .shell = wall->thickness, .bone = wall->bone()});
     PushedAwl awl({}, scene);
-    AwlWay way{.wall = std::move(wall), .remark = std::move(remark)};
+    AwlWay way{.wall = wall};
     for (int n = 0; from + n * step <= to; ++n) way.pushes.push_back({from + n * step, awl.push_at(from + n * step)});
     return way;
 }
 
 }  // namespace
+
+std::string PedicleWall::name() const {
+    const std::string from = "L" + std::to_string(first);
+    return (is_medial ? "medial wall, " : "lateral wall, ") + (last == first ? from : from + " to L" + std::to_string(last));
+}
 
 double AwlWay::most() const noexcept {
     double most = 0.0;
@@ -32,11 +38,9 @@ double AwlWay::most() const noexcept {
 }
 
 std::vector<AwlWay> awl_ways() {
-    constexpr double towards_canal = aimed_wrong * 1.0_deg;
-    return {way_through(0.0, 1.0_mm, "", ""),
-            way_through(towards_canal, 1.0_mm, "the phantom's wall of 1 mm", "a wall breaks by the square of its thickness"),
-            way_through(towards_canal, 0.8_mm, "0.8 mm, the medial wall of L3", "its mean in men; in women 0.9 mm [l3-pedicle-wall]"),
-            way_through(towards_canal, 0.35_mm, "0.35 mm, a vertebra's shell", "[silva-1994]")};
+    std::vector<AwlWay> ways{way_through(nullptr)};
+    for (const PedicleWall& wall : pedicle_walls) ways.push_back(way_through(&wall));
+    return ways;
 }
 
 }  // namespace kerf::chart

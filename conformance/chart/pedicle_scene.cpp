@@ -20,9 +20,8 @@ namespace {
 
 /// How a way into the pedicle differs from the planned axis, and what cortex it meets.
 struct Way {
-    double medial = 0.0;          ///< [m] beside it
-    double towards_canal = 0.0;   ///< [rad] to it
-    std::optional<double> shell{};  ///< [m] instead of the phantom's own
+    double medial = 0.0;         ///< [m] beside it
+    std::optional<AwlAim> aim{};  ///< instead of the drill's along the axis, under the phantom's own cortex
 };
 
 Scene scene_on(const Way& way) {
@@ -35,10 +34,10 @@ Scene scene_on(const Way& way) {
     scene.drill.point_angle = 118.0_deg;
     scene.is_oblique = true;
     scene.bone.surface = [phantom = anatomy->phantom](Vec3 p) { return distance_to(phantom, p); };
-    const double shell = way.shell.value_or(anatomy->tissues.front().thickness);
+    const AwlAim aim = way.aim.value_or(AwlAim{.shell = anatomy->tissues.front().thickness});
     scene.bone.tissues = {{anatomy->tissues[1].id, anatomy->tissues[1].density,
-                           [surface = scene.bone.surface, shell](Vec3 p) { return surface(p) + shell; }},
-                          {anatomy->tissues[0].id, anatomy->tissues[0].density, {}}};
+                           [surface = scene.bone.surface, shell = aim.shell](Vec3 p) { return surface(p) + shell; }},
+                          {anatomy->tissues[0].id, aim.bone * anatomy->tissues[0].density, {}}};
     const auto axis = std::find_if(anatomy->axes.begin(), anatomy->axes.end(),
                                    [](const LandmarkAxis& one) { return one.id == "right_pedicle"; });
     KERF_ASSERT(axis != anatomy->axes.end(), "the anatomy names the right pedicle");
@@ -48,7 +47,7 @@ Scene scene_on(const Way& way) {
     scene.entry = axis->from + way.medial * sideways;
     while (scene.bone.surface(scene.entry) > 1.0_um)
         scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
-    scene.along = std::cos(way.towards_canal) * scene.along + std::sin(way.towards_canal) * sideways;
+    scene.along = std::cos(aim.towards_canal) * scene.along + std::sin(aim.towards_canal) * sideways;
     scene.depth = {-1.5_mm};
     go_to(scene, 30.0_mm, scene.feed);
     // As much of the vertebra as the drill can reach.
@@ -71,8 +70,6 @@ Scene pedicle_scene(double medial) {
     return scene;
 }
 
-Scene pedicle_awl_scene(double towards_canal, double shell) {
-    return scene_on({.towards_canal = towards_canal, .shell = shell});
-}
+Scene pedicle_awl_scene(const AwlAim& aim) { return scene_on({.aim = aim}); }
 
 }  // namespace kerf::chart

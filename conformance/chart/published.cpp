@@ -151,9 +151,20 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
         checks.push_back({"B1-c", what, figure(of_breach) + " over " + figure(of_safe) + " N = " + figure(ratio), "1.5 to 1.7",
                           ratio >= 1.5 && ratio <= 1.7, note});
     };
-    for (std::size_t i = 1; i < awl.size(); ++i)
-        compare("push of an awl aimed " + figure(aimed_wrong) + " degrees towards the canal over that along the axis, behind the entry: " + awl[i].wall, awl[i].most(), awl.front().most(),
-                awl[i].remark + "; " + figure(measured_breach_push[0]) + " to " + figure(measured_breach_push[1]) + " over about " + figure(measured_safe_push) + " N were measured");
+    // Which walls the surgeons broke is not told: each that was measured, and the means over the levels of each side and of both.
+    const double along_axis = awl.front().most();
+    double over_levels[2]{};  // lateral, medial
+    for (const AwlWay& way : awl) {
+        if (way.wall == nullptr) continue;
+        over_levels[way.wall->is_medial] += way.wall->levels() / 5.0 * way.most();
+        compare("push of an awl aimed " + figure(aimed_wrong) + " degrees beside the axis over that along it, behind the entry: " + way.wall->name(), way.most(), along_axis,
+                figure(way.wall->thickness / 1.0_mm) + " mm, " + figure(100.0 * way.wall->bone()) + " % bone [irie-2021]");
+    }
+    const std::string measured_as = "which walls were broken is not told; " + figure(measured_breach_push[0]) + " to " + figure(measured_breach_push[1]) + " over about " +
+                                 figure(measured_safe_push) + " N in the mean, with wide variations [cors-2013]";
+    compare("the same, mean of the lateral walls of L1 to L5", over_levels[false], along_axis, measured_as);
+    compare("the same, mean of the medial walls of L1 to L5", over_levels[true], along_axis, measured_as);
+    compare("the same, mean of both", 0.5 * (over_levels[false] + over_levels[true]), along_axis, measured_as);
     compare("thrust of a drill that goes 6.3 mm beside the axis over that along it", breach_peak, safe_peak,
             "measured with an awl; phantom with 1 mm of cortex and cancellous bone of 0.25 g/cm3");
 

@@ -98,24 +98,21 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
     return panel;
 }
 
-/// An awl's push into a pedicle, beside what surgeons pushed with.
+/// What an awl pushes through the walls of pedicles, beside what surgeons pushed with.
 drawing::Panel awl_panel(std::span<const AwlWay> ways) {
-    drawing::Panel panel{.title = "Push of an awl, 4 mm and 30 degrees, along a pedicle's axis and " + figure(aimed_wrong) + " degrees towards the canal, where its wall breaks"};
-    panel.x = {.title = "depth of the tip in mm", .is_log = false, .low = ways.front().pushes.front().depth / 1.0_mm, .high = ways.front().pushes.back().depth / 1.0_mm};
-    panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 350.0};
-    panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], "measured, a breach: from here"}, {measured_breach_push[1], "to here"}};
-    constexpr int colours[] = {of_measured, of_kerf, of_power, of_proportion};
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        drawing::Curve curve{.name = ways[i].wall.empty() ? "along the axis" : "", .colour = colours[i % std::size(colours)], .is_bold = true, .has_dots = false};
-        drawing::Curve peak{.colour = curve.colour, .has_line = false};
-        for (const AwlWay::At& at : ways[i].pushes) {
-            curve.markers.push_back({at.depth / 1.0_mm, at.push});
-            if (!ways[i].wall.empty() && at.push == ways[i].most() && peak.markers.empty())
-                peak.markers.push_back({.x = at.depth / 1.0_mm, .y = at.push, .label = ways[i].wall + ": " + figure(at.push) + " N"});
-        }
-        panel.curves.push_back(std::move(curve));
-        if (!peak.markers.empty()) panel.curves.push_back(std::move(peak));
+    drawing::Panel panel{.title = "Most that an awl, 4 mm and 30 degrees, pushes " + figure(aimed_wrong) + " degrees beside a pedicle's axis, where its wall breaks"};
+    panel.x = {.title = "lumbar vertebra whose wall it is, of 1 to 5: thickness and bone as measured [irie-2021]", .is_log = false, .low = 0.3, .high = 5.6};
+    panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 500.0};
+    panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], ""}, {measured_breach_push[1], "measured, a breach"}};
+    drawing::Curve along_axis{.name = "along the axis", .colour = of_measured, .has_dots = false}, medial{.name = "medial wall", .colour = of_kerf}, lateral{.name = "lateral wall", .colour = of_power};
+    for (const double end : {panel.x.low, panel.x.high}) along_axis.markers.push_back({end, ways.front().most()});
+    for (const AwlWay& way : ways) {
+        if (way.wall == nullptr) continue;
+        for (int level = way.wall->first; level <= way.wall->last; ++level)
+            (way.wall->is_medial ? medial : lateral)
+                .markers.push_back({.x = static_cast<double>(level), .y = way.most(), .label = figure(way.wall->thickness / 1.0_mm) + " mm: " + figure(way.most()) + " N"});
     }
+    panel.curves = {std::move(along_axis), std::move(medial), std::move(lateral)};
     return panel;
 }
 

@@ -43,9 +43,14 @@ void go_to(Scene& scene, double to, double speed);
 [[nodiscard]] Scene pedicle_scene(double medial);
 /// [m] so far beside the axis the drill goes 1.3 mm into the canal.
 inline constexpr double medial_breach = 6.3e-3;
-/// The same for an awl that aims from the planned entry, `towards_canal` [rad] beside the planned axis, under cortex of `shell` [m]. Of no
-/// chart's scenes: without a name.
-[[nodiscard]] Scene pedicle_awl_scene(double towards_canal, double shell);
+/// How an awl goes into it from the planned entry, and what cortex it meets.
+struct AwlAim {
+    double towards_canal = 0.0;  ///< [rad] beside the planned axis; negative: away from the canal
+    double shell = 1e-3;         ///< [m] of cortex
+    double bone = 1.0;           ///< [–] of the cortex's volume; the rest is pores
+};
+/// The same for an awl. Of no chart's scenes: without a name.
+[[nodiscard]] Scene pedicle_awl_scene(const AwlAim& aim);
 /// Pecks at 100 mm/s, out and in at up to 1 m/s, then through 0.5 mm of bone at 1 m/s.
 [[nodiscard]] Scene fast_scene();
 

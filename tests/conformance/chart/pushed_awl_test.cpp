@@ -104,7 +104,7 @@ TEST(PushedAwl, BreaksOutOfTheLastCortexWhereThePluginsStillDrillDoes) {
 
 // An awl that aims at the canal: through the entry, spongy bone, and the pedicle's medial wall from within.
 TEST(PushedAwl, BreaksAPediclesWallWhereThePluginsAwlDoes) {
-    const Scene scene = pedicle_awl_scene(20.0_deg, 1.0_mm);
+    const Scene scene = pedicle_awl_scene({.towards_canal = 20.0_deg});
     const Body body = body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55});
     const double slender = 1.75_mm / std::tan(15.0_deg);  // the end of 0.5 mm is blunter, as no drill is as sharp
     const ToolSetup setup = test::drill("profile_drill", {{"spindle_speed", 0.0}, {"diameter", 0.5_mm}, {"point_angle", 60.0_deg}, {"depth_1", 0.433_mm + slender}, {"diameter_1", 4.0_mm}});
