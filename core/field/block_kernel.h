@@ -78,6 +78,15 @@ struct Surface {
     float in_tool[3][3];     ///< the grid's axes in the tool frame
 };
 
+/// What edges are told, answer by answer of all of them. Tissues from `tissues` on have no share.
+struct SampleColumns {
+    const float* engagement;
+    const double* gap;               ///< [m]
+    const float *weight, *density;   ///< [–], [kg/m³], of tissue m from m · `stride` on
+    std::size_t stride, tissues;
+    std::int32_t body;
+};
+
 /// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a prism.
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
@@ -165,6 +174,8 @@ struct BlockKernel {
     float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept;
     /// What a contact is told: distance, and where a surface is in reach its normal.
     void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept;
+    /// Row by row what columns hold.
+    void (*rows)(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept;
     /// As minus `ToolSolid::distance` [m], points in the tool frame.
     void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths) noexcept;
     /// A plane each that a convex solid does not cross: near a point nothing is deeper than

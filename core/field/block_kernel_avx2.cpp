@@ -298,7 +298,7 @@ template <class Sample>
 
 [[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
-    if (starts.are_uniform(field.first_stored)) return uniform_values(field, places.brick + i);
+    if (starts.are_uniform(field.first_stored)) return starts.are_all(starts.of[0]) ? eight(static_cast<float>(field.samples[starts.of[0]])) : uniform_values(field, places.brick + i);
     return interpolated(Cells(field.samples, starts, places, i), EightFractions(places, i));
 }
 
@@ -364,7 +364,8 @@ void densities(const std::int32_t* start, const float* samples, std::size_t coun
 struct EightSlopes {
     Eight value, x, y, z;
 };
-[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const Starts& starts, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
+[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
+    const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
         return {uniform_values(field, places.brick + i), zero, zero, zero};
@@ -383,13 +384,13 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
     Eight least = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
         const EightFractions f(places, i);
-        const Starts of_bone(bone.start, places, i);
-        EightSlopes found = slopes_of(cut, Starts(cut.start, places, i), places, i, f);
-        if (of_bone.are_all(bone.lowest)) {  // as below, of what is nowhere larger and level everywhere
+        const bool is_deep = Starts(bone.start, places, i).are_all(bone.lowest);
+        EightSlopes found = slopes_of(cut, places, i, f);
+        if (is_deep) {  // as below, of what is nowhere larger and level everywhere
             const Eight is_cut = less(eight(-32767.0f), found.value);
             found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut), _mm256_and_ps(found.z, is_cut)};
         } else {
-            const EightSlopes a = slopes_of(bone, of_bone, places, i, f);
+            const EightSlopes a = slopes_of(bone, places, i, f);
             const Eight is_cut = less(a.value, found.value);
             found = {_mm256_blendv_ps(a.value, found.value, is_cut), _mm256_blendv_ps(a.x, found.x, is_cut),
                      _mm256_blendv_ps(a.y, found.y, is_cut), _mm256_blendv_ps(a.z, found.z, is_cut)};
@@ -455,6 +456,49 @@ void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes
         put_answers(distance.high, high(tx), high(ty), high(tz), near_high, to + lanes);
         if (!fits) std::memcpy(answers + i, last, (count - i) * sizeof last[0]);
     }
+}
+
+/// Four columns of four as rows.
+struct FourRows {
+    Four row[lanes];
+
+    FourRows(Four a, Four b, Four c, Four d) noexcept {
+        const Four ab = _mm256_unpacklo_pd(a, b), ab_next = _mm256_unpackhi_pd(a, b), cd = _mm256_unpacklo_pd(c, d), cd_next = _mm256_unpackhi_pd(c, d);
+        row[0] = _mm256_permute2f128_pd(ab, cd, 0x20);
+        row[1] = _mm256_permute2f128_pd(ab_next, cd_next, 0x20);
+        row[2] = _mm256_permute2f128_pd(ab, cd, 0x31);
+        row[3] = _mm256_permute2f128_pd(ab_next, cd_next, 0x31);
+    }
+};
+
+/// Four rows from the columns' places `i` on.
+inline void put_rows(const SampleColumns& from, std::size_t i, kerf_bone_sample* to) noexcept {
+    static_assert(KERF_MAX_TISSUES == 4 && sizeof(kerf_bone_sample) == 11 * sizeof(double) && offsetof(kerf_bone_sample, body) == 10 * sizeof(double));
+    const auto column = [&](const float* values, std::size_t tissue) {
+        return tissue < from.tissues ? _mm256_cvtps_pd(_mm_loadu_ps(values + tissue * from.stride + i)) : _mm256_setzero_pd();
+    };
+    const FourRows first(_mm256_cvtps_pd(_mm_loadu_ps(from.engagement + i)), _mm256_loadu_pd(from.gap + i), column(from.weight, 0), column(from.weight, 1));
+    const FourRows second(column(from.weight, 2), column(from.weight, 3), column(from.density, 0), column(from.density, 1));
+    const Four d2 = column(from.density, 2), d3 = column(from.density, 3), even = _mm256_unpacklo_pd(d2, d3), odd = _mm256_unpackhi_pd(d2, d3);
+    const __m128d third[lanes] = {_mm256_castpd256_pd128(even), _mm256_castpd256_pd128(odd), _mm256_extractf128_pd(even, 1), _mm256_extractf128_pd(odd, 1)};
+    for (std::size_t n = 0; n < lanes; ++n) {
+        double* at = &to[n].engagement;
+        _mm256_storeu_pd(at, first.row[n]);
+        _mm256_storeu_pd(at + 4, second.row[n]);
+        _mm_storeu_pd(at + 8, third[n]);
+        to[n].body = from.body;
+        to[n].reserved = 0;
+    }
+}
+
+void rows(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept {
+    const SampleColumns from = columns;
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) put_rows(from, i, samples + i);
+    if (i == count) return;
+    kerf_bone_sample last[lanes];
+    put_rows(from, i, last);
+    std::memcpy(samples + i, last, (count - i) * sizeof last[0]);
 }
 
 /// Squared distance to the flat disc of a rim.
@@ -870,6 +914,7 @@ constinit const BlockKernel avx2_kernel_table{
     .densities = densities,
     .slopes = slopes,
     .answer = answer,
+    .rows = rows,
     .depths = depths,
     .tangents = tangents,
     .deepest = deepest,

@@ -188,6 +188,20 @@ void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes
     }
 }
 
+void rows(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+        kerf_bone_sample& s = samples[i];
+        s.engagement = static_cast<double>(columns.engagement[i]);
+        s.gap = columns.gap[i];
+        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
+            s.weight[m] = m < columns.tissues ? static_cast<double>(columns.weight[m * columns.stride + i]) : 0.0;
+            s.density[m] = m < columns.tissues ? static_cast<double>(columns.density[m * columns.stride + i]) : 0.0;
+        }
+        s.body = columns.body;
+        s.reserved = 0;
+    }
+}
+
 /// To the nearest point of the outline.
 void squared_distances(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                        BlockValues& nearest2) noexcept {
@@ -520,6 +534,7 @@ constexpr BlockKernel table{
     .densities = densities,
     .slopes = slopes,
     .answer = answer,
+    .rows = rows,
     .depths = depths,
     .tangents = tangents,
     .deepest = deepest,

@@ -82,7 +82,7 @@ inline void material_weights(const Body& body, const PlaceBlock& places,
                              std::array<FloatBlock, KERF_MAX_TISSUES>& weight) noexcept {
     const std::size_t last = body.materials.size() - 1;
     FloatBlock& left = weight[last];
-    left.fill(1.0f);
+    std::fill_n(left.begin(), places.count, 1.0f);
     FloatBlock border;
     for (std::size_t m = 0; m < last; ++m) {
         body.materials[m].border.quanta_at(places, border);

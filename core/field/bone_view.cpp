@@ -51,17 +51,23 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
     }
 
     // The way to the front is told one by one and only of those in bone, which most often are all; tissues of all, in the same steps.
-    std::array<Vec3, block_capacity> engaged, way_of_engaged;
-    BlockValues gap_of_engaged;
-    std::size_t engaged_so_far = 0;
-    const bool are_all = engaged_count == count;
-    for (std::size_t i = 0; !are_all && i < count; ++i) {
-        if (engagement[i] <= 0.0f) continue;
-        way_of_engaged[engaged_so_far] = directions[i];
-        engaged[engaged_so_far++] = points[i];
+    BlockValues gap;
+    if (engaged_count == count) {
+        tracker_->gap(body_from_tool_, points, count, directions, gap);
+    } else {
+        std::array<Vec3, block_capacity> engaged, way_of_engaged;
+        std::size_t n = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (engagement[i] <= 0.0f) continue;
+            way_of_engaged[n] = directions[i];
+            engaged[n++] = points[i];
+        }
+        if (!directions.is_one()) directions = Directions::each(way_of_engaged.data());
+        tracker_->gap(body_from_tool_, engaged.data(), engaged_count, directions, gap);
+        for (std::size_t i = count; i-- > 0;) gap[i] = engagement[i] > 0.0f ? gap[--n] : 0.0;
     }
-    if (!are_all && !directions.is_one()) directions = Directions::each(way_of_engaged.data());
-    tracker_->gap(body_from_tool_, are_all ? points : engaged.data(), engaged_count, directions, gap_of_engaged);
+    for (std::size_t i = 0; grid_.lattice().is_bounded && i < count; ++i)
+        if (!can_be_cut(grid_.lattice(), grid_ * points[i])) gap[i] = 0.0;
 
     std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
     const std::size_t tissues = body_->materials.size();
@@ -69,31 +75,13 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
     for (std::size_t m = 0; m < tissues; ++m) {
         const Material& material = body_->materials[m];
         if (material.densities.is_empty())
-            density[m].fill(static_cast<float>(material.density));
+            std::fill_n(density[m].begin(), count, static_cast<float>(material.density));
         else
             material.densities.at(places, material.density, density[m]);
     }
-    for (std::size_t m = tissues; m < KERF_MAX_TISSUES; ++m) {
-        std::fill_n(weight[m].begin(), count, 0.0f);
-        std::fill_n(density[m].begin(), count, 0.0f);
-    }
-    engaged_so_far = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        kerf_bone_sample& s = out[i];
-        if (engagement[i] <= 0.0f) {
-            put_air(s);
-            continue;
-        }
-        const double gap = gap_of_engaged[engaged_so_far++];
-        s.engagement = static_cast<double>(engagement[i]);
-        s.gap = grid_.lattice().is_bounded && !can_be_cut(grid_.lattice(), grid_ * points[i]) ? 0.0 : gap;
-        for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
-            s.weight[m] = static_cast<double>(weight[m][i]);
-            s.density[m] = static_cast<double>(density[m][i]);
-        }
-        s.body = body_id_;
-        s.reserved = 0;
-    }
+    block_kernel().rows({engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, body_id_}, count, out);
+    for (std::size_t i = 0; engaged_count < count && i < count; ++i)
+        if (engagement[i] <= 0.0f) put_air(out[i]);
 }
 
 double BoneView::present_distance(Vec3 p) const noexcept {

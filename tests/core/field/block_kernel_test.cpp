@@ -222,6 +222,40 @@ TEST_F(BothKernels, InterpolateAlike) {
     EXPECT_GT(uniform, 100);
 }
 
+TEST_F(BothKernels, TellEdgesTheSameAndNothingBehindTheLast) {
+    for (int n = 0; n < blocks; ++n) {
+        const std::size_t count = 1 + numbers.below(block_capacity);
+        FloatBlock engagement;
+        BlockValues gap;
+        std::array<FloatBlock, KERF_MAX_TISSUES> weight, density;
+        for (std::size_t i = 0; i < block_capacity; ++i) {
+            engagement[i] = static_cast<float>(numbers.sound());
+            gap[i] = numbers.sound();
+            for (std::size_t m = 0; m < KERF_MAX_TISSUES; ++m) {
+                weight[m][i] = static_cast<float>(numbers.sound());
+                density[m][i] = static_cast<float>(numbers.sound());
+            }
+        }
+        const std::size_t tissues = 1 + numbers.below(KERF_MAX_TISSUES);
+        const SampleColumns columns{engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, 3};
+        std::vector<kerf_bone_sample> samples[2];
+        for (const std::size_t k : {0u, 1u}) {
+            samples[k].resize(block_capacity + 1);
+            for (kerf_bone_sample& s : samples[k]) s.gap = 77.0;
+            (k == 0 ? plain : *fast).rows(columns, count, samples[k].data());
+            EXPECT_EQ(samples[k][count].gap, 77.0);
+        }
+        ASSERT_EQ(std::memcmp(samples[0].data(), samples[1].data(), samples[0].size() * sizeof samples[0][0]), 0);
+        const kerf_bone_sample& last = samples[1][count - 1];
+        EXPECT_EQ(last.gap, gap[count - 1]);
+        EXPECT_EQ(last.density[tissues - 1], static_cast<double>(density[tissues - 1][count - 1]));
+        EXPECT_EQ(last.body, 3);
+        if (tissues < KERF_MAX_TISSUES) {
+            EXPECT_EQ(last.weight[tissues], 0.0);
+        }
+    }
+}
+
 TEST_F(BothKernels, MeasureTheSameDepths) {
     const std::vector<std::vector<kerf_profile_point>> outlines = {
         {{0.0, 0.0}, {-0.96_mm, 1.6_mm}, {-30.0_mm, 1.6_mm}},
