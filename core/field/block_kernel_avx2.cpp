@@ -290,15 +290,17 @@ template <class Sample>
     return lerp(lerp(along_x(below.first), along_x(below.second), f.y), lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
-/// The first sample of each brick. On its own, so that nothing of it is done before it is known which way to go.
-[[gnu::noinline]] Eight uniform_values(const FieldShape& field, const std::int32_t* bricks) noexcept {
-    const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[field.start[bricks[n]]]); };
+/// The first sample of each brick; most often of one and the same. On its own, so that nothing of it is done before it is known which way to go.
+[[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
+    const Starts starts(field.start, places, i);
+    const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[starts.of[n]]); };
+    if (starts.are_all(starts.of[0])) return eight(first(0));
     return _mm256_setr_ps(first(0), first(1), first(2), first(3), first(4), first(5), first(6), first(7));
 }
 
 [[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
-    if (starts.are_uniform(field.first_stored)) return starts.are_all(starts.of[0]) ? eight(static_cast<float>(field.samples[starts.of[0]])) : uniform_values(field, places.brick + i);
+    if (starts.are_uniform(field.first_stored)) return uniform_values(field, places, i);
     return interpolated(Cells(field.samples, starts, places, i), EightFractions(places, i));
 }
 
@@ -328,19 +330,16 @@ private:
 
 void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept {
     const FieldShape field = shape;
-    const Four of_quantum = all(quantum);
-    Eight largest = _mm256_setzero_ps();
-    for (std::size_t i = 0; i < count; i += wide) {
-        const Eight quanta = values_of(field, places, i);
-        largest = most(largest, magnitude(quanta));
-        _mm256_storeu_pd(values + i, of_quantum * _mm256_cvtps_pd(_mm256_castps256_ps128(quanta)));
-        _mm256_storeu_pd(values + i + lanes, of_quantum * _mm256_cvtps_pd(_mm256_extractf128_ps(quanta, 1)));
-    }
-    if (!any(not_less(largest, eight(32767.0f)))) return;
-    const Four end = all(quantum * 32767.0), sign = all(-0.0);
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const Four here = _mm256_loadu_pd(values + i);
-        _mm256_storeu_pd(values + i, _mm256_blendv_pd(here, _mm256_or_pd(all(clamp), _mm256_and_pd(here, sign)), not_less(_mm256_andnot_pd(sign, here), end)));
+    constexpr std::size_t some = 64;
+    alignas(32) float quanta[some];
+    for (std::size_t first = 0; first < count; first += some) {
+        const std::size_t n = count - first < some ? count - first : some;
+        for (std::size_t i = 0; i < n; i += wide) _mm256_store_ps(quanta + i, values_of(field, places, first + i));
+        for (std::size_t i = 0; i < n; i += wide) {
+            const Metres m(_mm256_load_ps(quanta + i), all(quantum), all(clamp));
+            _mm256_storeu_pd(values + first + i, m.low);
+            _mm256_storeu_pd(values + first + i + lanes, m.high);
+        }
     }
 }
 
@@ -368,7 +367,7 @@ struct EightSlopes {
     const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
-        return {uniform_values(field, places.brick + i), zero, zero, zero};
+        return {uniform_values(field, places, i), zero, zero, zero};
     }
     const Cells cells(field.samples, starts, places, i);
     const auto [v00, v10] = load_rows(cells, 0);
