@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One distance field asked at many points: a level set in bricks, beside the same samples in an OpenVDB grid asked through
-// GridSampler with BoxSampler and an accessor. Both warm, by turns, in one run; ours checks its bounds at every point. What the clock takes is off.
+// GridSampler with BoxSampler and an accessor. Both warm, by turns, in one run; ours checks its bounds at every point. What the clock takes is taken off.
 //
 //     lips     500 points on the lips of a 5.4 mm drill that moves 1 µm a round
 //     random   500 points anywhere in the narrow band
@@ -31,6 +31,7 @@ constexpr int rounds = 4000;
 double sink = 0.0;
 const double asking = cost_of_asking([](const auto& work) { return time_of(work); });
 
+/// [µs]
 template <class Work>
 double cost_of(const Work& work) {
     return std::max(0.0, time_of(work) - asking);

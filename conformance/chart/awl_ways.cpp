@@ -26,9 +26,13 @@ AwlWay way_through(const PedicleWall* wall) {
 
 }  // namespace
 
-std::string PedicleWall::name() const {
-    const std::string from = "L" + std::to_string(first);
-    return (is_medial ? "medial wall, " : "lateral wall, ") + (last == first ? from : from + " to L" + std::to_string(last));
+std::string PedicleWall::name() const { return (is_medial ? "medial wall, L" : "lateral wall, L") + std::to_string(level); }
+
+std::span<const PedicleWall> pedicle_walls() noexcept {
+    constexpr bool medial = true, lateral = false;
+    static constexpr PedicleWall walls[] = {{medial, 1, 0.8_mm},  {medial, 2, 0.8_mm},  {medial, 3, 0.8_mm},  {medial, 4, 1.3_mm},  {medial, 5, 1.3_mm},
+                                            {lateral, 1, 0.6_mm}, {lateral, 2, 0.7_mm}, {lateral, 3, 0.9_mm}, {lateral, 4, 1.1_mm}, {lateral, 5, 1.7_mm}};
+    return walls;
 }
 
 double AwlWay::most() const noexcept {
@@ -39,7 +43,7 @@ double AwlWay::most() const noexcept {
 
 std::vector<AwlWay> awl_ways() {
     std::vector<AwlWay> ways{way_through(nullptr)};
-    for (const PedicleWall& wall : pedicle_walls) ways.push_back(way_through(&wall));
+    for (const PedicleWall& wall : pedicle_walls()) ways.push_back(way_through(&wall));
     return ways;
 }
 

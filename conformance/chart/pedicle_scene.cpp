@@ -2,7 +2,6 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "conformance/chart/scene.h"
 #include "conformance/chart/vertebra_phantom.h"  // the text of the anatomy, put there by CMakeLists.txt
@@ -20,8 +19,8 @@ namespace {
 
 /// How a way into the pedicle differs from the planned axis, and what cortex it meets.
 struct Way {
-    double medial = 0.0;         ///< [m] beside it
-    std::optional<AwlAim> aim{};  ///< instead of the drill's along the axis, under the phantom's own cortex
+    double medial = 0.0;  ///< [m] beside it
+    AwlAim aim{};
 };
 
 Scene scene_on(const Way& way) {
@@ -34,10 +33,10 @@ Scene scene_on(const Way& way) {
     scene.drill.point_angle = 118.0_deg;
     scene.is_oblique = true;
     scene.bone.surface = [phantom = anatomy->phantom](Vec3 p) { return distance_to(phantom, p); };
-    const AwlAim aim = way.aim.value_or(AwlAim{.shell = anatomy->tissues.front().thickness});
+    const double shell = way.aim.shell.value_or(anatomy->tissues.front().thickness);
     scene.bone.tissues = {{anatomy->tissues[1].id, anatomy->tissues[1].density,
-                           [surface = scene.bone.surface, shell = aim.shell](Vec3 p) { return surface(p) + shell; }},
-                          {anatomy->tissues[0].id, aim.bone * anatomy->tissues[0].density, {}}};
+                           [surface = scene.bone.surface, shell](Vec3 p) { return surface(p) + shell; }},
+                          {anatomy->tissues[0].id, way.aim.bone * anatomy->tissues[0].density, {}}};
     const auto axis = std::find_if(anatomy->axes.begin(), anatomy->axes.end(),
                                    [](const LandmarkAxis& one) { return one.id == "right_pedicle"; });
     KERF_ASSERT(axis != anatomy->axes.end(), "the anatomy names the right pedicle");
@@ -47,7 +46,7 @@ Scene scene_on(const Way& way) {
     scene.entry = axis->from + way.medial * sideways;
     while (scene.bone.surface(scene.entry) > 1.0_um)
         scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
-    scene.along = std::cos(aim.towards_canal) * scene.along + std::sin(aim.towards_canal) * sideways;
+    scene.along = std::cos(way.aim.towards_canal) * scene.along + std::sin(way.aim.towards_canal) * sideways;
     scene.depth = {-1.5_mm};
     go_to(scene, 30.0_mm, scene.feed);
     // As much of the vertebra as the drill can reach.

@@ -100,17 +100,16 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
 
 /// What an awl pushes through the walls of pedicles, beside what surgeons pushed with.
 drawing::Panel awl_panel(std::span<const AwlWay> ways) {
-    drawing::Panel panel{.title = "Most that an awl, 4 mm and 30 degrees, pushes " + figure(aimed_wrong) + " degrees beside a pedicle's axis, where its wall breaks"};
-    panel.x = {.title = "lumbar vertebra whose wall it is, of 1 to 5: thickness and bone as measured [irie-2021]", .is_log = false, .low = 0.3, .high = 5.6};
+    drawing::Panel panel{.title = "Largest push of an awl, 4 mm and 30 degrees, " + figure(aimed_wrong) + " degrees beside a pedicle's axis, where its wall breaks"};
+    panel.x = {.title = "lumbar vertebra whose wall it is, of 1 to 5: thickness as measured [irie-2021], bone 100 and 64 %", .is_log = false, .low = 0.3, .high = 5.6};
     panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 500.0};
     panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], ""}, {measured_breach_push[1], "measured, a breach"}};
-    drawing::Curve along_axis{.name = "along the axis", .colour = of_measured, .has_dots = false}, medial{.name = "medial wall", .colour = of_kerf}, lateral{.name = "lateral wall", .colour = of_power};
+    drawing::Curve along_axis{.name = "along the axis", .colour = of_line, .has_dots = false}, medial{.name = "medial wall", .colour = of_kerf}, lateral{.name = "lateral wall", .colour = of_power};
     for (const double end : {panel.x.low, panel.x.high}) along_axis.markers.push_back({end, ways.front().most()});
     for (const AwlWay& way : ways) {
         if (way.wall == nullptr) continue;
-        for (int level = way.wall->first; level <= way.wall->last; ++level)
-            (way.wall->is_medial ? medial : lateral)
-                .markers.push_back({.x = static_cast<double>(level), .y = way.most(), .label = figure(way.wall->thickness / 1.0_mm) + " mm: " + figure(way.most()) + " N"});
+        (way.wall->is_medial ? medial : lateral)
+            .markers.push_back({.x = static_cast<double>(way.wall->level), .y = way.most(), .label = figure(way.wall->thickness / 1.0_mm) + " mm: " + figure(way.most()) + " N"});
     }
     panel.curves = {std::move(along_axis), std::move(medial), std::move(lateral)};
     return panel;

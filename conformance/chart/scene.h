@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,11 +46,11 @@ void go_to(Scene& scene, double to, double speed);
 inline constexpr double medial_breach = 6.3e-3;
 /// How an awl goes into it from the planned entry, and what cortex it meets.
 struct AwlAim {
-    double towards_canal = 0.0;  ///< [rad] beside the planned axis; negative: away from the canal
-    double shell = 1e-3;         ///< [m] of cortex
-    double bone = 1.0;           ///< [–] of the cortex's volume; the rest is pores
+    double towards_canal = 0.0;     ///< [rad] beside the planned axis; negative: away from the canal
+    std::optional<double> shell{};  ///< [m] of cortex; none: the phantom's own
+    double bone = 1.0;              ///< [–] of the cortex's volume; the rest is pores
 };
-/// The same for an awl. Of no chart's scenes: without a name.
+/// As `pedicle_scene`, for an awl. Of no chart's scenes: without a name.
 [[nodiscard]] Scene pedicle_awl_scene(const AwlAim& aim);
 /// Pecks at 100 mm/s, out and in at up to 1 m/s, then through 0.5 mm of bone at 1 m/s.
 [[nodiscard]] Scene fast_scene();

@@ -30,7 +30,7 @@ struct PointBox {
 };
 
 /// Where a kernel reads or writes, coordinate by coordinate. All arrays a kernel is given have `block_capacity` places,
-/// and it may write rubbish behind the last point.
+/// and it may write rubbish behind the last point; not so what plugins are told, which ends there.
 struct ConstCoordinates {
     const double *x, *y, *z;
 };
@@ -78,11 +78,11 @@ struct Surface {
     float in_tool[3][3];     ///< the grid's axes in the tool frame
 };
 
-/// What edges are told, answer by answer of all of them. Tissues from `tissues` on have no share.
+/// What edges are told, each figure for all of them. Of tissues from `tissues` on: no share, no density.
 struct SampleColumns {
-    const float* engagement;
-    const double* gap;               ///< [m]
-    const float *weight, *density;   ///< [–], [kg/m³], of tissue m from m · `stride` on
+    const float* engagement;        ///< [–] 0 … 1
+    const double* gap;              ///< [m]
+    const float *weight, *density;  ///< [–], [kg/m³], of tissue m from m · `stride` on
     std::size_t stride, tissues;
     std::int32_t body;
 };

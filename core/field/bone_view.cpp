@@ -62,8 +62,8 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
             way_of_engaged[n] = directions[i];
             engaged[n++] = points[i];
         }
-        if (!directions.is_one()) directions = Directions::each(way_of_engaged.data());
-        tracker_->gap(body_from_tool_, engaged.data(), engaged_count, directions, gap);
+        const Directions ways = directions.is_one() ? directions : Directions::each(way_of_engaged.data());
+        tracker_->gap(body_from_tool_, engaged.data(), engaged_count, ways, gap);
         for (std::size_t i = count; i-- > 0;) gap[i] = engagement[i] > 0.0f ? gap[--n] : 0.0;
     }
     for (std::size_t i = 0; grid_.lattice().is_bounded && i < count; ++i)

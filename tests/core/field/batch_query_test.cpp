@@ -174,7 +174,7 @@ TEST(BatchQuery, GivesTheScalarBitsForAnyNumberOfPoints) {
     test::DrilledBlock hole(h);
     hole.move(4.0_mm, 0.01, 2000, true);
     Seen seen;
-    for (const std::size_t count : {0u, 1u, 2u, 3u, 5u, 15u, 60u, 63u, 64u, 65u, 127u, 128u, 200u})
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}, std::size_t{15}, std::size_t{63}, std::size_t{64}, std::size_t{65}, block_capacity - 1, block_capacity, block_capacity + 1, block_capacity + 73})
         compare(hole, count, seen);
 }
 

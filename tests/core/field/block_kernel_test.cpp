@@ -19,7 +19,7 @@ namespace {
 
 using namespace literals;
 
-constexpr int blocks = 800;  // of 1 … 64 points
+constexpr int blocks = 800;  // of 1 … `block_capacity` points
 
 /// Within ±1, and now and then something that no point should be.
 class Numbers {
