@@ -43,7 +43,12 @@ double AwlWay::most() const noexcept {
 
 std::vector<AwlWay> awl_ways() {
     std::vector<AwlWay> ways{way_through(nullptr)};
-    for (const PedicleWall& wall : pedicle_walls()) ways.push_back(way_through(&wall));
+    for (const PedicleWall& wall : pedicle_walls()) {
+        const auto alike = std::find_if(ways.begin(), ways.end(), [&](const AwlWay& way) {
+            return way.wall != nullptr && way.wall->is_medial == wall.is_medial && way.wall->thickness == wall.thickness;
+        });
+        ways.push_back(alike == ways.end() ? way_through(&wall) : AwlWay{&wall, alike->pushes});
+    }
     return ways;
 }
 
