@@ -6,7 +6,6 @@
 //     random   500 points anywhere in the narrow band
 //     element  500 points on the lips as edges ask: cut, gap, tissues, density
 //     ratio    median time of OpenVDB / median time of ours
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -29,13 +28,7 @@ using namespace literals;
 constexpr std::size_t count = 500;
 constexpr int rounds = 4000;
 double sink = 0.0;
-const double asking = cost_of_asking([](const auto& work) { return time_of(work); });
-
-/// [µs]
-template <class Work>
-double cost_of(const Work& work) {
-    return std::max(0.0, time_of(work) - asking);
-}
+const NetTime cost_of([](const auto& work) { return time_of(work); });
 
 struct Ours {
     const LevelSet& field;

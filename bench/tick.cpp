@@ -37,12 +37,7 @@ const Vec3 low{-8.0_mm, -8.0_mm, -22.0_mm}, high{8.0_mm, 8.0_mm, 0};
 
 double sink = 0.0;
 
-const double asking = cost_of_asking([](const auto& work) { return processor_time_of(work); });
-
-template <class Work>
-double cost_of(const Work& work) {
-    return std::max(0.0, processor_time_of(work) - asking);
-}
+const NetTime cost_of([](const auto& work) { return processor_time_of(work); });
 
 /// How many points a law asks about.
 struct Count {
@@ -232,7 +227,7 @@ void measure(double h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::printf("asking for the processor's time takes %.2f us: taken off\n", asking);
+    std::printf("asking for the processor's time takes %.2f us: taken off\n", cost_of.asking());
     std::printf("[us]             mean    median     p99.9       max     papers/row       dense/row\n");
     for (const double h : {0.5_mm, 0.2_mm, 0.1_mm})
         if (argc < 2 || std::abs(std::atof(argv[1]) * 1.0_mm - h) < 1e-6) measure(h);

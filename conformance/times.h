@@ -45,12 +45,25 @@ double processor_time_of(const Work& work) {
     return now() - start;
 }
 
-/// [µs] that a clock takes by itself: what `time` tells of nothing.
+/// One of these clocks, less what it takes by itself: what it tells of nothing.
 template <class TimeOf>
-double cost_of_asking(const TimeOf& time) {
-    std::vector<double> nothing;
-    for (int n = 0; n < 10000; ++n) nothing.push_back(time([] {}));
-    return times_of(std::move(nothing)).median;
-}
+class NetTime {
+public:
+    explicit NetTime(TimeOf time) : time_(time) {
+        std::vector<double> nothing;
+        for (int n = 0; n < 10000; ++n) nothing.push_back(time_([] {}));
+        asking_ = times_of(std::move(nothing)).median;
+    }
+    /// [µs]
+    template <class Work>
+    double operator()(const Work& work) const {
+        return std::max(0.0, time_(work) - asking_);
+    }
+    [[nodiscard]] double asking() const noexcept { return asking_; }  ///< [µs]
+
+private:
+    TimeOf time_;
+    double asking_ = 0.0;
+};
 
 }  // namespace kerf

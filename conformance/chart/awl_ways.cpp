@@ -20,7 +20,7 @@ AwlWay way_through(const PedicleWall* wall) {
                                         : pedicle_awl_scene({.towards_canal = (wall->is_medial ? 1.0 : -1.0) * aimed_wrong * 1.0_deg, .shell = wall->thickness, .bone = wall->bone()});
     PushedAwl awl({}, scene);
     AwlWay way{.wall = wall};
-    for (int n = 0; from + n * step <= to; ++n) way.pushes.push_back({from + n * step, awl.push_at(from + n * step)});
+    for (int n = 0; from + n * step <= to; ++n) way.push = std::max(way.push, awl.push_at(from + n * step));
     return way;
 }
 
@@ -35,19 +35,13 @@ std::span<const PedicleWall> pedicle_walls() noexcept {
     return walls;
 }
 
-double AwlWay::most() const noexcept {
-    double most = 0.0;
-    for (const At& at : pushes) most = std::max(most, at.push);
-    return most;
-}
-
 std::vector<AwlWay> awl_ways() {
     std::vector<AwlWay> ways{way_through(nullptr)};
     for (const PedicleWall& wall : pedicle_walls()) {
         const auto alike = std::find_if(ways.begin(), ways.end(), [&](const AwlWay& way) {
             return way.wall != nullptr && way.wall->is_medial == wall.is_medial && way.wall->thickness == wall.thickness;
         });
-        ways.push_back(alike == ways.end() ? way_through(&wall) : AwlWay{&wall, alike->pushes});
+        ways.push_back(alike == ways.end() ? way_through(&wall) : AwlWay{&wall, alike->push});
     }
     return ways;
 }

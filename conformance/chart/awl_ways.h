@@ -11,8 +11,8 @@ namespace kerf::chart {
 /// A side wall of a lumbar pedicle at its isthmus, as micro-CT of six spines has it [irie-2021]. In the median 99.8 % of a medial wall's area is
 /// bone, of a lateral one's under 64 % on every level: 100 and 64 % are taken, of its volume.
 struct PedicleWall {
-    bool is_medial;  ///< towards the canal; else the lateral one
-    int level;       ///< of L1 to L5
+    bool is_medial;    ///< towards the canal; else the lateral one
+    int level;         ///< of L1 to L5
     double thickness;  ///< [m] in the mean
     [[nodiscard]] double bone() const noexcept { return is_medial ? 1.0 : 0.64; }  ///< [–]
     [[nodiscard]] std::string name() const;
@@ -20,14 +20,10 @@ struct PedicleWall {
 /// Both sides on every level; the walls above and below, several times as thick, are left out.
 [[nodiscard]] std::span<const PedicleWall> pedicle_walls() noexcept;
 
-/// An awl's push along a way into the phantom's pedicle, from where it has the entry's cortex behind it.
+/// An awl's way into the phantom's pedicle, from where it has the entry's cortex behind it.
 struct AwlWay {
-    struct At {
-        double depth, push;  ///< [m] of the tip; [N]
-    };
     const PedicleWall* wall = nullptr;  ///< that it breaks; null: it stays inside
-    std::vector<At> pushes{};
-    [[nodiscard]] double most() const noexcept;  ///< [N]
+    double push = 0.0;                  ///< [N] the largest
 };
 
 /// Along the planned axis first, then `aimed_wrong` beside it through each of `pedicle_walls()`, to the side where that is.

@@ -155,12 +155,12 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                           ratio >= 1.5 && ratio <= 1.7, note});
     };
     // Which walls the surgeons broke is not told: both sides on every level, and the means of each side and of both.
-    const double along_axis = awl.front().most();
+    const double along_axis = awl.front().push;
     std::vector<double> medial, lateral;  // [N]
     for (const AwlWay& way : awl) {
         if (way.wall == nullptr) continue;
-        (way.wall->is_medial ? medial : lateral).push_back(way.most());
-        compare("largest push of an awl aimed " + figure(aimed_wrong) + " degrees beside the axis over that along it, behind the entry: " + way.wall->name(), way.most(), along_axis,
+        (way.wall->is_medial ? medial : lateral).push_back(way.push);
+        compare("largest push of an awl aimed " + figure(aimed_wrong) + " degrees beside the axis over that along it, behind the entry: " + way.wall->name(), way.push, along_axis,
                 figure(way.wall->thickness / 1.0_mm) + " mm [irie-2021], " + figure(100.0 * way.wall->bone()) + " % of it bone, taken for " + (way.wall->is_medial ? "99.8" : "under 64"));
     }
     const std::string measured_as = "which walls were broken is not told; " + figure(measured_breach_push[0]) + " to " + figure(measured_breach_push[1]) + " over about " +

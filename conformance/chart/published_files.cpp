@@ -105,11 +105,11 @@ drawing::Panel awl_panel(std::span<const AwlWay> ways) {
     panel.y = {.title = "N", .is_log = false, .low = 0.0, .high = 500.0};
     panel.y.guides = {{measured_safe_push, "measured, safe"}, {measured_breach_push[0], ""}, {measured_breach_push[1], "measured, a breach"}};
     drawing::Curve along_axis{.name = "along the axis", .colour = of_line, .has_dots = false}, medial{.name = "medial wall", .colour = of_kerf}, lateral{.name = "lateral wall", .colour = of_power};
-    for (const double end : {panel.x.low, panel.x.high}) along_axis.markers.push_back({end, ways.front().most()});
+    for (const double end : {panel.x.low, panel.x.high}) along_axis.markers.push_back({end, ways.front().push});
     for (const AwlWay& way : ways) {
         if (way.wall == nullptr) continue;
         (way.wall->is_medial ? medial : lateral)
-            .markers.push_back({.x = static_cast<double>(way.wall->level), .y = way.most(), .label = figure(way.wall->thickness / 1.0_mm) + " mm: " + figure(way.most()) + " N"});
+            .markers.push_back({.x = static_cast<double>(way.wall->level), .y = way.push, .label = figure(way.wall->thickness / 1.0_mm) + " mm: " + figure(way.push) + " N"});
     }
     panel.curves = {std::move(along_axis), std::move(medial), std::move(lateral)};
     return panel;

@@ -31,12 +31,13 @@ inline Four not_less(Four a, Four b) noexcept { return _mm256_cmp_pd(a, b, _CMP_
 struct Four3 {
     Four x, y, z;
 };
+inline Four3 all(const kerf_vec3& v) noexcept { return {all(v.x), all(v.y), all(v.z)}; }
 inline Four3 cross(const Four3& a, const Four3& b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 void transform(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept {
-    const Four3 position{all(a_from_b.position.x), all(a_from_b.position.y), all(a_from_b.position.z)};
+    const Four3 position = all(a_from_b.position);
     const Four3 u{all(a_from_b.rotation.x), all(a_from_b.rotation.y), all(a_from_b.rotation.z)};
     const Four w = all(a_from_b.rotation.w), two = all(2.0);
     for (std::size_t i = 0; i < count; i += lanes) {
@@ -59,13 +60,11 @@ inline Four3 load_points(const double* p) noexcept {
     return {_mm256_shuffle_pd(a, b, 0b1010), _mm256_shuffle_pd(a, c, 0b0101), _mm256_shuffle_pd(b, c, 0b1010)};
 }
 
-inline Four3 each(const kerf_vec3& v) noexcept { return {_mm256_broadcast_sd(&v.x), _mm256_broadcast_sd(&v.y), _mm256_broadcast_sd(&v.z)}; }
-
 /// A frame's factors, each for four points.
 struct FourFrame {
     Four3 x, y, z, origin;
 
-    explicit FourFrame(const Frame& f) noexcept : x(each(f.x)), y(each(f.y)), z(each(f.z)), origin(each(f.origin)) {}
+    explicit FourFrame(const Frame& f) noexcept : x(all(f.x)), y(all(f.y)), z(all(f.z)), origin(all(f.origin)) {}
     Four3 operator*(const Four3& p) const noexcept {
         return {((x.x * p.x + y.x * p.y) + z.x * p.z) + origin.x, ((x.y * p.x + y.y * p.y) + z.y * p.z) + origin.y,
                 ((x.z * p.x + y.z * p.y) + z.z * p.z) + origin.z};
@@ -407,19 +406,27 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
     return least_of_all;
 }
 
+/// Four columns of four as rows.
+struct FourRows {
+    Four row[lanes];
+
+    FourRows(Four a, Four b, Four c, Four d) noexcept {
+        const Four ab = _mm256_unpacklo_pd(a, b), ab_next = _mm256_unpackhi_pd(a, b), cd = _mm256_unpacklo_pd(c, d), cd_next = _mm256_unpackhi_pd(c, d);
+        row[0] = _mm256_permute2f128_pd(ab, cd, 0x20);
+        row[1] = _mm256_permute2f128_pd(ab_next, cd_next, 0x20);
+        row[2] = _mm256_permute2f128_pd(ab, cd, 0x31);
+        row[3] = _mm256_permute2f128_pd(ab_next, cd_next, 0x31);
+    }
+};
+
 /// Four answers from their distances, normals and bodies, each coordinate for all four.
 inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_near, kerf_surface_point* to) noexcept {
     static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) && offsetof(kerf_surface_point, body) == 4 * sizeof(double));
-    const Four nx = _mm256_cvtps_pd(x), ny = _mm256_cvtps_pd(y), nz = _mm256_cvtps_pd(z);
-    const Four a = _mm256_unpacklo_pd(distance, nx), b = _mm256_unpackhi_pd(distance, nx);
-    const Four c = _mm256_unpacklo_pd(ny, nz), d = _mm256_unpackhi_pd(ny, nz);
+    const FourRows told(distance, _mm256_cvtps_pd(x), _mm256_cvtps_pd(y), _mm256_cvtps_pd(z));
     // A body of −1 and behind it a zero
     const __m256i body = _mm256_andnot_si256(_mm256_castpd_si256(is_near), _mm256_set1_epi64x(0xffffffff));
     double* at = &to->distance;
-    _mm256_storeu_pd(at, _mm256_permute2f128_pd(a, c, 0x20));
-    _mm256_storeu_pd(at + 5, _mm256_permute2f128_pd(b, d, 0x20));
-    _mm256_storeu_pd(at + 10, _mm256_permute2f128_pd(a, c, 0x31));
-    _mm256_storeu_pd(at + 15, _mm256_permute2f128_pd(b, d, 0x31));
+    for (std::size_t n = 0; n < lanes; ++n) _mm256_storeu_pd(at + 5 * n, told.row[n]);
     const __m128d first = _mm_castsi128_pd(_mm256_castsi256_si128(body)), second = _mm_castsi128_pd(_mm256_extracti128_si256(body, 1));
     _mm_storel_pd(at + 4, first);
     _mm_storeh_pd(at + 9, first);
@@ -457,19 +464,6 @@ void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes
         if (!fits) std::memcpy(answers + i, last, (count - i) * sizeof last[0]);
     }
 }
-
-/// Four columns of four as rows.
-struct FourRows {
-    Four row[lanes];
-
-    FourRows(Four a, Four b, Four c, Four d) noexcept {
-        const Four ab = _mm256_unpacklo_pd(a, b), ab_next = _mm256_unpackhi_pd(a, b), cd = _mm256_unpacklo_pd(c, d), cd_next = _mm256_unpackhi_pd(c, d);
-        row[0] = _mm256_permute2f128_pd(ab, cd, 0x20);
-        row[1] = _mm256_permute2f128_pd(ab_next, cd_next, 0x20);
-        row[2] = _mm256_permute2f128_pd(ab, cd, 0x31);
-        row[3] = _mm256_permute2f128_pd(ab_next, cd_next, 0x31);
-    }
-};
 
 /// Four rows from the columns' places `i` on.
 inline void put_rows(const SampleColumns& from, std::size_t i, kerf_bone_sample* to) noexcept {

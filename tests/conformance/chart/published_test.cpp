@@ -77,7 +77,7 @@ TEST(Published, ChecksSayWhatPassesAndWhatDoesNot) {
 
 TEST(Published, AnAwlCrushesAlongTheAxisWhatItsConeMeetsThere) {
     // 4 mm and 30 degrees in 0.25 g/cm3
-    EXPECT_NEAR(ways_of_awls().front().most(), 68e6 * 0.25 * 0.25 * pi * 4e-6 * (1.0 + 0.3 / std::tan(0.2618)), 1.0);
+    EXPECT_NEAR(ways_of_awls().front().push, 68e6 * 0.25 * 0.25 * pi * 4e-6 * (1.0 + 0.3 / std::tan(0.2618)), 1.0);
 }
 
 TEST(Published, AWallBearsByTheSquaresOfItsThicknessAndItsBone) {
@@ -86,7 +86,7 @@ TEST(Published, AWallBearsByTheSquaresOfItsThicknessAndItsBone) {
     ASSERT_EQ(ways.size(), 1 + pedicle_walls().size());
     // Within a tenth, as the cone still crushes some of what is before the wall, the less of it the thicker that is.
     for (std::size_t i = 2; i < ways.size(); ++i) {
-        const double bears = (ways[i].most() - ways[0].most()) / (ways[1].most() - ways[0].most());
+        const double bears = (ways[i].push - ways[0].push) / (ways[1].push - ways[0].push);
         EXPECT_NEAR(bears * by_squares(*ways[1].wall) / by_squares(*ways[i].wall), 1.0, 0.1) << ways[i].wall->name();
     }
 }
@@ -94,8 +94,8 @@ TEST(Published, AWallBearsByTheSquaresOfItsThicknessAndItsBone) {
 TEST(Published, WhatSurgeonsPushedLiesAmongWhatWallsBear) {
     double least = 1e300, most = 0.0;
     for (const AwlWay& way : std::span(ways_of_awls()).subspan(1)) {
-        least = std::min(least, way.most());
-        most = std::max(most, way.most());
+        least = std::min(least, way.push);
+        most = std::max(most, way.push);
     }
     EXPECT_LT(least, measured_breach_push[1]);
     EXPECT_GT(most, measured_breach_push[0]);
