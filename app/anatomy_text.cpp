@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/anatomy_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/import/import_report.h"
@@ -25,8 +26,9 @@ std::string shift_text(const BorderShift& shift) {
     if (!shift.lower || !shift.upper)
         return head + "a threshold moved by " + rounded(shift.step, 0) + " loses the entry on one side.";
     const double most = std::max(std::abs(*shift.lower), std::abs(*shift.upper));
-    return head + "± " + rounded(shift.step, 0) + " " + shift.unit + " moves the cortex at the entry by " + millimetres(most, 2) + " (" +
-           millimetres(*shift.lower, 2) + " lower, " + millimetres(*shift.upper, 2) + " higher).";
+    return head + "± " + rounded(shift.step, 0) + " " + shift.unit + " moves the cortex at the entry by " +
+           millimetres(most, 2) + " (" + millimetres(*shift.lower, 2) + " lower, " + millimetres(*shift.upper, 2) +
+           " higher).";
 }
 
 }  // namespace
@@ -36,7 +38,8 @@ std::string anatomy_text(const Scene& scene) {
     const auto add = [&](const std::string& line) { text += line + "\n"; };
     for (const std::string& note : scene.import.notes) add(note);
     for (const LandmarkPoint& point : scene.anatomy.points)
-        add("Point " + point.id + ": " + place_text(scene.body, point.at) + ", known to " + millimetres(point.tolerance) + ".");
+        add("Point " + point.id + ": " + place_text(scene.body, point.at) + ", known to " +
+            millimetres(point.tolerance) + ".");
     for (const LandmarkPlane& plane : scene.anatomy.planes)
         add("Plane " + plane.id + ": its point " + place_text(scene.body, plane.at) + ", known to " +
             millimetres(plane.tolerance) + ".");

@@ -19,7 +19,8 @@ std::vector<std::size_t> parts_of_the_bone(const PresentBone& bone) {
     return parts;
 }
 
-void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene, const PresentBone& bone) {
+void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
+             const PresentBone& bone) {
     if (bodies.size() < 2) return;
     std::vector<Mesh> parts;
     for (const std::size_t body : bodies) parts.push_back(bone_surface(*bone.piece(body).bone, bone.cut(body), 2));

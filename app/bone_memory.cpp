@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "core/import/fields_memory.h"
 #include "core/procedure/document.h"
-#include "core/procedure/read_procedure.h"
 #include "core/procedure/quantity.h"
+#include "core/procedure/read_procedure.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {

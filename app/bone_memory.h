@@ -15,7 +15,8 @@ namespace kerf {
 [[nodiscard]] double bone_memory(const Anatomy& anatomy, double spacing);
 
 /// Refuses a spacing at which the phantom would take more than `most_bone_memory`, and says which one would do. Bone
-/// of a scan or a surface is left to what makes it (core/import/make_body.h): its border is not known before it is read.   [main]
+/// of a scan or a surface is left to what makes it (core/import/make_body.h): its border is not known before it is
+/// read.   [main]
 void check_bone_memory(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "core/procedure/read_map.h"
 #include "core/session/recorder.h"
@@ -44,7 +46,8 @@ CLI::Validator is_setting() {
     return {[](std::string& word) {
                 const std::size_t equals = word.find('=');
                 const bool is_path = equals != std::string::npos && equals > 0 &&
-                                     word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") == equals;
+                                     word.find_first_not_of(
+                                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") == equals;
                 return is_path && equals + 1 < word.size() && word.find('\n') == std::string::npos
                            ? std::string()
                            : "is `" + word + "`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`.";
@@ -83,8 +86,11 @@ void describe_to(CLI::App& app, CommandLine& line) {
     };
     constexpr int many = 1000;
     const auto add_changes = [&](CLI::App* command) {
-        add_option(command, "--variant", line.variant, "VARIANT", "One of the procedure's `variants:`", not_empty("the id of a variant"));
-        command->add_option("--set", line.settings, "Another value, as in `--set accuracy.spacing=0.5 mm`; as often as wanted")
+        add_option(command, "--variant", line.variant, "VARIANT", "One of the procedure's `variants:`",
+                   not_empty("the id of a variant"));
+        command
+            ->add_option("--set", line.settings,
+                         "Another value, as in `--set accuracy.spacing=0.5 mm`; as often as wanted")
             ->type_name("PATH=VALUE")
             ->check(is_setting())
             ->expected(1)
@@ -118,7 +124,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
                "text (if not given) for people, json for programs, github for its annotations",
                one_of({"text", "json", "github"}));
     add_changes(validate);
-    validate->add_flag("--bone", line.is_with_bone, "Make the bone as well, and check what needs it: axes, scans, hands, the force scale");
+    validate->add_flag("--bone", line.is_with_bone,
+                       "Make the bone as well, and check what needs it: axes, scans, hands, the force scale");
     validate->footer(std::string("Exit code: 0 no errors, 2 errors.\n") + notice_line + ".");
 
     CLI::App* rehearse = add("rehearse", "Run every rehearsal and see whether it ends as it says");
@@ -127,7 +134,9 @@ void describe_to(CLI::App& app, CommandLine& line) {
                not_empty(yaml_help));
 
     add_changes(rehearse);
-    rehearse->footer(std::string("Exit code: 0 all ended as they say, 1 one did not, 2 bad input, 3 fault or interrupted.\n") + notice_line + ".");
+    rehearse->footer(
+        std::string("Exit code: 0 all ended as they say, 1 one did not, 2 bad input, 3 fault or interrupted.\n") +
+        notice_line + ".");
 
     CLI::App* expand = add("expand", "Print the procedure as a variant or `--set` makes it, with each value's origin");
     add_files(expand, "YAML file of the procedure", 1);
@@ -144,14 +153,20 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->check(not_empty("a code, as in `E0412`"));
 
     CLI::App* schema = add("schema", "Print the JSON Schema of a kind of document, for editors");
-    schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")->type_name("")->check(one_of({"procedure", "anatomy"}));
+    schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")
+        ->type_name("")
+        ->check(one_of({"procedure", "anatomy"}));
 
-    CLI::App* import = add("import", "Look at a scan or a surface: what was found, what would be done, what is doubted");
+    CLI::App* import =
+        add("import", "Look at a scan or a surface: what was found, what would be done, what is doubted");
     import->add_option("SOURCE", line.source, "NIfTI, NRRD, MetaImage, a folder with DICOM; or STL, OBJ, PLY")
-        ->type_name("")->required()->check(not_empty("the name of a file or folder"));
+        ->type_name("")
+        ->required()
+        ->check(not_empty("the name of a file or folder"));
     add_option(import, "-o,--out", line.out, "FILE", "Writes it put straight: .nrrd for a scan, .stl for a surface",
                not_empty("a file, as in `--out bone.nrrd`"));
-    add_option(import, "--series", line.series, "SERIES", "Which series of a folder with several", not_empty("a name that import offers"));
+    add_option(import, "--series", line.series, "SERIES", "Which series of a folder with several",
+               not_empty("a name that import offers"));
     import->add_flag("--allow-resample", line.may_resample, "Fill gaps between slices from their neighbours");
     add_option(import, "--unit", line.unit, "UNIT", "What a 1 in a surface's file is: mm (if not given), cm, m or um",
                one_of({"mm", "cm", "m", "um"}));
@@ -159,15 +174,25 @@ void describe_to(CLI::App& app, CommandLine& line) {
                one_of({"LPS", "RAS"}));
     import->footer("Exit code: 0 if it can be used, 2 if it was refused.\n" + std::string(notice_line) + ".");
 
-    CLI::App* anatomy = add("anatomy", "`kerf anatomy check A.yaml --for P.yaml`: hold an anatomy against its bone and a procedure");
+    CLI::App* anatomy =
+        add("anatomy", "`kerf anatomy check A.yaml --for P.yaml`: hold an anatomy against its bone and a procedure");
     anatomy->add_option("ACTION", line.action, "check")->type_name("")->required()->check(one_of({"check"}));
-    anatomy->add_option("ANATOMY", line.anatomy, "YAML file of the anatomy")->type_name("")->required()->check(not_empty(yaml_help));
-    anatomy->add_option("--for", line.files, "The procedure that it should serve")->type_name("PROCEDURE")->required()
-        ->expected(1)->check(not_empty(yaml_help));
-    add_option(anatomy, "--format", line.format, "FORMAT", "text (if not given), json or github", one_of({"text", "json", "github"}));
+    anatomy->add_option("ANATOMY", line.anatomy, "YAML file of the anatomy")
+        ->type_name("")
+        ->required()
+        ->check(not_empty(yaml_help));
+    anatomy->add_option("--for", line.files, "The procedure that it should serve")
+        ->type_name("PROCEDURE")
+        ->required()
+        ->expected(1)
+        ->check(not_empty(yaml_help));
+    add_option(anatomy, "--format", line.format, "FORMAT", "text (if not given), json or github",
+               one_of({"text", "json", "github"}));
     anatomy->footer("Exit code: 0 clean, 2 errors.\n" + std::string(notice_line) + ".");
 
-    CLI::App* preview = add("preview", "Draw one page of a procedure before anything is cut: bone, zones, landmarks, the tool at each goal");
+    CLI::App* preview =
+        add("preview",
+            "Draw one page of a procedure before anything is cut: bone, zones, landmarks, the tool at each goal");
     add_files(preview, "YAML file of the procedure", 1);
     add_option(preview, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
                not_empty(yaml_help));
@@ -177,15 +202,21 @@ void describe_to(CLI::App& app, CommandLine& line) {
 
     CLI::App* report = add("report", "Write report.html again, from a session.db alone");
     report->add_option("SESSION", line.source, "session.db of a run; of one that was cut short, too")
-        ->type_name("")->required()->check(not_empty("the name of a session.db"));
+        ->type_name("")
+        ->required()
+        ->check(not_empty("the name of a session.db"));
     add_option(report, "-o,--out", line.out, "FILE", "An .html file; report.html beside the session if not given",
                not_empty("a file, as in `--out report.html`"));
 
     CLI::App* privacy = add("privacy", "Tell what files would tell of a person: names, numbers, dates, paths");
     privacy->add_option("FILE", line.files, "DICOM, an image, or what Kerf has written")
-        ->type_name("")->required()->check(not_empty("the name of a file"))->expected(1, many);
+        ->type_name("")
+        ->required()
+        ->check(not_empty("the name of a file"))
+        ->expected(1, many);
     privacy->add_flag("--show", line.shows_values, "Print the values, not only their first letter");
-    privacy->footer("Exit code: 0 if nothing was found, 1 if something was, 2 if a file cannot be read. Nobody can promise that nothing else is in a file.\n" +
+    privacy->footer("Exit code: 0 if nothing was found, 1 if something was, 2 if a file cannot be read. Nobody can "
+                    "promise that nothing else is in a file.\n" +
                     std::string(notice_line) + ".");
 
     CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
@@ -195,24 +226,31 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_changes(plan);
     add_option(plan, "-o,--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
                not_empty(out_help));
-    plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which are the values if "
-                 "it has none; the torque about the shaft counts as force does. Only for a budget that it has is anything else looked for than the coarsest "
+    plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which "
+                 "are the values if "
+                 "it has none; the torque about the shaft counts as force does. Only for a budget that it has is "
+                 "anything else looked for than the coarsest "
                  "that is accurate.\nExit code: 0 if a plan keeps both, 1 if none does.\n" +
                  std::string(notice_line) + ".");
 
-    CLI::App* stability = add("stability", "Put the haptic loop where methods are known to fail, and print what it does");
+    CLI::App* stability =
+        add("stability", "Put the haptic loop where methods are known to fail, and print what it does");
     stability->add_flag("--quick", line.is_quick, "One device, two hands, one delay");
     add_option(stability, "--plugin", line.plugin, "PLUGIN",
                "Whose first tool and force are looked at; kerf.drilling if not given",
                not_empty("the name of a plugin, as `kerf list` shows it"));
     add_option(stability, "-o,--out", line.out, "FOLDER",
                "Where stability.csv and stability.svg go; out/stability if not given", not_empty(out_help));
-    stability->footer("Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
-                      std::string(notice_line) + ".");
+    stability->footer(
+        "Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
+        std::string(notice_line) + ".");
 
-    CLI::App* chart = add("chart", "Hold ways to make a drill's force against exact ones, and draw their error over their cost");
-    chart->add_flag("--quick", line.is_quick, "One scene unless --scene names another, two steps of each knob, one grid");
-    add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; all if not given", not_empty("the id of a scene"));
+    CLI::App* chart =
+        add("chart", "Hold ways to make a drill's force against exact ones, and draw their error over their cost");
+    chart->add_flag("--quick", line.is_quick,
+                    "One scene unless --scene names another, two steps of each knob, one grid");
+    add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; all if not given",
+               not_empty("the id of a scene"));
     add_option(chart, "-o,--out", line.out, "FOLDER",
                "Where chart.csv, chart.html and the pictures go; out/chart if not given", not_empty(out_help));
 
@@ -273,9 +311,8 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
         unknown != extras.end())
         return about_extra(*unknown, app, command);
     if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return about_value(error, command);
-    return command == nullptr
-               ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
-               : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
+    return command == nullptr                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
+           : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
            : command->get_name() == "report" ? "of which run? Write `kerf report SESSION.db`."
            : command->get_name() == "anatomy"
                ? "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`."

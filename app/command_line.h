@@ -16,17 +16,20 @@ enum ExitCode : int {
 };
 
 struct CommandLine {
-    std::string command;             ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan", "privacy", "report", "stability", "chart"; empty: `answer` is all
-    std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and expand, exactly one for run, plan and expand
+    std::string command;  ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan",
+                          ///< "privacy", "report", "stability", "chart"; empty: `answer` is all
+    std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and
+                                     ///< expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
     std::string code;                ///< of explain; empty: all
     std::string kind = "procedure";  ///< of schema: procedure | anatomy
     std::string anatomy;             ///< file; empty: the procedure's own
-    std::string variant;                ///< id; empty: the procedure as it stands
+    std::string variant;             ///< id; empty: the procedure as it stands
     std::vector<std::string> settings;  ///< "path=value" each
     bool is_with_bone = false;          ///< of validate
     std::string hand, replay, learner;
-    std::string out;                ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none; of report: beside the session
+    std::string out;  ///< folder; empty: out/ and the procedure's id, out/stability or out/chart; of plan: none; of
+                      ///< report: beside the session
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all
@@ -36,9 +39,9 @@ struct CommandLine {
     bool shows_values = false;             ///< of privacy
     std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: LPS is supposed
     std::string action;                    ///< of anatomy: "check"
-    std::string mode = "practice";  ///< practice | exam | demo
-    bool is_headless = false;       ///< so is every run for now
-    std::string format = "text";    ///< of validate: text | json | github
+    std::string mode = "practice";         ///< practice | exam | demo
+    bool is_headless = false;              ///< so is every run for now
+    std::string format = "text";           ///< of validate: text | json | github
 
     std::string answer;         ///< to print instead of doing anything: help, version, or what is wrong
     int exit_code = exit_pass;  ///< with `answer`; exit_bad_input belongs on stderr

@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/anatomy_text.h"
 #include "app/describe.h"
@@ -17,9 +21,6 @@
 #include "app/privacy.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
-#include "conformance/chart/chart_files.h"
-#include "conformance/stability/atlas.h"
-#include "conformance/stability/suite.h"
 #include "core/procedure/codes.h"
 #include "core/procedure/patch.h"
 #include "core/procedure/schema.h"
@@ -30,6 +31,9 @@
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/write_file.h"
+#include "studies/chart/chart_files.h"
+#include "studies/stability/atlas.h"
+#include "studies/stability/suite.h"
 
 namespace kerf {
 
@@ -40,7 +44,8 @@ ExitCode complain(const std::string& error, ExitCode code) {
     return code;
 }
 
-/// Why nothing could be written into `folder`, which need not exist yet; empty if it could. Asked before the minutes of work that go into it.
+/// Why nothing could be written into `folder`, which need not exist yet; empty if it could. Asked before the minutes of
+/// work that go into it.
 std::string refusal_of_folder(const std::string& folder) {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -54,7 +59,8 @@ std::string refusal_of_folder(const std::string& folder) {
 
 /// The same of a page. What is no page is never written over.
 std::string refusal_of_page(const std::string& file) {
-    if (std::filesystem::path(file).extension() != ".html") return "`--out` is `" + file + "`, and must be an .html file. Write `--out page.html`.";
+    if (std::filesystem::path(file).extension() != ".html")
+        return "`--out` is `" + file + "`, and must be an .html file. Write `--out page.html`.";
     return refusal_of_folder(std::filesystem::path(file).parent_path().string());
 }
 
@@ -72,7 +78,8 @@ DocumentRequest request_of(const std::string& file, const CommandLine& line) {
 }
 
 /// Making the bone may take minutes.
-std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics, ImportOptions options = {}) {
+std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
+                               ImportOptions options = {}) {
     StillWorking sign_of_life("making the bone of " + file);
     options.progress = [&](double share, const std::string& what) { sign_of_life.is_at(share, what); };
     return make_scene(std::move(documents), diagnostics, options);
@@ -165,7 +172,8 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
 // ---- run ---------------------------------------------------------------------------------------------------------
 
 ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     const std::string& file = line.files.front();
     Diagnostics diagnostics;
     auto documents = check_documents(request_of(file, line), plugins, diagnostics);
@@ -175,16 +183,19 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     }
 
     // Before the bone is made, which may take minutes: can it be run at all?
-    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, line.hand); !refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, line.hand); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     std::optional<RecordedInputs> recorded;
-    const std::string another_text = ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the same.";
+    const std::string another_text = ": was recorded with another text of this procedure or anatomy, or with another "
+                                     "scan, so it cannot end the same.";
     if (!line.replay.empty()) {
         std::string error;
         recorded = read_session(line.replay, error);
         if (recorded && recorded->variant != documents->procedure.variant)
             error = line.replay + ": was recorded " +
                     (recorded->variant.empty() ? "without a variant. Leave out `--variant`."
-                                               : "with the variant `" + recorded->variant + "`. Write `--variant " + recorded->variant + "`.");
+                                               : "with the variant `" + recorded->variant + "`. Write `--variant " +
+                                                     recorded->variant + "`.");
         else if (recorded && recorded->procedure_text != documents->procedure.text)
             error = line.replay + another_text;
         if (!error.empty()) return complain(error, exit_bad_input);
@@ -194,7 +205,8 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     const auto scene = with_findings(std::move(made), diagnostics);
     if (!scene) return exit_bad_input;
     if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
-    if (recorded && recorded->anatomy_hash != scene->anatomy_hash) return complain(line.replay + another_text, exit_bad_input);
+    if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
+        return complain(line.replay + another_text, exit_bad_input);
 
     RunRequest request;
     request.learner = line.learner;
@@ -207,7 +219,9 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         request.adoptions = std::move(recorded->adoptions);
         for (const auto& [tick, text] : recorded->hand_inputs) {
             const auto input = hand_input(text);
-            if (!input) return complain(line.replay + ": the hand asked for `" + text + "`, which this Kerf does not know.", exit_bad_input);
+            if (!input)
+                return complain(line.replay + ": the hand asked for `" + text + "`, which this Kerf does not know.",
+                                exit_bad_input);
             request.hand_inputs.emplace_back(tick, *input);
         }
         recorded_hash = recorded->hash;
@@ -215,7 +229,8 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
-        return complain("the replay would take the place of its recording. Give another folder with `--out`.", exit_bad_input);
+        return complain("the replay would take the place of its recording. Give another folder with `--out`.",
+                        exit_bad_input);
     request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
@@ -235,16 +250,21 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
 
 ExitCode report(const CommandLine& line) {
     namespace fs = std::filesystem;
-    const std::string file = line.out.empty() ? (fs::path(line.source).parent_path() / "report.html").string() : line.out;
+    const std::string file =
+        line.out.empty() ? (fs::path(line.source).parent_path() / "report.html").string() : line.out;
     // Never the session itself, nor another record.
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(file); !refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(file); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     std::error_code ignored;
-    if (fs::equivalent(line.source, file, ignored)) return complain("the page would take the place of its session. Give another file with `--out`.", exit_bad_input);
+    if (fs::equivalent(line.source, file, ignored))
+        return complain("the page would take the place of its session. Give another file with `--out`.",
+                        exit_bad_input);
 
     std::string error;
     const auto run = read_run(line.source, error);
     if (!run) return complain(error, exit_bad_input);
-    if (!line.out.empty() && fs::path(file).has_parent_path()) fs::create_directories(fs::path(file).parent_path(), ignored);
+    if (!line.out.empty() && fs::path(file).has_parent_path())
+        fs::create_directories(fs::path(file).parent_path(), ignored);
     if (error = write_file(file, report_html(run->summary, run->ticks, run->events, run->bone_after)); !error.empty())
         return complain(error + (line.out.empty() ? " Give another place with `--out`." : ""), exit_bad_input);
     if (!run->missing.empty()) std::fprintf(stderr, "%s\n", run->missing.c_str());
@@ -253,7 +273,8 @@ ExitCode report(const CommandLine& line) {
 }
 
 ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
     const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
@@ -294,7 +315,8 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     PluginRegistry printed;
     scan_papers(printed, printed_folder);
     if (printed.plugins().empty())
-        std::fprintf(stderr, "kerf: the papers as printed are not in %s: the chart goes without them.\n", printed_folder.c_str());
+        std::fprintf(stderr, "kerf: the papers as printed are not in %s: the chart goes without them.\n",
+                     printed_folder.c_str());
     std::printf("%s.\n", notice_line);
     chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
     request.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
@@ -308,7 +330,8 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
 
 ExitCode expand(const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
-    const auto procedure = read_procedure(line.files.front(), plugins.catalog(), diagnostics, {line.variant, line.settings});
+    const auto procedure =
+        read_procedure(line.files.front(), plugins.catalog(), diagnostics, {line.variant, line.settings});
     std::fputs(to_text(diagnostics).c_str(), stderr);
     if (!procedure) return exit_bad_input;
     std::printf("# %s\n%s", notice_line, emitted(*procedure->document, true).c_str());
@@ -364,9 +387,11 @@ ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
 }
 
 ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
-    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(line.out); !refusal.empty()) return complain(refusal, exit_bad_input);
+    if (const std::string refusal = line.out.empty() ? "" : refusal_of_page(line.out); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     Diagnostics diagnostics;
-    const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
+    const auto scene =
+        make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
     std::fputs(to_text(diagnostics).c_str(), stderr);
     if (!scene) return exit_bad_input;
     const std::string file = line.out.empty() ? "out/" + scene->procedure.id + "-preview.html" : line.out;
@@ -374,7 +399,8 @@ ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
     if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
         std::filesystem::create_directories(folder, ignored);
     const StillWorking sign_of_life("drawing");
-    if (const std::string error = write_file(file, preview_page(*scene)); !error.empty()) return complain(error, exit_bad_input);
+    if (const std::string error = write_file(file, preview_page(*scene)); !error.empty())
+        return complain(error, exit_bad_input);
     std::printf("%s\n", file.c_str());
     return exit_pass;
 }

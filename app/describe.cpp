@@ -2,6 +2,7 @@
 #include "app/describe.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "core/procedure/quantity.h"
@@ -86,8 +87,10 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
     for (const kerf_entry* entry : plugins.entries()) known.emplace_back(entry->plugin_id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
     const std::string meant = closest(wanted, known);
-    error = "there is no plugin or component `" + wanted + "`. Write " + (meant.empty() ? listed(known) : "`" + meant + "`") + "." +
-            (plugins.plugins().empty() ? " No plugin was found: name the folder that holds some in KERF_PLUGIN_PATH." : "");
+    error =
+        "there is no plugin or component `" + wanted + "`. Write " +
+        (meant.empty() ? listed(known) : "`" + meant + "`") + "." +
+        (plugins.plugins().empty() ? " No plugin was found: name the folder that holds some in KERF_PLUGIN_PATH." : "");
     return std::nullopt;
 }
 

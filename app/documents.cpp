@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "app/bone_memory.h"
@@ -19,15 +20,20 @@ namespace {
 
 void check_data_file(const Node& node, const std::string& document, Report& report) {
     std::error_code ignored;
-    if (node.kind != Node::Kind::scalar || std::filesystem::exists(found_data_file(node.text, document), ignored)) return;
+    if (node.kind != Node::Kind::scalar || std::filesystem::exists(found_data_file(node.text, document), ignored))
+        return;
     const char* data = std::getenv("KERF_DATA");
     const std::string first = node.text.substr(0, node.text.find('/'));
-    report.error(Code::no_data_file, node.span,
-                 data != nullptr && *data != '\0'
-                     ? "There is no such file or folder, neither beside the document nor in `" + std::string(data) +
-                           "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that holds `" + first + "`."
-                     : "There is no such file or folder beside the document, and KERF_DATA is not set. Check its name; where the data lie in a folder of "
-                       "their own, name the one that holds `" + first + "`, as in `export KERF_DATA=/home/me/data`.");
+    report.error(
+        Code::no_data_file, node.span,
+        data != nullptr && *data != '\0'
+            ? "There is no such file or folder, neither beside the document nor in `" + std::string(data) +
+                  "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that holds `" + first +
+                  "`."
+            : "There is no such file or folder beside the document, and KERF_DATA is not set. Check its name; where "
+              "the data lie in a folder of "
+              "their own, name the one that holds `" +
+                  first + "`, as in `export KERF_DATA=/home/me/data`.");
 }
 
 /// Every file that the anatomy names must be there; what is in it is looked at when the bone is made.
@@ -92,7 +98,8 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
     auto procedure = read_procedure(request.procedure, plugins.catalog(), diagnostics, request.changes);
     if (!procedure || has_error(diagnostics)) return std::nullopt;
     documents.procedure = std::move(*procedure);
-    auto anatomy = read_anatomy(request.anatomy.empty() ? documents.procedure.anatomy_file : request.anatomy, diagnostics);
+    auto anatomy =
+        read_anatomy(request.anatomy.empty() ? documents.procedure.anatomy_file : request.anatomy, diagnostics);
     if (anatomy) {
         documents.anatomy = std::move(*anatomy);
         check_data_files(documents.anatomy, diagnostics);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,11 +32,14 @@ struct Documents {
     std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
 };
 
-/// Reads both and checks all that can be told without the bone. Error: whatever is wrong, all of it, in `diagnostics`.   [main]
+/// Reads both and checks all that can be told without the bone. Error: whatever is wrong, all of it, in `diagnostics`.
+/// [main]
 [[nodiscard]] std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
                                                        Diagnostics& diagnostics);
 
-/// What is wrong with the documents' variants and was not found in the procedure as it stands. A variant is named in its messages.   [main]
-[[nodiscard]] Diagnostics check_variants(const DocumentRequest& request, const Documents& base, const PluginRegistry& plugins);
+/// What is wrong with the documents' variants and was not found in the procedure as it stands. A variant is named in
+/// its messages.   [main]
+[[nodiscard]] Diagnostics check_variants(const DocumentRequest& request, const Documents& base,
+                                         const PluginRegistry& plugins);
 
 }  // namespace kerf

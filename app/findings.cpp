@@ -2,6 +2,7 @@
 #include "app/findings.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/session/recorder.h"
 

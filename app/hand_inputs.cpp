@@ -2,6 +2,7 @@
 #include "app/hand_inputs.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace kerf {
 
@@ -11,7 +12,8 @@ std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs) {
         for (; next_ <= legs && next_ < plan_->inputs.size(); ++next_)
             inputs.insert(inputs.end(), plan_->inputs[next_].begin(), plan_->inputs[next_].end());
     } else {
-        for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_) inputs.push_back((*recorded_)[next_].second);
+        for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
+            inputs.push_back((*recorded_)[next_].second);
     }
     return inputs;
 }
@@ -28,8 +30,10 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
             return "the tool in hand has no drive " + input.id;
         }
         case HandInput::Kind::insert: {
-            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(), [&](const Body& body) { return body.id == input.id; });
-            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false) : "there is no implant " + input.id;
+            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(),
+                                              [&](const Body& body) { return body.id == input.id; });
+            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false)
+                                                   : "there is no implant " + input.id;
         }
         case HandInput::Kind::subtract:
             simulation.subtract(simulation.tool(), simulation.world_from_tool());
@@ -38,9 +42,12 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
             if (simulation.held() < 0) return "nothing is held";
             simulation.remove_held();
             return {};
-        case HandInput::Kind::fuse: return simulation.fuse();
-        case HandInput::Kind::undo: return simulation.undo();
-        case HandInput::Kind::redo: return simulation.redo();
+        case HandInput::Kind::fuse:
+            return simulation.fuse();
+        case HandInput::Kind::undo:
+            return simulation.undo();
+        case HandInput::Kind::redo:
+            return simulation.redo();
     }
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "app/progress.h"
@@ -47,7 +49,9 @@ struct Values {
             least = std::min(least, v);
             most = std::max(most, v);
             fits_short = fits_short && v == std::round(v) && v >= -32768.0f && v <= 32767.0f;
-            ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), least_bin, most_bin) - least_bin)];
+            ++counts[static_cast<std::size_t>(
+                std::clamp(static_cast<int>(std::lround(std::clamp(v, -1e6f, 1e6f))), least_bin, most_bin) -
+                least_bin)];
         }
         all += values.size();
     }
@@ -100,24 +104,27 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     if (!scan) return;
     for (const std::string& note : scan->notes()) add_line(outcome.text, "found", note);
     const VoxelGrid& grid = scan->grid();
-    add_line(outcome.text, "", std::to_string(grid.size[0]) + " × " + std::to_string(grid.size[1]) + " × " +
-                                   std::to_string(grid.size[2]) + " voxels at right angles, " + extent_text(grid) + ".");
+    add_line(outcome.text, "",
+             std::to_string(grid.size[0]) + " × " + std::to_string(grid.size[1]) + " × " +
+                 std::to_string(grid.size[2]) + " voxels at right angles, " + extent_text(grid) + ".");
     add_line(outcome.text, "", "Slices as they lie: " + direction_text(grid) + ".");
     for (const Segment& segment : scan->segments())
-        add_line(outcome.text, "", "Structure `" + segment.name + "`: label " + std::to_string(segment.label) +
-                                       (segment.layer > 0 ? " in layer " + std::to_string(segment.layer) : "") + ".");
+        add_line(outcome.text, "",
+                 "Structure `" + segment.name + "`: label " + std::to_string(segment.label) +
+                     (segment.layer > 0 ? " in layer " + std::to_string(segment.layer) : "") + ".");
     Values values;
     const bool is_read =
         for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { values.add(some); });
     if (!is_read) return;
     if (scan->segments().empty())
-        add_line(outcome.text, "", "Values " + rounded(values.least, 0) + " … " + rounded(values.most, 0) + "; 1 % under " +
-                                       std::to_string(values.at_share(0.01)) + ", half under " +
-                                       std::to_string(values.at_share(0.5)) + ", 1 % over " +
-                                       std::to_string(values.at_share(0.99)) + ".");
+        add_line(outcome.text, "",
+                 "Values " + rounded(values.least, 0) + " … " + rounded(values.most, 0) + "; 1 % under " +
+                     std::to_string(values.at_share(0.01)) + ", half under " + std::to_string(values.at_share(0.5)) +
+                     ", 1 % over " + std::to_string(values.at_share(0.99)) + ".");
     if (request.out.empty()) return;
     NrrdWriter writer(request.out, grid, notice_line, values.fits_short);
-    if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); })) return;
+    if (!for_each_slab(*scan, outcome.diagnostics, progress, [&](const std::vector<float>& some) { writer.add(some); }))
+        return;
     outcome.error = writer.finish();
     if (outcome.error.empty()) add_line(outcome.text, "wrote", request.out);
 }
@@ -161,8 +168,10 @@ ImportOutcome import_source(const ImportRequest& request) {
         outcome.error = std::string("`--out` must end in `") + ending + "` here.";
         return outcome;
     }
-    if (is_surface) import_surface(request, outcome);
-    else import_scan(request, outcome);
+    if (is_surface)
+        import_surface(request, outcome);
+    else
+        import_scan(request, outcome);
     return outcome;
 }
 

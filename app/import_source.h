@@ -23,8 +23,8 @@ struct ImportOutcome {
     std::string error;        ///< why nothing could be written; empty if all went well
 };
 
-/// Opens what a source holds, looks at all of it, and writes it put straight: LPS, at right angles, closed. Nothing of whose it
-/// is goes anywhere.   [main]
+/// Opens what a source holds, looks at all of it, and writes it put straight: LPS, at right angles, closed. Nothing of
+/// whose it is goes anywhere.   [main]
 [[nodiscard]] ImportOutcome import_source(const ImportRequest& request);
 
 }  // namespace kerf

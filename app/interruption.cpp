@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/interruption.h"
 
+#include <cstddef>
+
 namespace kerf {
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 #include "app/commands.h"
@@ -17,13 +18,15 @@ int main(int argc, char** argv) {
         std::fputs(line.answer.c_str(), line.exit_code == kerf::exit_pass ? stdout : stderr);
         return line.exit_code;
     }
-    // Plugins lie in ../lib/kerf of the program, and wherever the user says; shipped procedures in ../share/kerf/procedures.
+    // Plugins lie in ../lib/kerf of the program, and wherever the user says; shipped procedures in
+    // ../share/kerf/procedures.
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
     if (line.command != "privacy")  // of that, any file is meant as it is named
-        for (std::string& file : line.files) file = kerf::shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
+        for (std::string& file : line.files)
+            file = kerf::shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
     line.anatomy = kerf::shipped_or_own(line.anatomy, (prefix / "share" / "kerf" / "procedures").string());
     const kerf::PluginFolders folders =
         kerf::plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());

@@ -2,14 +2,18 @@
 #include "app/plan_procedure.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <system_error>
+#include <vector>
 
 #include "app/progress.h"
 #include "app/run_checks.h"
-#include "conformance/plan/plan_text.h"
 #include "core/import/make_body.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
+#include "studies/plan/plan_text.h"
 
 namespace kerf {
 

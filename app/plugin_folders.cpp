@@ -2,7 +2,9 @@
 #include "app/plugin_folders.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <system_error>
 
 namespace kerf {
 

@@ -7,10 +7,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "core/import/image/dicom_elements.h"
 #include "core/import/image/packed_bytes.h"
@@ -18,58 +24,94 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t most_findings = 20;        // of one kind, of one file
+constexpr std::size_t most_findings = 20;  // of one kind, of one file
 constexpr std::uintmax_t most_bytes = 500'000'000;
 constexpr std::uint64_t most_unpacked = 4'000'000'000;
 constexpr std::size_t most_nested_text = 16'000'000;
 
-// ---- DICOM ------------------------------------------------------------------------------------------------------------
+// ---- DICOM
+// ------------------------------------------------------------------------------------------------------------
 
 struct Tag {
     std::uint16_t group, element;
     const char* name;
 };
 
-/// What PS3.15, table E.1-1 takes out or replaces, as far as it stands outside of sequences and is a name, a number, a date or a text of people.
+/// What PS3.15, table E.1-1 takes out or replaces, as far as it stands outside of sequences and is a name, a number, a
+/// date or a text of people.
 constexpr Tag identifying[] = {
-    {0x0008, 0x0012, "date of the file"},           {0x0008, 0x0014, "UID of who made the file"},
-    {0x0008, 0x0018, "UID of the picture"},         {0x0008, 0x0020, "date of the study"},
-    {0x0008, 0x0021, "date of the series"},         {0x0008, 0x0022, "date of acquisition"},
-    {0x0008, 0x0023, "date of the picture"},        {0x0008, 0x002a, "time of acquisition"},
-    {0x0008, 0x0030, "time of the study"},          {0x0008, 0x0050, "accession number"},
-    {0x0008, 0x0080, "institution"},                {0x0008, 0x0081, "institution's address"},
-    {0x0008, 0x0090, "referring physician"},        {0x0008, 0x0092, "referring physician's address"},
-    {0x0008, 0x0094, "referring physician's telephone"}, {0x0008, 0x1010, "station"},
-    {0x0008, 0x1030, "description of the study"},   {0x0008, 0x103e, "description of the series"},
-    {0x0008, 0x1040, "department"},                 {0x0008, 0x1048, "physician of record"},
-    {0x0008, 0x1050, "performing physician"},       {0x0008, 0x1060, "reading physician"},
-    {0x0008, 0x1070, "operator"},                   {0x0008, 0x1080, "admitting diagnosis"},
-    {0x0008, 0x2111, "how the picture was derived"}, {0x0010, 0x0010, "patient's name"},
-    {0x0010, 0x0020, "patient's number"},           {0x0010, 0x0021, "who gave the patient's number"},
-    {0x0010, 0x0030, "date of birth"},              {0x0010, 0x0032, "time of birth"},
-    {0x0010, 0x0040, "sex"},                        {0x0010, 0x1000, "other numbers of the patient"},
-    {0x0010, 0x1001, "other names of the patient"}, {0x0010, 0x1005, "birth name"},
-    {0x0010, 0x1010, "age"},                        {0x0010, 0x1020, "size"},
-    {0x0010, 0x1030, "weight"},                     {0x0010, 0x1040, "patient's address"},
-    {0x0010, 0x1060, "mother's birth name"},        {0x0010, 0x1090, "number of the medical record"},
-    {0x0010, 0x2000, "medical alerts"},             {0x0010, 0x2110, "allergies"},
-    {0x0010, 0x2154, "patient's telephone"},        {0x0010, 0x2160, "ethnic group"},
-    {0x0010, 0x2180, "occupation"},                 {0x0010, 0x21b0, "patient's history"},
-    {0x0010, 0x4000, "comments on the patient"},    {0x0018, 0x1000, "serial number of the device"},
-    {0x0018, 0x1030, "protocol"},                   {0x0018, 0x1400, "description of the device's processing"},
-    {0x0020, 0x000d, "UID of the study"},           {0x0020, 0x000e, "UID of the series"},
-    {0x0020, 0x0010, "number of the study"},        {0x0020, 0x0052, "UID of the frame of reference"},
-    {0x0020, 0x4000, "comments on the picture"},    {0x0032, 0x1032, "requesting physician"},
-    {0x0032, 0x1033, "requesting department"},      {0x0032, 0x1060, "description of the request"},
-    {0x0038, 0x0010, "number of the admission"},    {0x0038, 0x0300, "patient's ward"},
-    {0x0038, 0x0500, "patient's state"},            {0x0040, 0x0244, "date of the procedure"},
-    {0x0040, 0x0253, "number of the procedure"},    {0x0040, 0x0254, "description of the procedure"},
-    {0x0040, 0xa075, "who verified"},               {0x0040, 0xa123, "person"},
+    {0x0008, 0x0012, "date of the file"},
+    {0x0008, 0x0014, "UID of who made the file"},
+    {0x0008, 0x0018, "UID of the picture"},
+    {0x0008, 0x0020, "date of the study"},
+    {0x0008, 0x0021, "date of the series"},
+    {0x0008, 0x0022, "date of acquisition"},
+    {0x0008, 0x0023, "date of the picture"},
+    {0x0008, 0x002a, "time of acquisition"},
+    {0x0008, 0x0030, "time of the study"},
+    {0x0008, 0x0050, "accession number"},
+    {0x0008, 0x0080, "institution"},
+    {0x0008, 0x0081, "institution's address"},
+    {0x0008, 0x0090, "referring physician"},
+    {0x0008, 0x0092, "referring physician's address"},
+    {0x0008, 0x0094, "referring physician's telephone"},
+    {0x0008, 0x1010, "station"},
+    {0x0008, 0x1030, "description of the study"},
+    {0x0008, 0x103e, "description of the series"},
+    {0x0008, 0x1040, "department"},
+    {0x0008, 0x1048, "physician of record"},
+    {0x0008, 0x1050, "performing physician"},
+    {0x0008, 0x1060, "reading physician"},
+    {0x0008, 0x1070, "operator"},
+    {0x0008, 0x1080, "admitting diagnosis"},
+    {0x0008, 0x2111, "how the picture was derived"},
+    {0x0010, 0x0010, "patient's name"},
+    {0x0010, 0x0020, "patient's number"},
+    {0x0010, 0x0021, "who gave the patient's number"},
+    {0x0010, 0x0030, "date of birth"},
+    {0x0010, 0x0032, "time of birth"},
+    {0x0010, 0x0040, "sex"},
+    {0x0010, 0x1000, "other numbers of the patient"},
+    {0x0010, 0x1001, "other names of the patient"},
+    {0x0010, 0x1005, "birth name"},
+    {0x0010, 0x1010, "age"},
+    {0x0010, 0x1020, "size"},
+    {0x0010, 0x1030, "weight"},
+    {0x0010, 0x1040, "patient's address"},
+    {0x0010, 0x1060, "mother's birth name"},
+    {0x0010, 0x1090, "number of the medical record"},
+    {0x0010, 0x2000, "medical alerts"},
+    {0x0010, 0x2110, "allergies"},
+    {0x0010, 0x2154, "patient's telephone"},
+    {0x0010, 0x2160, "ethnic group"},
+    {0x0010, 0x2180, "occupation"},
+    {0x0010, 0x21b0, "patient's history"},
+    {0x0010, 0x4000, "comments on the patient"},
+    {0x0018, 0x1000, "serial number of the device"},
+    {0x0018, 0x1030, "protocol"},
+    {0x0018, 0x1400, "description of the device's processing"},
+    {0x0020, 0x000d, "UID of the study"},
+    {0x0020, 0x000e, "UID of the series"},
+    {0x0020, 0x0010, "number of the study"},
+    {0x0020, 0x0052, "UID of the frame of reference"},
+    {0x0020, 0x4000, "comments on the picture"},
+    {0x0032, 0x1032, "requesting physician"},
+    {0x0032, 0x1033, "requesting department"},
+    {0x0032, 0x1060, "description of the request"},
+    {0x0038, 0x0010, "number of the admission"},
+    {0x0038, 0x0300, "patient's ward"},
+    {0x0038, 0x0500, "patient's state"},
+    {0x0040, 0x0244, "date of the procedure"},
+    {0x0040, 0x0253, "number of the procedure"},
+    {0x0040, 0x0254, "description of the procedure"},
+    {0x0040, 0xa075, "who verified"},
+    {0x0040, 0xa123, "person"},
 };
 
 std::string tag_text(const Tag& tag) {
     char text[64];
-    std::snprintf(text, sizeof text, " (%04x,%04x)", static_cast<unsigned>(tag.group), static_cast<unsigned>(tag.element));
+    std::snprintf(text, sizeof text, " (%04x,%04x)", static_cast<unsigned>(tag.group),
+                  static_cast<unsigned>(tag.element));
     return tag.name + std::string(text);
 }
 
@@ -78,40 +120,54 @@ void add_finding(PrivacyReport& report, const std::string& what, std::string val
     const auto same = [&](const PrivacyFinding& f) { return f.what == what && f.value == value; };
     const auto kind = [&](const PrivacyFinding& f) { return f.what == what; };
     auto& all = report.findings;
-    if (std::any_of(all.begin(), all.end(), same) || std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings)) return;
+    if (std::any_of(all.begin(), all.end(), same) ||
+        std::count_if(all.begin(), all.end(), kind) >= static_cast<std::ptrdiff_t>(most_findings))
+        return;
     all.push_back({what, std::move(value)});
 }
 
-// ---- text -------------------------------------------------------------------------------------------------------------
+// ---- text
+// -------------------------------------------------------------------------------------------------------------
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; }
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
 bool is_word(char c) { return is_digit(c) || is_letter(c) || c == '_'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// Users and machine that this system goes by; short ones would be found everywhere.
 std::vector<std::string> names_of_this_system() {
     std::vector<std::string> names;
-    if (const passwd* user = getpwuid(getuid()); user != nullptr && user->pw_name != nullptr) names.emplace_back(user->pw_name);
+    if (const passwd* user = getpwuid(getuid()); user != nullptr && user->pw_name != nullptr)
+        names.emplace_back(user->pw_name);
     char host[256] = {};
     if (gethostname(host, sizeof host - 1) == 0) names.emplace_back(host);
-    std::erase_if(names, [](const std::string& name) { return name.size() < 4 || name == "root" || name == "localhost" || name == "user"; });
+    std::erase_if(names, [](const std::string& name) {
+        return name.size() < 4 || name == "root" || name == "localhost" || name == "user";
+    });
     return names;
 }
 
 class Looking {
 public:
-    /// @param where   stands behind what is found; not empty: the text was picked out of bytes, where letters also come by chance
-    Looking(const std::string& text, PrivacyReport& report, std::string where = "") : text_(text), report_(report), where_(std::move(where)) {}
+    /// @param where   stands behind what is found; not empty: the text was picked out of bytes, where letters also come
+    /// by chance
+    Looking(const std::string& text, PrivacyReport& report, std::string where = "")
+        : text_(text), report_(report), where_(std::move(where)) {}
 
     void all() {
         for (const std::string& name : names_) find_word(name, "the name of this system's user or machine");
-        for (const char* key : {"PatientName", "PatientID", "patient_name", "patient_id"}) find_word(key, "a field for a patient");
+        for (const char* key : {"PatientName", "PatientID", "patient_name", "patient_id"})
+            find_word(key, "a field for a patient");
         for (std::size_t at = 0; at < text_.size(); ++at) {
             const char c = text_[at];
-            if (c == '/' || c == '\\') path(at);
-            else if (c == '^') person(at);
-            else if (is_digit(c) && (at == 0 || (!is_word(text_[at - 1]) && text_[at - 1] != '.'))) number(at);
+            if (c == '/' || c == '\\')
+                path(at);
+            else if (c == '^')
+                person(at);
+            else if (is_digit(c) && (at == 0 || (!is_word(text_[at - 1]) && text_[at - 1] != '.')))
+                number(at);
         }
     }
 
@@ -127,20 +183,25 @@ private:
             const auto found = std::search(from, text_.end(), word.begin(), word.end(), same);
             if (found == text_.end()) return;
             const auto begin = static_cast<std::size_t>(found - text_.begin());
-            if ((begin == 0 || !is_word(text_[begin - 1])) && !is_word(at(begin + word.size()))) add(what, begin, begin + word.size());
+            if ((begin == 0 || !is_word(text_[begin - 1])) && !is_word(at(begin + word.size())))
+                add(what, begin, begin + word.size());
             from = found + 1;
         }
     }
     /// Where people and systems keep files, as in /home/jane/scan or C:\Users\jane.
     void path(std::size_t slash) {
-        static constexpr std::array<const char*, 11> roots{"home/", "Users/", "root/", "tmp/", "mnt/", "media/", "var/", "Volumes/", "Users\\", "srv/", "work/"};
-        if (slash > 0 && (is_word(text_[slash - 1]) || text_[slash - 1] == '/' || text_[slash - 1] == '.')) return;  // within a longer path, or an address
+        static constexpr std::array<const char*, 11> roots{"home/", "Users/",   "root/",   "tmp/", "mnt/", "media/",
+                                                           "var/",  "Volumes/", "Users\\", "srv/", "work/"};
+        if (slash > 0 && (is_word(text_[slash - 1]) || text_[slash - 1] == '/' || text_[slash - 1] == '.'))
+            return;  // within a longer path, or an address
         for (const char* root : roots) {
             const std::string_view word(root);
             if (text_.compare(slash + 1, word.size(), word) != 0) continue;
             std::size_t end = slash + 1 + word.size();
             if (!is_word(at(end))) return;
-            while (end < text_.size() && static_cast<unsigned char>(text_[end]) > 0x20 && text_[end] != '"' && text_[end] != '\'' && text_[end] != '<') ++end;
+            while (end < text_.size() && static_cast<unsigned char>(text_[end]) > 0x20 && text_[end] != '"' &&
+                   text_[end] != '\'' && text_[end] != '<')
+                ++end;
             add("a path", slash, end);
         }
     }
@@ -150,7 +211,9 @@ private:
         while (from > 0 && (is_letter(text_[from - 1]) || text_[from - 1] == '-')) --from;
         while (is_letter(at(end)) || at(end) == '-') ++end;
         // Of a hundred million bytes that mean nothing a few look like that
-        if (!where_.empty() && (!is_name(from, caret) || !is_name(caret + 1, end) || !stands_alone(from, end) || is_row_of_numbers(from, end))) return;
+        if (!where_.empty() && (!is_name(from, caret) || !is_name(caret + 1, end) || !stands_alone(from, end) ||
+                                is_row_of_numbers(from, end)))
+            return;
         if (caret - from >= 2 && end - caret > 2) add("a person's name as DICOM writes it", from, end);
     }
     /// Three letters or more, `Doe` or `DOE`, and nothing between.
@@ -163,10 +226,14 @@ private:
     }
     /// Bounded as a value is, in a header or a text, by a length, a tag, a space, a quotation mark.
     [[nodiscard]] bool stands_alone(std::size_t from, std::size_t end) const {
-        const auto bounds = [](char c) { return static_cast<unsigned char>(c) <= 0x20 || std::string_view("\"'<>=:;,^\\").find(c) != std::string_view::npos; };
+        const auto bounds = [](char c) {
+            return static_cast<unsigned char>(c) <= 0x20 ||
+                   std::string_view("\"'<>=:;,^\\").find(c) != std::string_view::npos;
+        };
         return (from == 0 || bounds(text_[from - 1])) && bounds(at(end));
     }
-    /// Every second byte the same, or every fourth from before to behind: numbers of two or four bytes each, such as corners of triangles.
+    /// Every second byte the same, or every fourth from before to behind: numbers of two or four bytes each, such as
+    /// corners of triangles.
     [[nodiscard]] bool is_row_of_numbers(std::size_t from, std::size_t end) const {
         for (const std::size_t first : {from, from + 1}) {
             bool is_same = true;
@@ -184,14 +251,19 @@ private:
         if (points >= 5) return add("a UID", from, end);
         const auto value = [&](std::size_t begin, std::size_t count) {
             int number = 0;
-            for (std::size_t n = begin; n < begin + count; ++n) number = is_digit(at(n)) ? 10 * number + (text_[n] - '0') : 100'000;
+            for (std::size_t n = begin; n < begin + count; ++n)
+                number = is_digit(at(n)) ? 10 * number + (text_[n] - '0') : 100'000;
             return number;
         };
         const auto is_date = [&](std::size_t month, std::size_t day) {
-            return value(from, 4) >= 1900 && value(from, 4) < 2100 && value(month, 2) >= 1 && value(month, 2) <= 12 && value(day, 2) >= 1 && value(day, 2) <= 31;
+            return value(from, 4) >= 1900 && value(from, 4) < 2100 && value(month, 2) >= 1 && value(month, 2) <= 12 &&
+                   value(day, 2) >= 1 && value(day, 2) <= 31;
         };
-        if (end - from == 8 && points == 0 && !is_word(at(end)) && is_date(from + 4, from + 6)) add("a date", from, end);
-        if (end - from == 4 && at(end) == '-' && at(end + 3) == '-' && is_date(from + 5, from + 8) && !is_digit(at(end + 6))) add("a date", from, from + 10);
+        if (end - from == 8 && points == 0 && !is_word(at(end)) && is_date(from + 4, from + 6))
+            add("a date", from, end);
+        if (end - from == 4 && at(end) == '-' && at(end + 3) == '-' && is_date(from + 5, from + 8) &&
+            !is_digit(at(end + 6)))
+            add("a date", from, from + 10);
     }
 
     const std::string& text_;
@@ -217,10 +289,11 @@ void look_at_text(const std::string& bytes, PrivacyReport& report) {
     Looking(wide, report).all();
 }
 
-// ---- bytes that are no text -------------------------------------------------------------------------------------------
+// ---- bytes that are no text
+// -------------------------------------------------------------------------------------------
 
-/// Voxels, triangles, pictures: only what stands among them as eight plain letters or more in a row is looked at. However many bytes come,
-/// no more is kept than a few megabytes of that.
+/// Voxels, triangles, pictures: only what stands among them as eight plain letters or more in a row is looked at.
+/// However many bytes come, no more is kept than a few megabytes of that.
 class LookingAmongBytes {
 public:
     LookingAmongBytes(PrivacyReport& report, std::string where) : report_(report), where_(std::move(where)) {}
@@ -243,8 +316,10 @@ private:
     /// What may go on in the next piece of a long row is looked at there again.
     void keep_run(bool goes_on) {
         if (run_.size() >= least_in_row) kept_ += run_ + '\n';
-        if (goes_on) run_.erase(0, run_.size() - overlap);
-        else run_.clear();
+        if (goes_on)
+            run_.erase(0, run_.size() - overlap);
+        else
+            run_.clear();
         if (kept_.size() > most_kept) look();
     }
     void look() {
@@ -269,16 +344,23 @@ void look_at_voxels(PackedBytes& bytes, PrivacyReport& report) {
         if (count < buffer.size()) break;
     }
     looking.end();
-    if (bytes.is_damaged()) report.unseen.push_back("The packed voxels are damaged, and were not looked at to their end.");
+    if (bytes.is_damaged())
+        report.unseen.push_back("The packed voxels are damaged, and were not looked at to their end.");
     if (sum >= most_unpacked) report.unseen.push_back("Only the first 4 GB of the voxels were looked at.");
-    report.unseen.push_back("Among the voxels only plain letters were looked for: not those of two bytes each, and not what a picture of them shows.");
+    report.unseen.push_back("Among the voxels only plain letters were looked for: not those of two bytes each, and not "
+                            "what a picture of them shows.");
 }
 
 /// What pages hold as base64: surfaces, pictures.
 void look_at_base64(const std::string& text, PrivacyReport& report) {
     constexpr std::size_t least = 64;  // letters; shorter ones are words
     const auto digit = [](char c) {
-        return c >= 'A' && c <= 'Z' ? c - 'A' : c >= 'a' && c <= 'z' ? c - 'a' + 26 : is_digit(c) ? c - '0' + 52 : c == '+' ? 62 : c == '/' ? 63 : -1;
+        return c >= 'A' && c <= 'Z'   ? c - 'A'
+               : c >= 'a' && c <= 'z' ? c - 'a' + 26
+               : is_digit(c)          ? c - '0' + 52
+               : c == '+'             ? 62
+               : c == '/'             ? 63
+                                      : -1;
     };
     LookingAmongBytes looking(report, ", in base64");
     for (std::size_t from = 0; from < text.size();) {
@@ -301,14 +383,16 @@ void look_at_base64(const std::string& text, PrivacyReport& report) {
     looking.end();
 }
 
-// ---- DICOM, all of it -------------------------------------------------------------------------------------------------
+// ---- DICOM, all of it
+// -------------------------------------------------------------------------------------------------
 
 void look_at_dicom(const std::string& file, PrivacyReport& report) {
     const DicomElements elements = read_dicom_elements(file);
     for (const Tag& tag : identifying)
         if (std::string value = elements.text(tag.group, tag.element); !value.empty())
             report.findings.push_back({tag_text(tag), std::move(value)});
-    if (elements.text(0x0028, 0x0301) == "YES") report.findings.push_back({"writing within the picture (0028,0301)", ""});
+    if (elements.text(0x0028, 0x0301) == "YES")
+        report.findings.push_back({"writing within the picture (0028,0301)", ""});
 
     // A walk of its own: where a sequence is wrong, it ends
     std::size_t nested_private = 0, too_long = 0;
@@ -317,7 +401,9 @@ void look_at_dicom(const std::string& file, PrivacyReport& report) {
     const auto look_at = [&](std::uint32_t tag, const std::string* value) {
         if ((tag >> 16) % 2 != 0) ++nested_private;
         if (value == nullptr) return void(++too_long);
-        const auto known = std::find_if(std::begin(identifying), std::end(identifying), [&](const Tag& t) { return (std::uint32_t{t.group} << 16 | t.element) == tag; });
+        const auto known = std::find_if(std::begin(identifying), std::end(identifying), [&](const Tag& t) {
+            return (std::uint32_t{t.group} << 16 | t.element) == tag;
+        });
         if (known != std::end(identifying)) {
             const std::string plain = value->substr(0, value->find_last_not_of(std::string_view(" \0", 2)) + 1);
             if (!plain.empty()) add_finding(report, tag_text(*known) + ", in a sequence", plain);
@@ -331,18 +417,26 @@ void look_at_dicom(const std::string& file, PrivacyReport& report) {
     looking.take(texts);
     looking.end();
     if (const std::size_t all = elements.private_elements + nested_private; all > 0)
-        report.findings.push_back({std::to_string(all) + " private elements, of which only the manufacturer knows what they hold", ""});
+        report.findings.push_back(
+            {std::to_string(all) + " private elements, of which only the manufacturer knows what they hold", ""});
 
-    if (too_long > 0) report.unseen.push_back(std::to_string(too_long) + " long elements of sequences were not looked at.");
+    if (too_long > 0)
+        report.unseen.push_back(std::to_string(too_long) + " long elements of sequences were not looked at.");
     if (!is_all_kept) report.unseen.push_back("Of the texts in sequences only the first 16 MB were looked at.");
-    if (elements.encoding == "1.2.840.10008.1.2.1.99") report.unseen.push_back("All that follows its first elements is packed, and was not looked at.");
-    if (!elements.fault.empty()) report.unseen.push_back("The file is damaged: " + elements.fault + ". What follows was not looked at.");
-    else if (!nested.fault.empty()) report.unseen.push_back("A sequence is damaged: " + nested.fault + ". Sequences behind it were not looked into.");
+    if (elements.encoding == "1.2.840.10008.1.2.1.99")
+        report.unseen.push_back("All that follows its first elements is packed, and was not looked at.");
+    if (!elements.fault.empty())
+        report.unseen.push_back("The file is damaged: " + elements.fault + ". What follows was not looked at.");
+    else if (!nested.fault.empty())
+        report.unseen.push_back("A sequence is damaged: " + nested.fault +
+                                ". Sequences behind it were not looked into.");
 }
 
-// ---- databases --------------------------------------------------------------------------------------------------------
+// ---- databases
+// --------------------------------------------------------------------------------------------------------
 
-/// All texts of all tables, each on a line of its own; numbers would look like anything. Bytes are looked at here. Empty, and `is_whole` false, if it is damaged.
+/// All texts of all tables, each on a line of its own; numbers would look like anything. Bytes are looked at here.
+/// Empty, and `is_whole` false, if it is damaged.
 std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report) {
     sqlite3* raw = nullptr;
     is_whole = sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK;
@@ -360,31 +454,37 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
     std::vector<std::string> tables;
     const auto text_of = [](sqlite3_stmt* row, int column) {
         const auto* bytes = static_cast<const char*>(sqlite3_column_blob(row, column));
-        return bytes == nullptr ? std::string() : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
+        return bytes == nullptr ? std::string()
+                                : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
     };
     if (is_whole)
-        each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'", [&](sqlite3_stmt* row) {
-            tables.push_back(text_of(row, 0));
-            all += text_of(row, 1) + "\n";
-        });
+        each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'",
+                 [&](sqlite3_stmt* row) {
+                     tables.push_back(text_of(row, 0));
+                     all += text_of(row, 1) + "\n";
+                 });
     for (const std::string& table : tables) {
         std::string quoted;
         for (const char c : table) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         each_row("SELECT * FROM \"" + quoted + "\"", [&](sqlite3_stmt* row) {
             for (int column = 0; column < sqlite3_column_count(row); ++column)
-                if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT) all += text_of(row, column) + "\n";
-                else if (type == SQLITE_BLOB) among_bytes.take(text_of(row, column) + '\0');
+                if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT)
+                    all += text_of(row, column) + "\n";
+                else if (type == SQLITE_BLOB)
+                    among_bytes.take(text_of(row, column) + '\0');
         });
     }
     among_bytes.end();
     return all;
 }
 
-// ---- headers ----------------------------------------------------------------------------------------------------------
+// ---- headers
+// ----------------------------------------------------------------------------------------------------------
 
 bool ends_in(const std::string& name, std::string_view ending) {
     return name.size() >= ending.size() &&
-           std::equal(ending.begin(), ending.end(), name.end() - static_cast<std::ptrdiff_t>(ending.size()), [](char want, char got) { return want == lower(got); });
+           std::equal(ending.begin(), ending.end(), name.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                      [](char want, char got) { return want == lower(got); });
 }
 
 void look_at_nifti(const std::string& file, PrivacyReport& report) {
@@ -393,8 +493,12 @@ void look_at_nifti(const std::string& file, PrivacyReport& report) {
     PackedBytes bytes(file, 0, packing);
     header.resize(bytes.take(header.data(), header.size()));
     if (header.size() < 348) return void(report.error = file + ": is no NIfTI file. Check its name.");
-    struct Field { std::size_t at, size; const char* name; };
-    for (const Field& field : {Field{4, 10, "`data_type`"}, Field{14, 18, "`db_name`"}, Field{148, 80, "`descrip`"}, Field{228, 24, "`aux_file`"}, Field{328, 16, "`intent_name`"}}) {
+    struct Field {
+        std::size_t at, size;
+        const char* name;
+    };
+    for (const Field& field : {Field{4, 10, "`data_type`"}, Field{14, 18, "`db_name`"}, Field{148, 80, "`descrip`"},
+                               Field{228, 24, "`aux_file`"}, Field{328, 16, "`intent_name`"}}) {
         const std::string value = header.substr(field.at, field.size).c_str();
         if (!value.empty()) report.findings.push_back({std::string("text in the header's ") + field.name, value});
     }
@@ -422,8 +526,11 @@ std::string header_value(const std::string& header, std::string_view key) {
 }
 
 /// The voxels behind a header of NRRD or MetaImage in the same file.
-void look_behind_header(const std::string& file, const std::string& header, std::uint64_t offset, bool is_nrrd, PrivacyReport& report) {
-    const std::string encoding = is_nrrd ? header_value(header, "encoding") : header_value(header, "compresseddata") == "true" ? "gzip" : "raw";
+void look_behind_header(const std::string& file, const std::string& header, std::uint64_t offset, bool is_nrrd,
+                        PrivacyReport& report) {
+    const std::string encoding = is_nrrd                                            ? header_value(header, "encoding")
+                                 : header_value(header, "compresseddata") == "true" ? "gzip"
+                                                                                    : "raw";
     const bool is_packed = encoding == "gzip" || encoding == "gz";
     if (!is_packed && encoding != "raw" && encoding != "ascii" && encoding != "text" && encoding != "txt")
         return report.unseen.push_back("The voxels are packed in another way than gzip, and were not looked at.");
@@ -451,10 +558,12 @@ PrivacyReport privacy_report(const std::string& file) {
         return report;
     }
     char first[16] = {};
-    if (std::ifstream(file, std::ios::binary).read(first, sizeof first) && std::string_view(first, 15) == "SQLite format 3") {
+    if (std::ifstream(file, std::ios::binary).read(first, sizeof first) &&
+        std::string_view(first, 15) == "SQLite format 3") {
         bool is_whole = true;
         look_at_text(texts_of_database(file, is_whole, report), report);
-        report.unseen.push_back(is_whole ? "What was deleted in the database was not looked at." : "The database is damaged, and was not looked at to its end.");
+        report.unseen.push_back(is_whole ? "What was deleted in the database was not looked at."
+                                         : "The database is damaged, and was not looked at to its end.");
         return report;
     }
     const bool is_nrrd = ends_in(file, ".nrrd"), is_stl = ends_in(file, ".stl"), is_meta = ends_in(file, ".mha");
@@ -470,28 +579,42 @@ PrivacyReport privacy_report(const std::string& file) {
     if (is_nrrd || is_meta) {
         // The header ends with an empty line, or with the line that says where the voxels are.
         const std::size_t data = bytes.find("ElementDataFile");
-        const std::size_t last = is_nrrd ? std::min(bytes.find("\n\n"), bytes.find("\n\r\n")) : data == std::string::npos ? data : bytes.find('\n', data);
-        const std::size_t end = last == std::string::npos ? bytes.size() : is_nrrd ? bytes.find('\n', last + 1) + 1 : last + 1;
+        const std::size_t last = is_nrrd                     ? std::min(bytes.find("\n\n"), bytes.find("\n\r\n"))
+                                 : data == std::string::npos ? data
+                                                             : bytes.find('\n', data);
+        const std::size_t end = last == std::string::npos ? bytes.size()
+                                : is_nrrd                 ? bytes.find('\n', last + 1) + 1
+                                                          : last + 1;
         bytes.resize(end);
     }
     look_at_text(bytes, report);
-    if (is_nrrd || is_meta) look_behind_header(file, bytes, bytes.size(), is_nrrd, report);
-    else if (!is_stl) look_at_base64(bytes, report);
-    else report.unseen.push_back("Behind an STL's first 84 bytes nothing was looked at.");
-    if (size > most_bytes && !is_stl && !is_nrrd && !is_meta) report.unseen.push_back("Only the first 500 MB were looked at.");
+    if (is_nrrd || is_meta)
+        look_behind_header(file, bytes, bytes.size(), is_nrrd, report);
+    else if (!is_stl)
+        look_at_base64(bytes, report);
+    else
+        report.unseen.push_back("Behind an STL's first 84 bytes nothing was looked at.");
+    if (size > most_bytes && !is_stl && !is_nrrd && !is_meta)
+        report.unseen.push_back("Only the first 500 MB were looked at.");
     return report;
 }
 
 std::string privacy_text(const std::string& file, const PrivacyReport& report, bool shows_values) {
     std::string text = file + ": " +
-                       (report.findings.empty() ? "nothing that tells of a person was found"
-                                                : std::to_string(report.findings.size()) + (report.findings.size() == 1 ? " thing tells" : " things tell") + " of a person") +
+                       (report.findings.empty()
+                            ? "nothing that tells of a person was found"
+                            : std::to_string(report.findings.size()) +
+                                  (report.findings.size() == 1 ? " thing tells" : " things tell") + " of a person") +
                        "\n";
-    const auto first_letter = [](const std::string& value) { return static_cast<unsigned char>(value[0]) < 0x80 ? value.substr(0, 1) : std::string(); };
+    const auto first_letter = [](const std::string& value) {
+        return static_cast<unsigned char>(value[0]) < 0x80 ? value.substr(0, 1) : std::string();
+    };
     for (const PrivacyFinding& found : report.findings) {
         text += "  " + found.what;
         if (!found.value.empty())
-            text += ": " + (shows_values ? found.value : first_letter(found.value) + "… (" + std::to_string(found.value.size()) + " characters)");
+            text += ": " + (shows_values ? found.value
+                                         : first_letter(found.value) + "… (" + std::to_string(found.value.size()) +
+                                               " characters)");
         text += "\n";
     }
     for (const std::string& unseen : report.unseen) text += "  " + unseen + "\n";

@@ -41,8 +41,10 @@ void show_progress(double share, const std::string& what) {
 }
 
 void show_work(const std::string& what) {
-    if (is_on_terminal()) std::fprintf(stderr, "%s%s%s", clear_line, what.c_str(), what.empty() ? "" : " …");
-    else if (!what.empty() && is_line_due()) std::fprintf(stderr, "%s …\n", what.c_str());
+    if (is_on_terminal())
+        std::fprintf(stderr, "%s%s%s", clear_line, what.c_str(), what.empty() ? "" : " …");
+    else if (!what.empty() && is_line_due())
+        std::fprintf(stderr, "%s …\n", what.c_str());
 }
 
 StillWorking::StillWorking(std::string what) : what_(std::move(what)) {
@@ -51,7 +53,8 @@ StillWorking::StillWorking(std::string what) : what_(std::move(what)) {
     clock_ = std::thread([this, is_written_over] {
         std::unique_lock lock(mutex_);
         const int step = is_written_over ? 1 : seconds_per_line;
-        for (int seconds = step; !wake_.wait_for(lock, std::chrono::seconds(step), [this] { return is_over_; }); seconds += step)
+        for (int seconds = step; !wake_.wait_for(lock, std::chrono::seconds(step), [this] { return is_over_; });
+             seconds += step)
             std::fprintf(stderr, is_written_over ? "\r\033[K%s" : "%s\n", text(seconds).c_str());
     });
 }
@@ -63,7 +66,8 @@ void StillWorking::is_at(double share, const std::string& part) {
 }
 
 std::string StillWorking::text(int seconds) const {
-    return what_ + (part_.empty() ? "" : ": " + part_ + ", " + percent(share_)) + " … " + std::to_string(seconds) + " s";
+    return what_ + (part_.empty() ? "" : ": " + part_ + ", " + percent(share_)) + " … " + std::to_string(seconds) +
+           " s";
 }
 
 StillWorking::~StillWorking() {

@@ -6,8 +6,8 @@
 #include <string>
 #include <thread>
 
-/// Signs of life on stderr: on a terminal its present line, written over and over; elsewhere, as in a log, a line of its own after every
-/// half minute of work, and none for what is done sooner.
+/// Signs of life on stderr: on a terminal its present line, written over and over; elsewhere, as in a log, a line of
+/// its own after every half minute of work, and none for what is done sooner.
 namespace kerf {
 
 /// Percent and a few words.   [main]

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/procedure/document.h"
 #include "core/procedure/quantity.h"
-#include "core/procedure/read_procedure.h"
 #include "core/procedure/read_map.h"
+#include "core/procedure/read_procedure.h"
 
 namespace kerf {
 
@@ -26,9 +29,12 @@ TextSpan span_in(const Document& document, const char* list, std::size_t index, 
 }
 
 /// A waypoint of a rehearsal, or the value that it has under `key`; null where the document has none.
-const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::size_t waypoint, const char* key = nullptr) {
+const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::size_t waypoint,
+                        const char* key = nullptr) {
     const Node* rehearsals = document.root.find("rehearsals");
-    const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size() ? rehearsals->children[rehearsal].find("path") : nullptr;
+    const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size()
+                           ? rehearsals->children[rehearsal].find("path")
+                           : nullptr;
     if (path == nullptr || waypoint >= path->children.size()) return nullptr;
     return key != nullptr ? path->children[waypoint].find(key) : &path->children[waypoint];
 }
@@ -42,8 +48,10 @@ void check_device(const Procedure& procedure, const Document& document, Report& 
     const Node* haptics = document.root.find("haptics");
     const Node* device = haptics != nullptr ? haptics->find("device") : nullptr;
     const std::string meant = closest(procedure.device, ids);
-    report.error(Code::unknown_device, device != nullptr ? device->span : TextSpan{},
-                 "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant), meant);
+    report.error(
+        Code::unknown_device, device != nullptr ? device->span : TextSpan{},
+        "There is no record of a device `" + procedure.device + "`; there is " + listed(ids) + "." + or_choose(meant),
+        meant);
 }
 
 /// What the document says of an instrument under `key`; the instrument where it says nothing.
@@ -62,7 +70,8 @@ double narrowest_bore(const ToolSolid& turning) {
     const auto& outline = turning.outline();
     double radius = turning.largest_radius();
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
-        if (outline[i].radius > 0.0 && outline[i].radius == outline[i + 1].radius) radius = std::min(radius, outline[i].radius);
+        if (outline[i].radius > 0.0 && outline[i].radius == outline[i + 1].radius)
+            radius = std::min(radius, outline[i].radius);
     return 2.0 * radius;
 }
 
@@ -79,9 +88,11 @@ void check_reach(const Procedure& procedure, std::size_t rehearsal, const Docume
             if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
         if (deepest == -HUGE_VAL || deepest >= asked) continue;
         const Node* depth = waypoint_in(document, rehearsal, where, "depth");
-        report.warning(Code::short_of_goal, depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
-                       "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id + "`, whose goal is a depth of at least " +
-                           quantity_text(asked, "mm") + ". Lead it as deep, or write how it is expected to fail.",
+        report.warning(Code::short_of_goal,
+                       depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
+                       "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id +
+                           "`, whose goal is a depth of at least " + quantity_text(asked, "mm") +
+                           ". Lead it as deep, or write how it is expected to fail.",
                        quantity_text(asked, "mm"));
     }
 }
@@ -97,8 +108,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
         if (tools.insert(procedure.steps[i].instrument).second && tools.size() == most_tools + 1)
             report.error(Code::too_many_tools, span_in(document, "steps", i, "instrument"),
-                         "This is the " + std::to_string(tools.size()) + "th instrument in use, must be at most " + std::to_string(most_tools) +
-                             ". Use one of the others, or make two procedures of it.");
+                         "This is the " + std::to_string(tools.size()) + "th instrument in use, must be at most " +
+                             std::to_string(most_tools) + ". Use one of the others, or make two procedures of it.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
         if (path.size() < 2)
@@ -114,7 +125,8 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
     }
 }
 
-void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics) {
+void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why,
+                 Diagnostics& diagnostics) {
     const auto read = document_of(procedure);
     const Document& document = *read;
     const Node* instruments = document.root.find("instruments");
@@ -123,30 +135,40 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
     const Node* plugin = node != nullptr ? node->find("plugin") : nullptr;
     const std::string component = tool != nullptr && plugin != nullptr ? plugin->text + "/" + tool->text : "";
     Report(document, diagnostics)
-        .error(Code::impossible_tool, tool != nullptr ? tool->span : node != nullptr ? node->span : TextSpan{},
-               why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
+        .error(
+            Code::impossible_tool,
+            tool != nullptr   ? tool->span
+            : node != nullptr ? node->span
+                              : TextSpan{},
+            why + (component.empty() ? "" : " Change them: `kerf describe " + component + "` tells what they mean."));
 }
 
 namespace {
 
 /// Of what a tool leaves: a saw's kerf, the narrowest hole of what turns [m].
-double width_of_cut(const ToolSolid& cutting) { return cutting.is_prism() ? cutting.thickness() : narrowest_bore(cutting); }
+double width_of_cut(const ToolSolid& cutting) {
+    return cutting.is_prism() ? cutting.thickness() : narrowest_bore(cutting);
+}
 double coarsest_for(const ToolSolid& cutting, double width) { return width / (cutting.is_prism() ? 2.0 : 4.0); }
 
 }  // namespace
 
 double coarsest_spacing(const ToolSolid& cutting) { return coarsest_for(cutting, width_of_cut(cutting)); }
 
-void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics) {
+void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                        Diagnostics& diagnostics) {
     const double width = width_of_cut(cutting), coarsest = coarsest_for(cutting, width);
     if (procedure.spacing <= coarsest * (1.0 + 1e-9)) return;
     const auto document = document_of(procedure);
     const Node* accuracy = document->root.find("accuracy");
     const Node* spacing = accuracy != nullptr ? accuracy->find("spacing") : nullptr;
-    const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ": ", needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
+    const std::string voxels = " voxels of " + in_mm(procedure.spacing) + ": ",
+                      needed = in_mm(std::floor(coarsest / 0.01e-3 + 1e-6) * 0.01e-3);
     const std::string what = cutting.is_prism()
-                                 ? "The saw's kerf of " + in_mm(width) + " is narrower than two" + voxels + "its slot is lost between samples."
-                                 : "The hole that `" + instrument + "` makes, " + in_mm(width) + " wide, is narrower than four" + voxels +
+                                 ? "The saw's kerf of " + in_mm(width) + " is narrower than two" + voxels +
+                                       "its slot is lost between samples."
+                                 : "The hole that `" + instrument + "` makes, " + in_mm(width) +
+                                       " wide, is narrower than four" + voxels +
                                        "its wall is not known where it is, and the tool meets bone that it has cut.";
     Report(*document, diagnostics)
         .warning(cutting.is_prism() ? Code::narrow_kerf : Code::narrow_hole,
@@ -154,32 +176,44 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
                  what + " It needs a spacing of " + needed + " or less.", needed);
 }
 
-void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force, Diagnostics& diagnostics) {
+void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,
+                       Diagnostics& diagnostics) {
     if (work_force > 0.0 || procedure.force_scale) return;
     const auto document = document_of(procedure);
     const Node* haptics = document->root.find("haptics");
     const Node* instruments = document->root.find("instruments");
     Report(*document, diagnostics)
-        .warning(Code::no_force_scale, haptics != nullptr ? haptics->span : instruments != nullptr ? instruments->span : TextSpan{},
-                 "No tool cuts with the drives and coefficients that it is given, so no force scale is made to fit: at 1/1 the device holds " +
-                     quantity_text(device.peak_force, "N") + ". A tool that is pushed needs `force_scale:` under `haptics:`, such as 1/50 for 100 N at 2 N.");
+        .warning(Code::no_force_scale,
+                 haptics != nullptr       ? haptics->span
+                 : instruments != nullptr ? instruments->span
+                                          : TextSpan{},
+                 "No tool cuts with the drives and coefficients that it is given, so no force scale is made to fit: at "
+                 "1/1 the device holds " +
+                     quantity_text(device.peak_force, "N") +
+                     ". A tool that is pushed needs `force_scale:` under `haptics:`, such as 1/50 for 100 N at 2 N.");
 }
 
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
     const auto document = document_of(procedure);
-    const auto fastest = std::max_element(procedure.rehearsals.begin(), procedure.rehearsals.end(), [](const auto& a, const auto& b) { return a.feed < b.feed; });
+    const auto fastest = std::max_element(procedure.rehearsals.begin(), procedure.rehearsals.end(),
+                                          [](const auto& a, const auto& b) { return a.feed < b.feed; });
     const auto is_held = [&](const Rehearsal& rehearsal) { return rehearsal.push * force_scale <= device.friction; };
     const double needed = std::ceil(1.5 * device.friction / force_scale);
     const std::string scale = "at the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale));
     // No hand pushes so hard: one feed is wrong, not all the pushes.
-    if (needed > hardest_push && !procedure.force_scale && std::any_of(procedure.rehearsals.begin(), procedure.rehearsals.end(), is_held)) {
+    if (needed > hardest_push && !procedure.force_scale &&
+        std::any_of(procedure.rehearsals.begin(), procedure.rehearsals.end(), is_held)) {
         std::string held;
         for (const Rehearsal& rehearsal : procedure.rehearsals)
             if (is_held(rehearsal)) held += (held.empty() ? "`" : ", `") + rehearsal.id + "`";
         Report(*document, diagnostics)
-            .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", static_cast<std::size_t>(fastest - procedure.rehearsals.begin()), "hand"),
-                     "The hand of `" + fastest->id + "` feeds with " + quantity_text(fastest->feed, "mm/s") + ". The force scale follows from how hard bone resists at the fastest feed, and " +
-                         scale + " the push of " + held + " is less at the device than its friction of " + quantity_text(device.friction, "N") +
+            .warning(Code::hand_held_by_friction,
+                     span_in(*document, "rehearsals", static_cast<std::size_t>(fastest - procedure.rehearsals.begin()),
+                             "hand"),
+                     "The hand of `" + fastest->id + "` feeds with " + quantity_text(fastest->feed, "mm/s") +
+                         ". The force scale follows from how hard bone resists at the fastest feed, and " + scale +
+                         " the push of " + held + " is less at the device than its friction of " +
+                         quantity_text(device.friction, "N") +
                          ": who pushes so stands still. Feed more slowly, or write `force_scale:` under `haptics:`.");
         return;
     }
@@ -188,10 +222,14 @@ void check_hands(const Procedure& procedure, const DeviceRecord& device, double 
         if (!is_held(rehearsal)) continue;
         Report(*document, diagnostics)
             .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", i, "hand"),
-                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; " + scale + " that is less at the device than its friction of " +
-                         quantity_text(device.friction, "N") + ", and it stands still. It needs a push of " + quantity_text(needed, "N") +
-                         " or more" +
-                         (procedure.force_scale ? std::string(".") : ", or a slower feed: the scale follows from how hard bone resists at the fastest, " + quantity_text(fastest->feed, "mm/s") + " of `" + fastest->id + "`."),
+                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; " +
+                         scale + " that is less at the device than its friction of " +
+                         quantity_text(device.friction, "N") + ", and it stands still. It needs a push of " +
+                         quantity_text(needed, "N") + " or more" +
+                         (procedure.force_scale
+                              ? std::string(".")
+                              : ", or a slower feed: the scale follows from how hard bone resists at the fastest, " +
+                                    quantity_text(fastest->feed, "mm/s") + " of `" + fastest->id + "`."),
                      quantity_text(needed, "N"));
     }
 }
@@ -203,36 +241,43 @@ void check_time(const Procedure& procedure, std::size_t rehearsal, double least_
     const Node* limit = document->root.find("time_limit");
     const std::string needed = quantity_text(std::ceil(least_time), "s");
     Report(*document, diagnostics)
-        .warning(Code::short_of_time, limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),
-                 "The run ends after " + quantity_text(procedure.time_limit, "s") + "; the hand of `" + r.id + "`, which expects to pass, needs " + needed +
+        .warning(Code::short_of_time,
+                 limit != nullptr ? limit->span : span_in(*document, "rehearsals", rehearsal, "path"),
+                 "The run ends after " + quantity_text(procedure.time_limit, "s") + "; the hand of `" + r.id +
+                     "`, which expects to pass, needs " + needed +
                      " at least for its path at its approach and feed. Write a longer `time_limit:`, or a faster hand.",
                  needed);
 }
 
-void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region, Diagnostics& diagnostics) {
+void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                      const Region& region, Diagnostics& diagnostics) {
     if (!cutting.is_prism() || !region.is_bounded()) return;
     const Vec3 size = region.high - region.low;
-    const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}), width = 2.0 * cutting.largest_radius();
+    const double least = std::min({size.x, size.y, size.z}), most = std::max({size.x, size.y, size.z}),
+                 width = 2.0 * cutting.largest_radius();
     const bool is_thick = cutting.thickness() >= least;
     if (!is_thick && width < most) return;
     const auto document = document_of(procedure);
     Report(*document, diagnostics)
         .error(Code::blade_beyond_region, span_of_instrument(*document, instrument, "tool"),
-               "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) + (is_thick ? " across" : " of width") +
-                   "; bone can be cut in a region of " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
+               "The blade sweeps " + in_mm(is_thick ? cutting.thickness() : width) +
+                   (is_thick ? " across" : " of width") + "; bone can be cut in a region of " + in_mm(size.x) + " × " +
+                   in_mm(size.y) + " × " + in_mm(size.z) +
                    ". Take a blade that fits in, or plan the axis so that the region is larger.");
 }
 
 namespace {
 
-/// How far the solid reaches beyond the region where there is bone, which goes on there as at the region's nearest face [m].
+/// How far the solid reaches beyond the region where there is bone, which goes on there as at the region's nearest face
+/// [m].
 double reach_beyond(const Body& body, const ToolSolid& cutting, const Pose& body_from_tool) {
     double farthest = 0.0;
     cutting.for_each_ring(body.grid().spacing, [&](const std::array<Vec3, 8>& ring) {
         for (const Vec3 point : ring) {
             const Vec3 p = body_from_tool * point;
             const double beyond = body.region.distance_outside(p);
-            if (beyond > farthest && uncut_distance(body, locate(body.grid(), body.region.nearest(p))) < 0.0) farthest = beyond;
+            if (beyond > farthest && uncut_distance(body, locate(body.grid(), body.region.nearest(p))) < 0.0)
+                farthest = beyond;
         }
     });
     return farthest;
@@ -240,8 +285,9 @@ double reach_beyond(const Body& body, const ToolSolid& cutting, const Pose& body
 
 }  // namespace
 
-void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames, const std::vector<const ToolSolid*>& cutting,
-                               const Body& body, Diagnostics& diagnostics) {
+void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames,
+                               const std::vector<const ToolSolid*>& cutting, const Body& body,
+                               Diagnostics& diagnostics) {
     if (!body.region.is_bounded()) return;
     const auto document = document_of(procedure);
     Report report(*document, diagnostics);
@@ -255,8 +301,10 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
             const Node* where = waypoint_in(*document, r, w);
             report.warning(Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
                            "Here `" + procedure.steps[waypoint.step].instrument + "` would stand " + in_mm(beyond) +
-                               " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) + " × " + in_mm(size.z) +
-                               " around the planned axes: bone stands there like a wall, and the hand stops at it. Stay within, or give the anatomy an axis that leads as far.");
+                               " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) +
+                               " × " + in_mm(size.z) +
+                               " around the planned axes: bone stands there like a wall, and the hand stops at it. "
+                               "Stay within, or give the anatomy an axis that leads as far.");
         }
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "core/field/body.h"
 #include "core/field/region.h"
 #include "core/field/tool_solid.h"
@@ -12,35 +16,42 @@
 /// What a procedure asks of a run, each complaint at its place in the document.
 namespace kerf {
 
-/// Refuses a device without a record, too many instruments, and rehearsals that cannot be carried out; warns of those that stop short of
-/// their goals. None of it needs the bone.   [main]
+/// Refuses a device without a record, too many instruments, and rehearsals that cannot be carried out; warns of those
+/// that stop short of their goals. None of it needs the bone.   [main]
 void check_run(const Procedure& procedure, Diagnostics& diagnostics);
 
 /// The plugin refuses an instrument, and `why`.   [main]
-void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why, Diagnostics& diagnostics);
+void refuse_tool(const Procedure& procedure, const std::string& instrument, const std::string& why,
+                 Diagnostics& diagnostics);
 
-/// The spacing [m] at which a cut is as many voxels wide as it takes: two for a blade's kerf, four for a turning tool's hole.   [any] pure.
+/// The spacing [m] at which a cut is as many voxels wide as it takes: two for a blade's kerf, four for a turning tool's
+/// hole.   [any] pure.
 [[nodiscard]] double coarsest_spacing(const ToolSolid& cutting);
 /// Warns of a blade whose kerf is under two voxels, and of a turning tool whose hole is under four.   [main]
-void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, Diagnostics& diagnostics);
+void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                        Diagnostics& diagnostics);
 
-/// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.   [main]
+/// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.
+/// [main]
 void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
 
 /// Warns of tools that take no force to cut with [N], to which no force scale can be made to fit.   [main]
-void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force, Diagnostics& diagnostics);
+void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,
+                       Diagnostics& diagnostics);
 
 /// Warns of a rehearsal that expects to pass and whose path takes longer [s] than a run may.   [main]
 void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics);
 
 /// Refuses a blade that is thicker or wider than the region in which bone can be cut.   [main]
-void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting, const Region& region,
-                      Diagnostics& diagnostics);
+void check_blade_fits(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
+                      const Region& region, Diagnostics& diagnostics);
 
-/// Warns of waypoints at which what cuts would stand in bone beyond the region in which bone can be cut: there bone stands like a wall.
+/// Warns of waypoints at which what cuts would stand in bone beyond the region in which bone can be cut: there bone
+/// stands like a wall.
 /// @param frames    one per step
 /// @param cutting   the cutting region of each step's tool   [main]
-void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames, const std::vector<const ToolSolid*>& cutting,
-                               const Body& body, Diagnostics& diagnostics);
+void check_waypoints_in_region(const Procedure& procedure, const std::vector<AxisFrame>& frames,
+                               const std::vector<const ToolSolid*>& cutting, const Body& body,
+                               Diagnostics& diagnostics);
 
 }  // namespace kerf

@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "app/belongings.h"
 #include "app/hand_inputs.h"
@@ -64,7 +69,8 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     row.commanded = result.command.wrench;
     row.thrust = result.thrust;
     row.torque = result.torque;
-    row.depth = scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
+    row.depth =
+        scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
     row.feed_rate = result.rate[2];
     row.tissue = tissue_at(scene, simulation, result.world_from_tool.position);
     row.iterations = result.iterations;
@@ -78,10 +84,11 @@ std::string text_of(const Separation& separation) {
     const auto volume = [](double v) { return quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
     std::string text;
     if (separation.parts.size() > 1)
-        for (const auto& part : separation.parts) text += (text.empty() ? "body " : ", body ") + std::to_string(part.body) + ": " + volume(part.volume);
+        for (const auto& part : separation.parts)
+            text += (text.empty() ? "body " : ", body ") + std::to_string(part.body) + ": " + volume(part.volume);
     if (separation.crumbs == 0) return text;
-    return text + (text.empty() ? "" : "; ") + std::to_string(separation.crumbs) + (separation.crumbs == 1 ? " crumb, " : " crumbs, ") +
-           volume(separation.crumb_volume);
+    return text + (text.empty() ? "" : "; ") + std::to_string(separation.crumbs) +
+           (separation.crumbs == 1 ? " crumb, " : " crumbs, ") + volume(separation.crumb_volume);
 }
 
 /// What was cut already when a step began.
@@ -115,19 +122,23 @@ private:
 };
 
 /// What the cut of a step, and no earlier one, has left of all bodies, each seen where it was before it moved.
-std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before, const StepMonitor& monitor,
-                               std::size_t step) {
+std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
+                               const StepMonitor& monitor, std::size_t step) {
     const AxisFrame& frame = scene.frames[step];
     if (frame.across == Vec3{}) return {};
-    const WallWindow window{.entry = frame.entry, .along = frame.along, .normal = frame.across,
-                            .half_width = scene.tool(step).outline.cutting.largest_radius(), .depth = std::max(0.0, monitor.steps()[step].deepest)};
+    const WallWindow window{.entry = frame.entry,
+                            .along = frame.along,
+                            .normal = frame.across,
+                            .half_width = scene.tool(step).outline.cutting.largest_radius(),
+                            .depth = std::max(0.0, monitor.steps()[step].deepest)};
     std::vector<Vec3> points;
     const PresentBone& bone = simulation.present();
     for (std::size_t body = 0; body < bone.count(); ++body) {
         const Body& whole = *bone.piece(body).bone;
         std::vector<Vec3> some;
         add_wall_points(whole, bone.cut(body), window, some);
-        std::copy_if(some.begin(), some.end(), std::back_inserter(points), [&](Vec3 p) { return !before.reaches(whole, body, p); });
+        std::copy_if(some.begin(), some.end(), std::back_inserter(points),
+                     [&](Vec3 p) { return !before.reaches(whole, body, p); });
     }
     return fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
 }
@@ -173,8 +184,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         outcome.is_bad_input = true;
         return outcome;
     }
-    const auto rehearsal = std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
-                                        [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
+    const auto rehearsal =
+        std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
+                     [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
 
     RunSummary& summary = outcome.summary;
     summary.procedure = scene.procedure.id;
@@ -187,7 +199,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     summary.force_scale = scene.gains.force_scale;
     summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
     summary.versions.emplace_back("kerf", KERF_VERSION);
-    for (const auto& plugin : plugins.plugins()) summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
+    for (const auto& plugin : plugins.plugins())
+        summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
     for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
     const SignalTable signals(scene.tools);
     summary.signals = signals.columns;
@@ -215,7 +228,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         header.envelope.start = utc_now();
         header.envelope.learner = request.learner;
         header.envelope.mode = request.mode;
-        header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness, scene.procedure.variant};
+        header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
+                             scene.procedure.variant};
         header.signals = summary.signals;
         header.tissues = summary.tissues;
         auto created = Recorder::create(request.out + "/session.db", header);
@@ -250,7 +264,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         if (recorder) recorder->push_event(event);
         outcome.events.push_back(Recorder::as_kept(std::move(event)));
     };
-    const auto add_event = [&](const std::string& id, const std::string& detail) { add_event_at(simulation.ticks() - 1, id, detail); };
+    const auto add_event = [&](const std::string& id, const std::string& detail) {
+        add_event_at(simulation.ticks() - 1, id, detail);
+    };
 
     // Undo and redo leave other bodies than there were.
     const auto find_owners = [&] {
@@ -297,13 +313,16 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             if (!why_not.empty()) {
                 add_event_at(simulation.ticks(), "hand.refused", text_of(input) + ": " + why_not);
             } else if (input.kind != HandInput::Kind::drive) {
-                if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo || input.kind == HandInput::Kind::subtract) record_cuts();
+                if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
+                    input.kind == HandInput::Kind::subtract)
+                    record_cuts();
                 if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) find_owners();
                 before.follow(simulation.present());
             }
         }
         const Pose handle = without_negative_zeros(is_replay ? request.replay[simulation.ticks()] : hand.reported());
-        const TickResult result = scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});
+        const TickResult result =
+            scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});
         simulation.after_tick();
         if (!is_replay) hand.step(result.command);
 
@@ -312,7 +331,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         where_they_are();
         const double now = static_cast<double>(simulation.ticks() - 1) * Simulation::dt;
         const std::size_t step = monitor.current();
-        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0 && !result.is_at_metal, result.thrust, world_from_body, simulation.held()},
+        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0 && !result.is_at_metal,
+                         result.thrust, world_from_body, simulation.held()},
                         simulation.outline().cutting);
         const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, removed);
         add_tick(hash, row);
@@ -320,7 +340,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
         if (monitor.current() != step) {
             removed = simulation.present().removed();
-            monitor.judge_cut(step, wall_of(scene, simulation, before, monitor, step), removed - removed_before_step, now);
+            monitor.judge_cut(step, wall_of(scene, simulation, before, monitor, step), removed - removed_before_step,
+                              now);
             removed_before_step = removed;
             before.begin(simulation.present());
             for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
@@ -335,8 +356,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             }
         }
         if (request.progress && simulation.ticks() % 250 == 0)
-            request.progress(is_replay ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
-                                       : static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
+            request.progress(is_replay
+                                 ? static_cast<double>(simulation.ticks()) / static_cast<double>(request.replay.size())
+                                 : static_cast<double>(hand.leg()) / static_cast<double>(plan.intent.legs.size()),
                              "working, " + std::to_string(simulation.ticks() / 1000) + " s simulated");
         if (result.is_quarantined && linear(result.command.wrench) == Vec3{}) {  // it has faded
             end = RunEnd::fault;
@@ -373,7 +395,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const PresentBone& bone = simulation.present();
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)), surface_file(body)});
-    for (MetricRow& row : piece_metrics(summary, bone_volume(scene.body, CutField(scene.body, 0)) + bone.added(), bone.crumbs(), bone.crumb_volume()))
+    for (MetricRow& row : piece_metrics(summary, bone_volume(scene.body, CutField(scene.body, 0)) + bone.added(),
+                                        bone.crumbs(), bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
     outcome.is_as_expected = ended_as_expected(*rehearsal, monitor, summary.verdict);
 
@@ -385,8 +408,9 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
           write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
         if (!error.empty()) outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
     for (const PieceRow& piece : summary.pieces)
-        if (const std::string error = write_file(request.out + "/" + piece.file,
-                                                 stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body))));
+        if (const std::string error =
+                write_file(request.out + "/" + piece.file,
+                           stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body))));
             !error.empty())
             outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
     return outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,13 +13,15 @@
 namespace kerf {
 
 struct RunRequest {
-    std::string rehearsal;   ///< id; empty: the first
-    std::string out;         ///< folder for session.db, summary.json, report.html, bone.stl, bone-1.stl …; empty: nothing is written
+    std::string rehearsal;  ///< id; empty: the first
+    std::string
+        out;  ///< folder for session.db, summary.json, report.html, bone.stl, bone-1.stl …; empty: nothing is written
     std::string learner, mode = "practice";
     std::vector<Pose> replay;  ///< device poses of a recorded run: the hand does what it did then
-    std::vector<std::uint64_t> adoptions;  ///< of that run: the ticks after which the loop took over what had come apart
+    std::vector<std::uint64_t>
+        adoptions;                     ///< of that run: the ticks after which the loop took over what had come apart
     HandInputs::Recorded hand_inputs;  ///< of that run: what else was asked for, and before which tick
-    std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
+    std::function<bool()> is_interrupted;                                 ///< asked after every tick; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };
 
@@ -28,8 +31,8 @@ struct RunOutcome {
     std::vector<TickRow> ticks;
     std::vector<EventRow> events;
     bool was_interrupted = false;  ///< outputs are written all the same
-    std::string error;       ///< for people; not empty: the run could not be made or written
-    bool is_bad_input = false;  ///< the error is the user's input
+    std::string error;             ///< for people; not empty: the run could not be made or written
+    bool is_bad_input = false;     ///< the error is the user's input
 };
 
 /// Why a procedure has no such rehearsal, empty: the first, with what to write; empty if it has.   [any] pure.

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/procedure/quantity.h"
 #include "kerf/units.hpp"
@@ -17,7 +21,8 @@ using namespace literals;
 std::string millimetres(double metres) {
     char text[32];
     const long tenths = static_cast<long>(metres * 1e4 + (metres >= 0.0 ? 0.5 : -0.5));
-    std::snprintf(text, sizeof text, "%s%ld.%ld mm", tenths < 0 ? "-" : "", std::labs(tenths) / 10, std::labs(tenths) % 10);
+    std::snprintf(text, sizeof text, "%s%ld.%ld mm", tenths < 0 ? "-" : "", std::labs(tenths) / 10,
+                  std::labs(tenths) % 10);
     return text;
 }
 
@@ -35,10 +40,13 @@ std::string how_far(const LimitState& limit) {
 
 std::string what_was_missed(const Goal& goal, const StepState& state) {
     if (goal.quantity == "entry")
-        return state.has_met_bone_still ? "the tool stood on the bone, but it was not running" : "the tool never met bone";
+        return state.has_met_bone_still ? "the tool stood on the bone, but it was not running"
+                                        : "the tool never met bone";
     if (goal.quantity == "separated") return "the bone did not come apart";
     if (goal.quantity == "held") return "the piece was never held";
-    if (goal.quantity == "moved") return "the piece was moved " + millimetres(state.moved) + ", must be at least " + millimetres(*goal.bound.at_least);
+    if (goal.quantity == "moved")
+        return "the piece was moved " + millimetres(state.moved) + ", must be at least " +
+               millimetres(*goal.bound.at_least);
     std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
     if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
     if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);
@@ -54,7 +62,8 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         const StepState& state = monitor.steps()[s];
         if (!state.start) continue;
         const std::string& id = state.step->id;
-        const auto length_row = [&](std::string name, double value, double uncertainty, std::string status, std::string help) {
+        const auto length_row = [&](std::string name, double value, double uncertainty, std::string status,
+                                    std::string help) {
             MetricRow row;
             row.id = id + "." + name;
             row.scope = id;
@@ -67,13 +76,17 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             rows.push_back(std::move(row));
         };
         if (!state.step->cuts()) {
-            length_row("moved", state.moved, half_voxel, "info", "How far the piece was from where it had been, at the step's entry.");
+            length_row("moved", state.moved, half_voxel, "info",
+                       "How far the piece was from where it had been, at the step's entry.");
             continue;
         }
-        length_row("depth", std::max(0.0, state.deepest), half_voxel, "info", "Deepest tip position in bone, along the planned axis from its entry.");
+        length_row("depth", std::max(0.0, state.deepest), half_voxel, "info",
+                   "Deepest tip position in bone, along the planned axis from its entry.");
         if (state.has_cut_bone()) {  // of one that cut nothing nobody knows how well it was aimed
-            length_row("entry-offset", state.entry_offset, half_voxel, "info", "Distance of the tip from the planned axis when it first cut bone.");
-            length_row("offset", state.farthest_offset, half_voxel, "info", "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
+            length_row("entry-offset", state.entry_offset, half_voxel, "info",
+                       "Distance of the tip from the planned axis when it first cut bone.");
+            length_row("offset", state.farthest_offset, half_voxel, "info",
+                       "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
         }
         for (const auto& limit : state.limits) {
             if (limit.limit->quantity != "clearance" || !limit.is_seen) continue;
@@ -93,7 +106,8 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         if (state.is_done() && scene.frames[s].across != Vec3{}) {
             const auto status_of = [&](const char* quantity) {
                 for (const auto& limit : state.limits)
-                    if (limit.limit->quantity == quantity) return limit.broken_at ? "broken" : limit.is_seen ? "ok" : "not measured";
+                    if (limit.limit->quantity == quantity)
+                        return limit.broken_at ? "broken" : limit.is_seen ? "ok" : "not measured";
                 return "info";
             };
             if (state.wall) {
@@ -106,9 +120,12 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
                 angle.unit = "deg";
                 angle.per_unit = 1.0_deg;
                 angle.status = status_of("plane_angle");
-                angle.help = "Between the plane of least squares through the wall that the cut left and the planned plane.";
-                length_row("plane-offset", state.wall->offset, sharp, status_of("plane_offset"), "Of the wall's middle from where a blade in the planned plane would leave it.");
-                length_row("flatness", state.wall->flatness, 2.0 * sharp, status_of("flatness"), "Between two planes along that of least squares that hold the wall.");
+                angle.help =
+                    "Between the plane of least squares through the wall that the cut left and the planned plane.";
+                length_row("plane-offset", state.wall->offset, sharp, status_of("plane_offset"),
+                           "Of the wall's middle from where a blade in the planned plane would leave it.");
+                length_row("flatness", state.wall->flatness, 2.0 * sharp, status_of("flatness"),
+                           "Between two planes along that of least squares that hold the wall.");
             }
             MetricRow& volume = rows.emplace_back();
             volume.id = id + ".removed";
@@ -132,7 +149,8 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
     return rows;
 }
 
-std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs, double crumb_volume) {
+std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,
+                                     double crumb_volume) {
     if (summary.pieces.size() < 2 && crumbs == 0) return {};
     std::vector<MetricRow> rows;
     const auto row = [&](std::string id, double value, std::string unit, double per_unit, std::string help) {
@@ -146,14 +164,17 @@ std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, s
         added.help = std::move(help);
     };
     double after = summary.removed + crumb_volume;
-    row("bone.pieces", static_cast<double>(summary.pieces.size()), "", 1.0, "Pieces of bone at the end, without crumbs.");
+    row("bone.pieces", static_cast<double>(summary.pieces.size()), "", 1.0,
+        "Pieces of bone at the end, without crumbs.");
     for (const PieceRow& piece : summary.pieces) {
         after += piece.volume;
-        row("bone.piece-" + std::to_string(piece.body), piece.volume, "mm3", 1e-9, "Volume of this piece, in " + piece.file + ".");
+        row("bone.piece-" + std::to_string(piece.body), piece.volume, "mm3", 1e-9,
+            "Volume of this piece, in " + piece.file + ".");
     }
     row("bone.crumbs", static_cast<double>(crumbs), "", 1.0, "Pieces under 10 mm3: they are washed away.");
     row("bone.crumb-volume", crumb_volume, "mm3", 1e-9, "Bone in them.");
-    row("bone.balance", before > 0.0 ? (after - before) / before : 0.0, "%", 0.01, "Pieces, removed bone and crumbs together, over the bone before, less one.");
+    row("bone.balance", before > 0.0 ? (after - before) / before : 0.0, "%", 0.01,
+        "Pieces, removed bone and crumbs together, over the bone before, less one.");
     return rows;
 }
 
@@ -165,7 +186,8 @@ MetricRow port_energy_row(const PassivityGuard& guard) {
     row.unit = "mJ";
     row.per_unit = 1e-3;
     row.status = guard.corrections() > 0 ? "corrected" : "ok";
-    row.help = "Least balance of the energy the device exchanged with the hand; below -0.1 mJ a damper takes the excess back.";
+    row.help =
+        "Least balance of the energy the device exchanged with the hand; below -0.1 mJ a damper takes the excess back.";
     return row;
 }
 
@@ -173,12 +195,19 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
     int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;
     for (const auto& state : monitor.steps()) {
-        StepRow row{state.step->id, state.step->title, state.is_done(), state.start.value_or(0.0), state.end.value_or(duration), {}};
+        StepRow row{state.step->id,
+                    state.step->title,
+                    state.is_done(),
+                    state.start.value_or(0.0),
+                    state.end.value_or(duration),
+                    {}};
         for (const auto& limit : state.limits) {
             ++demands;
             if (state.is_done() && limit.limit->is_of_wall() && !limit.is_seen) {
                 is_missing = true;
-                summary.reasons.push_back("Step `" + state.step->id + "`: its cut left no wall near the planned plane to measure " + limit.limit->quantity + " on.");
+                summary.reasons.push_back("Step `" + state.step->id +
+                                          "`: its cut left no wall near the planned plane to measure " +
+                                          limit.limit->quantity + " on.");
                 continue;
             }
             if (!limit.broken_at) {
@@ -195,7 +224,8 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
             met += state.goal_done[g];
             if (state.goal_done[g]) continue;
             is_missing = true;
-            summary.reasons.push_back("Step `" + state.step->id + "`: " + what_was_missed(state.step->goals[g], state) + ".");
+            summary.reasons.push_back("Step `" + state.step->id + "`: " + what_was_missed(state.step->goals[g], state) +
+                                      ".");
         }
         if (!state.is_done() && !is_missing && !is_broken) {
             is_missing = true;
@@ -205,13 +235,15 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
     }
     if (end == RunEnd::time_over) summary.reasons.push_back("The time of the procedure was over.");
     if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
-    if (end == RunEnd::unrecorded) summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
+    if (end == RunEnd::unrecorded)
+        summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
     is_missing = is_missing || end == RunEnd::interrupted || end == RunEnd::unrecorded;
     summary.verdict = end == RunEnd::fault ? Verdict::invalid
                       : is_broken          ? Verdict::fail
                       : is_missing         ? Verdict::incomplete
                                            : Verdict::pass;
-    if (end == RunEnd::fault) summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
+    if (end == RunEnd::fault)
+        summary.reasons.insert(summary.reasons.begin(), "The force law or the solve failed; force was released.");
     summary.score = demands > 0 ? 100.0 * met / demands : 100.0;
 }
 

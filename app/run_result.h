@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "app/scene.h"
 #include "core/session/recording.h"
 
@@ -13,7 +16,8 @@ enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrec
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
 
 /// What came of the bone, if it came apart: pieces, crumbs, and the balance with the bone `before` [m³].   [any] pure.
-[[nodiscard]] std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs, double crumb_volume);
+[[nodiscard]] std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,
+                                                   double crumb_volume);
 
 /// How passive the loop was.   [any] pure.
 [[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);

@@ -2,6 +2,8 @@
 #include "app/scene.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "app/run_checks.h"
@@ -22,7 +24,8 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 }
 
 /// An implant is read like a bone of one tissue, at its place in the procedure.
-std::optional<Body> implant_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics, ImportReport& import) {
+std::optional<Body> implant_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics,
+                                 ImportReport& import) {
     Anatomy surface;
     surface.file = procedure.file;
     surface.text = procedure.text;
@@ -66,7 +69,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     scene.body = std::move(*body);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
         const auto user = std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool);
-        check_blade_fits(scene.procedure, scene.procedure.steps[static_cast<std::size_t>(user - scene.tool_of_step.begin())].instrument,
+        check_blade_fits(scene.procedure,
+                         scene.procedure.steps[static_cast<std::size_t>(user - scene.tool_of_step.begin())].instrument,
                          scene.tools[tool].outline.cutting, scene.body.region, diagnostics);
     }
     for (const Implant& implant : scene.procedure.implants) {
@@ -83,7 +87,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         check_axis(scene.anatomy, *axis, found, diagnostics);
         const auto plane = std::find_if(scene.anatomy.planes.begin(), scene.anatomy.planes.end(),
                                         [&](const LandmarkPlane& p) { return p.id == step.plane; });
-        scene.frames.push_back(axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
+        scene.frames.push_back(
+            axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
         scene.share_in_bone.push_back(found.share);
     }
     if (has_error(diagnostics)) return std::nullopt;
@@ -94,8 +99,10 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
     double feed = 0.0;
     for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
-    for (const Tool& tool : scene.tools) scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
-    scene.gains = gains_for(*scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
+    for (const Tool& tool : scene.tools)
+        scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
+    scene.gains = gains_for(*scene.device,
+                            scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
     check_force_scale(scene.procedure, *scene.device, scene.work_force, diagnostics);
     check_hands(scene.procedure, *scene.device, scene.gains.force_scale, diagnostics);
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,17 +25,17 @@ struct Scene {
     Procedure procedure;
     Anatomy anatomy;
     Body body;
-    std::vector<AxisFrame> frames;      ///< one per step
-    std::vector<double> share_in_bone;  ///< of each step's axis behind its entry [–]
+    std::vector<AxisFrame> frames;          ///< one per step
+    std::vector<double> share_in_bone;      ///< of each step's axis behind its entry [–]
     std::vector<Tool> tools;                ///< those that steps use
     std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
-    std::vector<Body> implants;         ///< that a hand may bring in, in the tool's frame
+    std::vector<Body> implants;  ///< that a hand may bring in, in the tool's frame
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
-    double work_force = 0.0;            ///< [N] the scale was made for
-    ImportReport import;                ///< what import did
-    std::uint64_t anatomy_hash = 0;     ///< of the anatomy's text and its data files
+    double work_force = 0.0;         ///< [N] the scale was made for
+    ImportReport import;             ///< what import did
+    std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and its data files
 };
 
 /// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.

@@ -2,6 +2,7 @@
 #include "app/shipped.h"
 
 #include <filesystem>
+#include <system_error>
 
 namespace kerf {
 

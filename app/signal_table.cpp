@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/signal_table.h"
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "core/procedure/quantity.h"

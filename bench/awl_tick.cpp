@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick costs while a tip that does not turn is pushed: an awl of 4 mm led through bone at 2 mm/s, beside a drill of 3.2 mm that cuts
-// cortex at the same rate. Time on the processor, of this thread, in one run; each row is gone through three times.
+// What a tick costs while a tip that does not turn is pushed: an awl of 4 mm led through bone at 2 mm/s, beside a drill
+// of 3.2 mm that cuts cortex at the same rate. Time on the processor, of this thread, in one run; each row is gone
+// through three times.
 //
 //     drill     it turns, 3 … 6 mm deep in cortex
 //     stands    on cortex with the spring of its contact: bone is asked each tick whether it gives way
@@ -10,7 +11,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "conformance/times.h"
+#include "studies/times.h"
 #include "tests/support/drill_rig.h"
 
 namespace {
@@ -31,7 +32,11 @@ struct Row {
 
 ToolSetup tool_of(const Row& row) {
     if (row.turns) return test::twist_drill();
-    return test::drill("profile_drill", {{"spindle_speed", 0.0}, {"diameter", 0.5_mm}, {"point_angle", 60.0_deg}, {"depth_1", 6.96_mm}, {"diameter_1", 4.0_mm}});
+    return test::drill("profile_drill", {{"spindle_speed", 0.0},
+                                         {"diameter", 0.5_mm},
+                                         {"point_angle", 60.0_deg},
+                                         {"depth_1", 6.96_mm},
+                                         {"diameter_1", 4.0_mm}});
 }
 
 void go_through(const Row& row, double h, std::vector<double>& microseconds) {
@@ -50,13 +55,15 @@ void go_through(const Row& row, double h, std::vector<double>& microseconds) {
 void measure(double h) {
     std::printf("spacing %.2f mm\n", h / 1.0_mm);
     double of_drill = 0.0;
-    for (const Row& row : {Row{"drill", true, 12.0_mm, 1850.0, 3.0_mm, 6.0_mm}, Row{"stands", false, 12.0_mm, 1850.0, 0.0, 0.08_mm},
-                           Row{"crushes", false, 20.0_mm, 300.0, 3.0_mm, 8.0_mm}, Row{"wall", false, 1.0_mm, 1850.0, 0.5_mm, 2.5_mm}}) {
+    for (const Row& row :
+         {Row{"drill", true, 12.0_mm, 1850.0, 3.0_mm, 6.0_mm}, Row{"stands", false, 12.0_mm, 1850.0, 0.0, 0.08_mm},
+          Row{"crushes", false, 20.0_mm, 300.0, 3.0_mm, 8.0_mm}, Row{"wall", false, 1.0_mm, 1850.0, 0.5_mm, 2.5_mm}}) {
         std::vector<double> took;
         for (int round = 0; round < rounds; ++round) go_through(row, h, took);
         const Times t = times_of(took);
         if (row.turns) of_drill = t.mean;
-        std::printf("  %-8s %9.2f %9.2f %9.2f %9.2f   %6.2f   (%zu ticks)\n", row.name, t.mean, t.median, t.p999, t.longest, t.mean / of_drill, took.size());
+        std::printf("  %-8s %9.2f %9.2f %9.2f %9.2f   %6.2f   (%zu ticks)\n", row.name, t.mean, t.median, t.p999,
+                    t.longest, t.mean / of_drill, took.size());
         std::fflush(stdout);
     }
 }

@@ -6,10 +6,13 @@
 // "edges" are 60 points on the lips, "shank" 64 points with normals on rings behind the corner, "tip" the same
 // rings on the cone, where every pending record matters.
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
-#include "conformance/times.h"
+#include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/scalar_bone_query.h"
 

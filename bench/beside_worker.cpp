@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the worker's thread costs the loop: the same sawing twice in turns, once with a worker that gets all records, looks for pieces
-// and makes the surface, once with none.
+// What the worker's thread costs the loop: the same sawing twice in turns, once with a worker that gets all records,
+// looks for pieces and makes the surface, once with none.
 //
-//     in a row       ticks follow each other at once, and the worker gets the records of four more saws beside: it is busy as long as it
+//     in a row       ticks follow each other at once, and the worker gets the records of four more saws beside: it is
+//     busy as long as it
 //                    has a processor to itself; what share of the time it was is printed
 //     on the clock   a thousand a second, and the worker gets what this saw cuts
-//     processor      time on the processor, of the loop's thread; wall: by the clock, with all that the machine does besides
-//     all            over the ticks of all rounds; alike: over the ticks of one, each taken as the median of its like in all rounds, so
+//     processor      time on the processor, of the loop's thread; wall: by the clock, with all that the machine does
+//     besides all            over the ticks of all rounds; alike: over the ticks of one, each taken as the median of
+//     its like in all rounds, so
 //                    that what the machine does besides drops out, unless it comes at the same tick every time
 //     ratio          with / without
 #include <time.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <thread>
 #include <vector>
 
-#include "conformance/times.h"
 #include "core/field/block_kernel.h"
 #include "core/haptics/surface_worker.h"
+#include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/saw_rig.h"
 
@@ -116,7 +119,8 @@ struct Felt {
 
 void print(const char* what, const std::vector<double>& with, const std::vector<double>& without) {
     const Times w = times_of(with), o = times_of(without);
-    std::printf("  %-18s %8.2f %8.2f  %8.2f %8.2f   %7.3f %7.3f\n", what, w.median, o.median, w.p999, o.p999, w.median / o.median, w.p999 / o.p999);
+    std::printf("  %-18s %8.2f %8.2f  %8.2f %8.2f   %7.3f %7.3f\n", what, w.median, o.median, w.p999, o.p999,
+                w.median / o.median, w.p999 / o.p999);
 }
 
 void measure(const Body& body, bool is_on_the_clock, int rounds) {
@@ -125,7 +129,9 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
     bool is_same = true;
     for (int round = 0; round < rounds; ++round) {
         Sawing with{body}, without{body};
-        with.worker = std::make_unique<SurfaceWorker>(body, std::vector<const ToolSolid*>{&with.simulation.outline().cutting}, SurfaceWorker::Options{.crumb = 1e-9});
+        with.worker =
+            std::make_unique<SurfaceWorker>(body, std::vector<const ToolSolid*>{&with.simulation.outline().cutting},
+                                            SurfaceWorker::Options{.crumb = 1e-9});
         for (Sawing* one : {&with, &without}) {
             while (one->depth() < 5.0_mm) one->tick(approach, false);
             for (int i = 0; i < 1000; ++i) one->tick(feed, false);  // until nothing of the approach waits any more
@@ -134,18 +140,21 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
         with.has_neighbours = !is_on_the_clock;
         for (int done = 0; done < ticks; done += turn) {
             saw_on(without, is_on_the_clock);
-            const double begun = seconds_of(CLOCK_MONOTONIC), all = seconds_of(CLOCK_PROCESS_CPUTIME_ID), own = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+            const double begun = seconds_of(CLOCK_MONOTONIC), all = seconds_of(CLOCK_PROCESS_CPUTIME_ID),
+                         own = seconds_of(CLOCK_THREAD_CPUTIME_ID);
             saw_on(with, is_on_the_clock);
             passed += seconds_of(CLOCK_MONOTONIC) - begun;
             worked += seconds_of(CLOCK_PROCESS_CPUTIME_ID) - all - (seconds_of(CLOCK_THREAD_CPUTIME_ID) - own);
             with.worker->wait_for_all();
         }
-        is_same = is_same && with.worker->lost() == 0 && with.simulation.world_from_tool().position == without.simulation.world_from_tool().position;
+        is_same = is_same && with.worker->lost() == 0 &&
+                  with.simulation.world_from_tool().position == without.simulation.world_from_tool().position;
         felt_with.add(with);
         felt_without.add(without);
     }
     std::printf("%s: %d rounds of %d ticks each; the worker is busy for %.0f %% of the time; the tools end %s\n",
-                is_on_the_clock ? "on the clock" : "in a row", rounds, ticks, 100.0 * worked / passed, is_same ? "at the same place" : "APART");
+                is_on_the_clock ? "on the clock" : "in a row", rounds, ticks, 100.0 * worked / passed,
+                is_same ? "at the same place" : "APART");
     print("processor, all", felt_with.processor.all(), felt_without.processor.all());
     print("processor, alike", felt_with.processor.alike(), felt_without.processor.alike());
     print("wall, all", felt_with.wall.all(), felt_without.wall.all());
@@ -158,7 +167,8 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
 int main(int argc, char** argv) {
     const int rounds = argc > 1 ? std::atoi(argv[1]) : 3;
     const Body body = test::shelled_block({-17.0_mm, -4.0_mm, -20.0_mm}, {17.0_mm, 4.0_mm, 0}, 2.0_mm, spacing);
-    std::printf("a saw of 40 teeth at 1 mm/s, spacing 0.2 mm, kernel %s (bar: p99.9 on the processor at most 1.10)\n", block_kernel().name);
+    std::printf("a saw of 40 teeth at 1 mm/s, spacing 0.2 mm, kernel %s (bar: p99.9 on the processor at most 1.10)\n",
+                block_kernel().name);
     std::printf("[us]                      median              p99.9            ratio\n");
     std::printf("                        with  without      with  without    median   p99.9\n");
     measure(body, false, 3 * rounds);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// One distance field asked at many points: a level set in bricks, beside the same samples in an OpenVDB grid asked through
-// GridSampler with BoxSampler and an accessor. Both warm, by turns, in one run; ours checks its bounds at every point. What the clock takes is taken off.
+// One distance field asked at many points: a level set in bricks, beside the same samples in an OpenVDB grid asked
+// through GridSampler with BoxSampler and an accessor. Both warm, by turns, in one run; ours checks its bounds at every
+// point. What the clock takes is taken off.
 //
 //     lips     500 points on the lips of a 5.4 mm drill that moves 1 µm a round
 //     random   500 points anywhere in the narrow band
 //     element  500 points on the lips as edges ask: cut, gap, tissues, density
 //     ratio    median time of OpenVDB / median time of ours
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <random>
 #include <vector>
@@ -16,7 +20,7 @@
 #include <openvdb/tools/Interpolation.h>
 #endif
 
-#include "conformance/times.h"
+#include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/with_kernel.h"
 
@@ -123,8 +127,9 @@ int main() {
         const ToolSolid tool = test::drill_outline(radius, 59.0_deg, 20.0_mm);
         const Pose tool_from_body = inverse(test::pointing({0, 0, -14.0_mm}, {0, 0, -1}));
         const Grid grid = test::shelled_block(low, high, 1.0_mm, h).grid();
-        const LevelSet hole = LevelSet::build(
-            grid, [&](Vec3 p) { return std::max(test::box_distance(p, low, high), -tool.distance(tool_from_body * p)); });
+        const LevelSet hole = LevelSet::build(grid, [&](Vec3 p) {
+            return std::max(test::box_distance(p, low, high), -tool.distance(tool_from_body * p));
+        });
         std::vector<Vec3> lips, anywhere;
         for (std::size_t n = 0; n < count; ++n) {
             const double r = radius * (static_cast<double>(n / 2) + 0.5) / 250.0;

@@ -12,7 +12,8 @@ DenseField::DenseField(Vec3 low, Vec3 high, double spacing, const PlainPapers::D
     size_[0] = static_cast<int>(extent.x + 1.5);
     size_[1] = static_cast<int>(extent.y + 1.5);
     size_[2] = static_cast<int>(extent.z + 1.5);
-    samples_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]));
+    samples_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                    static_cast<std::size_t>(size_[2]));
     const Vec3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
     for (int k = 0; k < size_[2]; ++k)
         for (int j = 0; j < size_[1]; ++j)
@@ -24,16 +25,20 @@ DenseField::DenseField(Vec3 low, Vec3 high, double spacing, const PlainPapers::D
 
 DenseField::Answer DenseField::interpolate(Vec3 p) const {
     const Vec3 g = (1.0 / spacing_) * (p - low_);
-    const int i = static_cast<int>(std::floor(g.x)), j = static_cast<int>(std::floor(g.y)), k = static_cast<int>(std::floor(g.z));
-    if (i < 0 || j < 0 || k < 0 || i + 1 >= size_[0] || j + 1 >= size_[1] || k + 1 >= size_[2]) return {4.0 * spacing_, {0, 0, 0}};
+    const int i = static_cast<int>(std::floor(g.x)), j = static_cast<int>(std::floor(g.y)),
+              k = static_cast<int>(std::floor(g.z));
+    if (i < 0 || j < 0 || k < 0 || i + 1 >= size_[0] || j + 1 >= size_[1] || k + 1 >= size_[2])
+        return {4.0 * spacing_, {0, 0, 0}};
     const double fx = g.x - i, fy = g.y - j, fz = g.z - k;
     const auto lerp = [](double a, double b, double t) { return a + (b - a) * t; };
     const double x00 = value(i + 1, j, k) - value(i, j, k), x10 = value(i + 1, j + 1, k) - value(i, j + 1, k);
-    const double x01 = value(i + 1, j, k + 1) - value(i, j, k + 1), x11 = value(i + 1, j + 1, k + 1) - value(i, j + 1, k + 1);
+    const double x01 = value(i + 1, j, k + 1) - value(i, j, k + 1),
+                 x11 = value(i + 1, j + 1, k + 1) - value(i, j + 1, k + 1);
     const double c00 = value(i, j, k) + x00 * fx, c10 = value(i, j + 1, k) + x10 * fx;
     const double c01 = value(i, j, k + 1) + x01 * fx, c11 = value(i, j + 1, k + 1) + x11 * fx;
     const double c0 = lerp(c00, c10, fy), c1 = lerp(c01, c11, fy);
-    return {lerp(c0, c1, fz), {lerp(lerp(x00, x10, fy), lerp(x01, x11, fy), fz), lerp(c10 - c00, c11 - c01, fz), c1 - c0}};
+    return {lerp(c0, c1, fz),
+            {lerp(lerp(x00, x10, fy), lerp(x01, x11, fy), fz), lerp(c10 - c00, c11 - c01, fz), c1 - c0}};
 }
 
 double DenseField::cutting(const Pose& body_from_tool, const std::vector<Vec3>& elements) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "bench/plain_papers.h"
@@ -8,9 +9,10 @@
 /// A dense grid of distances from which the tool is taken analytically: the other way to be measured against.
 namespace kerf::bench {
 
-/// Asked and cut as our own bone is, but with one array for everything: engagement from the interpolated distance for each
-/// cutting element, distance and normal for each point on the shank, and every tick each sample of the tool's bounding box
-/// is raised to its depth in the tool. One point and one sample after the other, in double; nothing is left out.
+/// Asked and cut as our own bone is, but with one array for everything: engagement from the interpolated distance for
+/// each cutting element, distance and normal for each point on the shank, and every tick each sample of the tool's
+/// bounding box is raised to its depth in the tool. One point and one sample after the other, in double; nothing is
+/// left out.
 class DenseField {
 public:
     DenseField(Vec3 low, Vec3 high, double spacing, const PlainPapers::Drill& drill);
@@ -27,7 +29,8 @@ private:
         Vec3 gradient;
     };
     [[nodiscard]] double& at(int i, int j, int k) {
-        return samples_[(static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(j)) *
+        return samples_[(static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) +
+                         static_cast<std::size_t>(j)) *
                             static_cast<std::size_t>(size_[0]) +
                         static_cast<std::size_t>(i)];
     }

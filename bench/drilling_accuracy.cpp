@@ -9,15 +9,20 @@
 // 5.4 mm drill at 1000 rpm, edge pitch 0.05 mm, the feed prescribed.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "conformance/chart/reference.h"
 #include "core/import/ct_body.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/step_monitor.h"
+#include "studies/chart/reference.h"
 #include "tests/support/drill_rig.h"
 
 namespace {
@@ -28,7 +33,9 @@ using namespace literals;
 constexpr double diameter = 5.4_mm, feed = 8.0_mm_per_s, turns = 1000.0_rpm;
 
 /// Its motor turns it whatever the prescribed feed asks: at 50 mm/s ten newton metres.
-ToolSetup drill_setup() { return test::twist_drill({{"diameter", diameter}, {"element_pitch", 0.05_mm}, {"motor_torque", 100.0}}); }
+ToolSetup drill_setup() {
+    return test::twist_drill({{"diameter", diameter}, {"element_pitch", 0.05_mm}, {"motor_torque", 100.0}});
+}
 
 chart::CuttingLaw law_of_the_plugin() {
     for (const ComponentInfo& c : test::plugins().catalog())
@@ -81,8 +88,10 @@ Vec3 random_offset(std::mt19937& random) {
 }
 
 double box(Vec3 p, Vec3 low, Vec3 high) {
-    const Vec3 q{std::max(low.x - p.x, p.x - high.x), std::max(low.y - p.y, p.y - high.y), std::max(low.z - p.z, p.z - high.z)};
-    return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) + std::min(0.0, std::max({q.x, q.y, q.z}));
+    const Vec3 q{std::max(low.x - p.x, p.x - high.x), std::max(low.y - p.y, p.y - high.y),
+                 std::max(low.z - p.z, p.z - high.z)};
+    return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) +
+           std::min(0.0, std::max({q.x, q.y, q.z}));
 }
 
 // ---- an older hole ------------------------------------------------------------------------------------------------
@@ -115,15 +124,16 @@ void crossing(int offsets) {
             down(-above, thickness + 3.0_mm, feed);
             down(thickness + 3.0_mm, -30.0_mm, 0.5);
             // Through the air to where the second hole begins.
-            const Pose from = test::at_depth(-30.0_mm), to = second.pose_at(-60.0_mm), begin = second.pose_at(second.depth[0]);
+            const Pose from = test::at_depth(-30.0_mm), to = second.pose_at(-60.0_mm),
+                       begin = second.pose_at(second.depth[0]);
             for (int t = 1; t <= 200; ++t) (void)led.to(between(from, to, t / 200.0));
             for (int t = 1; t <= 200; ++t) (void)led.to(between(to, begin, t / 200.0));
             const double relative = thrust_error(led, second, law).relative();
             sum += relative;
             worst = std::max(worst, relative);
         }
-        std::printf("hole crossing an older one at 45°, axes meeting  %4.2f mm  thrust %5.2f %% rms (worst %.2f %%)\n", 1e3 * h,
-                    100.0 * sum / offsets, 100.0 * worst);
+        std::printf("hole crossing an older one at 45°, axes meeting  %4.2f mm  thrust %5.2f %% rms (worst %.2f %%)\n",
+                    1e3 * h, 100.0 * sum / offsets, 100.0 * worst);
         std::fflush(stdout);
     }
 }
@@ -135,7 +145,8 @@ VoxelImage occupancy(const std::function<double(Vec3)>& inside, Vec3 low, Vec3 h
     std::normal_distribution<double> noise(0.0, 0.05);
     VoxelImage image;
     const Vec3 shift = h * random_offset(random), extent = high - low;
-    image.size = {static_cast<int>(extent.x / h) + 2, static_cast<int>(extent.y / h) + 2, static_cast<int>(extent.z / h) + 2};
+    image.size = {static_cast<int>(extent.x / h) + 2, static_cast<int>(extent.y / h) + 2,
+                  static_cast<int>(extent.z / h) + 2};
     image.place({h, 0, 0, low.x - shift.x, 0, h, 0, low.y - shift.y, 0, 0, h, low.z - shift.z});
     constexpr int sub = 8;
     for (int k = 0; k < image.size[2]; ++k)
@@ -197,8 +208,10 @@ void partial_volume(int offsets) {
                 squares += relative * relative;
                 worst = std::max(worst, relative);
             }
-            const double mean = sum / offsets, error_of_mean = std::sqrt((squares / offsets - mean * mean) / (offsets - 1));
-            std::printf("slab at %2.0f°, borders from partial volume        %4.2f mm  thrust %5.2f %% rms (worst %.2f %%), mean of %d offsets ± %.3f %%\n",
+            const double mean = sum / offsets,
+                         error_of_mean = std::sqrt((squares / offsets - mean * mean) / (offsets - 1));
+            std::printf("slab at %2.0f°, borders from partial volume        %4.2f mm  thrust %5.2f %% rms (worst %.2f "
+                        "%%), mean of %d offsets ± %.3f %%\n",
                         tilt / 1.0_deg, 1e3 * h, 100.0 * mean, 100.0 * worst, offsets, 100.0 * error_of_mean);
             std::fflush(stdout);
         }
@@ -225,20 +238,22 @@ void tilted_volume(int offsets) {
             sum += off;
             worst = std::max(worst, std::abs(off));
         }
-        std::printf("through hole tilted by 30°                       %4.2f mm  volume %+6.3f %% (worst %.3f %%)\n", 1e3 * h,
-                    100.0 * sum / offsets, 100.0 * worst);
+        std::printf("through hole tilted by 30°                       %4.2f mm  volume %+6.3f %% (worst %.3f %%)\n",
+                    1e3 * h, 100.0 * sum / offsets, 100.0 * worst);
         std::fflush(stdout);
     }
 }
 
 // ---- a scan -------------------------------------------------------------------------------------------------------
 
-/// The anatomy with one axis more, which makes the region that is kept, and so the grid of every spacing, begin so much lower [m].
+/// The anatomy with one axis more, which makes the region that is kept, and so the grid of every spacing, begin so much
+/// lower [m].
 Anatomy begun_lower(const Anatomy& anatomy, Vec3 by) {
     LandmarkAxis corner = anatomy.axes.front();
     for (const LandmarkAxis& axis : anatomy.axes)
         for (const Vec3 end : {axis.from, axis.to})
-            corner.from = {std::min(corner.from.x, end.x), std::min(corner.from.y, end.y), std::min(corner.from.z, end.z)};
+            corner.from = {std::min(corner.from.x, end.x), std::min(corner.from.y, end.y),
+                           std::min(corner.from.z, end.z)};
     corner.from = corner.from - by;
     Anatomy lower = anatomy;
     lower.axes.push_back(corner);
@@ -282,8 +297,9 @@ void repeatability(const char* name, int grids) {
             for (const auto& one : thrusts) spread += (one[t] - mean) * (one[t] - mean) / (grids - 1);
             whole += mean * mean;
         }
-        std::printf("%-12s on %2d grids shifted within a voxel         %4.2f mm  thrust %5.2f %% of its rms, standard deviation\n", name,
-                    grids, 1e3 * h, 100.0 * std::sqrt(spread / whole));
+        std::printf("%-12s on %2d grids shifted within a voxel         %4.2f mm  thrust %5.2f %% of its rms, standard "
+                    "deviation\n",
+                    name, grids, 1e3 * h, 100.0 * std::sqrt(spread / whole));
         std::fflush(stdout);
     }
 }

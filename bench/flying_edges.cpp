@@ -13,7 +13,8 @@ struct FlyingEdges::Image {
     vtkSmartPointer<vtkImageData> data = vtkSmartPointer<vtkImageData>::New();
 };
 
-FlyingEdges::FlyingEdges(std::array<int, 3> size, double spacing, std::array<double, 3> origin, const std::vector<float>& samples)
+FlyingEdges::FlyingEdges(std::array<int, 3> size, double spacing, std::array<double, 3> origin,
+                         const std::vector<float>& samples)
     : image_(std::make_unique<Image>()) {
     vtkSMPTools::Initialize(1);
     image_->data->SetDimensions(size[0], size[1], size[2]);

@@ -10,7 +10,8 @@
 class FlyingEdges {
 public:
     /// Samples x fastest; spacing and origin [m].
-    FlyingEdges(std::array<int, 3> size, double spacing, std::array<double, 3> origin, const std::vector<float>& samples);
+    FlyingEdges(std::array<int, 3> size, double spacing, std::array<double, 3> origin,
+                const std::vector<float>& samples);
     ~FlyingEdges();
 
     /// The surface where the samples are zero, with normals. How many triangles it has.

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finding that bone came apart, while a saw goes through a tube of 256³ samples, two voxels a frame, beside looking at the
-// whole volume each frame. One run, time on the processor.
+// Finding that bone came apart, while a saw goes through a tube of 256³ samples, two voxels a frame, beside looking at
+// the whole volume each frame. One run, time on the processor.
 //
-//     finder      what changed is told to the finder record by record, 8 records a frame; all of a frame together, the list of
+//     finder      what changed is told to the finder record by record, 8 records a frame; all of a frame together, the
+//     list of
 //                 changed bricks included
 //     at once     the same frame told to another finder in one go
 //     run-length  runs along x joined by union-find, over a dense volume of bytes that is kept up to date for nothing
 //     flood       voxel by voxel over the same
 //     ratio       median of run-length / median of the row; slowest: median of run-length / longest of the row
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <vector>
 
-#include "conformance/times.h"
 #include "core/field/piece_finder.h"
+#include "studies/times.h"
 #include "tests/support/whole_volume.h"
 
 namespace {
@@ -83,9 +86,11 @@ int main() {
         }
     }
     const double against = times_of(run_times).median;
-    std::printf("%d frames, %.0f changed bricks each; %zu came off; %llu of %d records asked the whole graph; the plain ways %s\n", frames,
-                static_cast<double>(dirty_bricks) / frames, loose, static_cast<unsigned long long>(finder.whole_searches()),
-                frames * records_per_frame, has_agreed ? "agree" : "DO NOT AGREE");
+    std::printf("%d frames, %.0f changed bricks each; %zu came off; %llu of %d records asked the whole graph; the "
+                "plain ways %s\n",
+                frames, static_cast<double>(dirty_bricks) / frames, loose,
+                static_cast<unsigned long long>(finder.whole_searches()), frames * records_per_frame,
+                has_agreed ? "agree" : "DO NOT AGREE");
     std::printf("  [us]             mean     median      p99.9    longest    ratio  slowest\n");
     print("finder", finder_times, against);
     print("at once", at_once_times, against);

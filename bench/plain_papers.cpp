@@ -12,14 +12,16 @@ PlainPapers::PlainPapers(Vec3 low, Vec3 high, double spacing, double density, co
     size_[0] = static_cast<int>(extent.x + 0.5);
     size_[1] = static_cast<int>(extent.y + 0.5);
     size_[2] = static_cast<int>(extent.z + 0.5);
-    voxels_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]),
-                   {static_cast<float>(density), true});
+    voxels_.assign(
+        static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]),
+        {static_cast<float>(density), true});
 
     const double slope = drill.point_depth / drill.radius;
     for (std::size_t n = 0; n < elements; ++n) {
         const double side = n % 2 == 0 ? 1.0 : -1.0;
         const double r = drill.radius * (static_cast<double>(n / 2) + 0.5) / (0.5 * elements);
-        elements_.push_back({{side * r, 0, -slope * r}, {0, 0, -4e4}, {0, -side * 5e4, 0}, drill.radius / (0.5 * elements)});
+        elements_.push_back(
+            {{side * r, 0, -slope * r}, {0, 0, -4e4}, {0, -side * 5e4, 0}, drill.radius / (0.5 * elements)});
     }
     constexpr std::size_t around = 40, levels = contact_points / around;
     for (std::size_t level = 0; level < levels; ++level)

@@ -10,8 +10,8 @@
 namespace kerf::bench {
 
 /// A dense array of voxels, each whole or gone. Every tick asks the nearest voxel of each cutting element and of each
-/// point on the shank, one after the other, and then takes away every voxel of the tool's bounding box whose centre lies in
-/// the tool. Nothing is left out, nothing is remembered from the tick before.
+/// point on the shank, one after the other, and then takes away every voxel of the tool's bounding box whose centre
+/// lies in the tool. Nothing is left out, nothing is remembered from the tick before.
 class PlainPapers {
 public:
     struct Drill {

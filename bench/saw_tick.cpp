@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick of sawing costs: an oscillating blade of 40 teeth, all in bone, fed by hand at 1 mm/s through a shelled block.
-// Time on the processor, of this thread. The same ticks are gone through five times: what else the machine does falls on other ticks
-// each time, so the least that one took is what it takes by itself.
+// What a tick of sawing costs: an oscillating blade of 40 teeth, all in bone, fed by hand at 1 mm/s through a shelled
+// block. Time on the processor, of this thread. The same ticks are gone through five times: what else the machine does
+// falls on other ticks each time, so the least that one took is what it takes by itself.
 //
-//     loop      all of a tick: the teeth and the sides asked about, the law, the solve, commit, the committed cut stamped
-//     no lag    the second field, which the worker stamps: not part of the loop
-//     both      the two together
+//     loop      all of a tick: the teeth and the sides asked about, the law, the solve, commit, the committed cut
+//     stamped no lag    the second field, which the worker stamps: not part of the loop both      the two together
 //     least     of the loop, of each tick the least of the five
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,8 @@
 #include <limits>
 #include <vector>
 
-#include "conformance/times.h"
 #include "core/field/block_kernel.h"
+#include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/saw_rig.h"
 
@@ -70,8 +69,8 @@ bool saw(double h, bool is_told, Row& row) {
         teeth += simulation.signals()[1] / ticks;
     }
     if (is_told)
-        std::printf("spacing %.1f mm, from %.2f to %.2f mm deep, %.1f teeth in bone, kernel %s\n", h / 1.0_mm, from / 1.0_mm, depth() / 1.0_mm, teeth,
-                    block_kernel().name);
+        std::printf("spacing %.1f mm, from %.2f to %.2f mm deep, %.1f teeth in bone, kernel %s\n", h / 1.0_mm,
+                    from / 1.0_mm, depth() / 1.0_mm, teeth, block_kernel().name);
     return true;
 }
 

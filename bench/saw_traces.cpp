@@ -8,14 +8,20 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/as_printed/hsieh_2006.h"
-#include "conformance/drawing/plot.h"
-#include "conformance/drawing/svg.h"
 #include "core/session/write_file.h"
 #include "plugins/sawing/saw_parameters.h"
+#include "studies/drawing/plot.h"
+#include "studies/drawing/svg.h"
 #include "tests/support/saw_rig.h"
 
 namespace {
@@ -30,7 +36,8 @@ using drawing::Panel;
 constexpr double outer = 13.0_mm, inner = 5.3_mm;  // of a femur's shaft
 enum Colour : int { ours_colour, printed_colour = 8, exact_colour = 6, other_colour = 3 };
 
-// ---- two saws ---------------------------------------------------------------------------------------------------------------
+// ---- two saws
+// ---------------------------------------------------------------------------------------------------------------
 
 ToolSetup printed_saw(const std::map<std::string, double>& set = {}) {
     static const PluginRegistry registry = [] {
@@ -41,7 +48,8 @@ ToolSetup printed_saw(const std::map<std::string, double>& set = {}) {
     ToolSetup setup;
     setup.tool = registry.find("bench.as_printed", KERF_KIND_TOOL, "paper_saw");
     setup.force = registry.find("bench.as_printed", KERF_KIND_FORCE, "hsieh_2006");
-    if (setup.tool == nullptr || setup.force == nullptr) throw std::runtime_error("no as_printed plugin in lib/kerf-bench");
+    if (setup.tool == nullptr || setup.force == nullptr)
+        throw std::runtime_error("no as_printed plugin in lib/kerf-bench");
     for (const auto& info : registry.catalog()) {
         if (info.id == "paper_saw") {
             setup.tool_parameters = test::values(info.parameters, set);
@@ -85,14 +93,17 @@ struct Feeding {
     [[nodiscard]] sawing::SawBlade blade() const { return sawing::blade_of(setup.tool_parameters); }
 };
 
-Body wide_block() { return test::block({-30.0_mm, -3.0_mm, -12.0_mm}, {30.0_mm, 3.0_mm, 0}, 0.5_mm, {0.31, 0.17, 0.73}); }
+Body wide_block() {
+    return test::block({-30.0_mm, -3.0_mm, -12.0_mm}, {30.0_mm, 3.0_mm, 0}, 0.5_mm, {0.31, 0.17, 0.73});
+}
 
 /// Thrust of a tooth straight in front, in the mean over the oscillation [N].
 double mean_tooth(const Feeding& saw, double feed) {
     const sawing::Stroke stroke{saw.blade().stroke(), saw.blade().pitch, saw.setup.drives[0]};
     double sum = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
-        sum += part.share * saw.blade().kerf() * force_per_width(part.chip_per_feed * feed, sawing::coefficients(saw.setup.force_parameters).thrust);
+        sum += part.share * saw.blade().kerf() *
+               force_per_width(part.chip_per_feed * feed, sawing::coefficients(saw.setup.force_parameters).thrust);
     return sum;
 }
 
@@ -103,7 +114,8 @@ double printed_tooth(const Feeding& saw, Hsieh2006::Parameter which, double feed
     return force[which] * as_printed::chip_as_printed(force[Hsieh2006::tooth_width], pitch, feed, saw.setup.drives[0]);
 }
 
-// ---- the panels -------------------------------------------------------------------------------------------------------------
+// ---- the panels
+// -------------------------------------------------------------------------------------------------------------
 
 Curve line(const std::string& name, int colour, bool is_dashed = false) {
     return {.name = name, .colour = colour, .is_dashed = is_dashed, .has_dots = false};
@@ -117,7 +129,8 @@ double teeth_in_tube(const sawing::SawBlade& blade, double depth) {
     int in = 0;
     for (int i = 0; i < steps; ++i) {
         const double angle = blade.half_front() * (2.0 * (i + 0.5) / steps - 1.0);
-        const double x = blade.radius * std::sin(angle), z = outer - depth + blade.radius * (1.0 - std::cos(angle)), r = std::hypot(x, z);
+        const double x = blade.radius * std::sin(angle), z = outer - depth + blade.radius * (1.0 - std::cos(angle)),
+                     r = std::hypot(x, z);
         in += r < outer && r > inner;
     }
     return blade.tooth_count * in / steps;
@@ -149,7 +162,8 @@ Panel tube_cut() {
         if (until == 29.0_mm) break;
         for (const double from = saw.depth; saw.depth > from - 1.5_mm;) go(-20.0_mm_per_s);
     }
-    std::printf("03-09  load is that of the teeth in bone: off by %.2f teeth at most (bar 1, and the front's slant of 4 %%); drawn back %.3f N\n",
+    std::printf("03-09  load is that of the teeth in bone: off by %.2f teeth at most (bar 1, and the front's slant of "
+                "4 %%); drawn back %.3f N\n",
                 worst, still_felt);
     return {.title = "03-09  A tube sawn through, drawn back three times",
             .x = {"time [s]", false, 0.0, 4.5},
@@ -173,7 +187,8 @@ Panel sideways(const Body& body) {
         Feeding paper(body, printed_saw({{"tooth_count", n}}));
         paper.to(5.0_mm);
         for (int i = 0; i < 20; ++i) (void)paper.go(1.0_mm_per_s);
-        add(printed, n, std::abs(paper.signal(Hsieh2006::f_y)) / printed_tooth(paper, Hsieh2006::k_radial, 1.0_mm_per_s));
+        add(printed, n,
+            std::abs(paper.signal(Hsieh2006::f_y)) / printed_tooth(paper, Hsieh2006::k_radial, 1.0_mm_per_s));
     }
     std::printf("03-08  across the blade what the unpaired tooth leaves: off by %.3f of a tooth at most\n", worst);
     return {.title = "03-08  Across the blade: the unpaired tooth",
@@ -188,8 +203,11 @@ Panel angles(const Body& body) {
           printed = line("as printed, stroke", printed_colour);
     constexpr double feed = 2.0_mm_per_s, rate = 20.0;
     for (const double n : {2.0, 6.0, 10.0, 16.0, 24.0, 32.0, 44.0, 60.0}) {
-        const std::map<std::string, double> set{
-            {"tooth_count", n}, {"tooth_pitch", 0.7_mm}, {"stroke_rate", rate}, {"oscillation", rate}, {"motor_torque", 5000.0_Nmm}};
+        const std::map<std::string, double> set{{"tooth_count", n},
+                                                {"tooth_pitch", 0.7_mm},
+                                                {"stroke_rate", rate},
+                                                {"oscillation", rate},
+                                                {"motor_torque", 5000.0_Nmm}};
         Feeding saw(body, test::saw(set));
         saw.to(8.0_mm);
         Felt middle = saw.go(feed);  // of the swing, where the teeth are fastest and chips thinnest
@@ -210,7 +228,8 @@ Panel angles(const Body& body) {
         }
         add(printed, degrees, std::abs(sum) / (n * printed_tooth(paper, Hsieh2006::k_lateral, feed)));
     }
-    std::printf("03-07  front of %.1f deg to either side: feed/normal %.3f, stroke/lateral %.3f (1 at small angles); as printed %.2f\n",
+    std::printf("03-07  front of %.1f deg to either side: feed/normal %.3f, stroke/lateral %.3f (1 at small angles); "
+                "as printed %.2f\n",
                 normal.markers[0].x, normal.markers[0].y, lateral.markers[0].y, printed.markers[0].y);
     return {.title = "03-07  Small angles: feed meets normal, stroke lateral forces",
             .x = {"last tooth's angle [deg]", false, 0.0, 22.0},
@@ -264,24 +283,28 @@ Panel strokes(const Recorded& slow) {
             .curves = {along, against}};
 }
 
-/// 03-06, by frequency; at 200 oscillations a second the force does not swing, and `vibration` says by how much it would.
+/// 03-06, by frequency; at 200 oscillations a second the force does not swing, and `vibration` says by how much it
+/// would.
 Panel spectra(const Body& body, const Recorded& slow) {
     std::vector<Curve> curves;
     const auto draw = [&](const std::string& name, int colour, const std::vector<double>& amplitude) {
         Curve curve = line(name, colour);
-        for (int hertz = 1; hertz < 500; ++hertz) add(curve, hertz, std::max(1e-3, amplitude[static_cast<std::size_t>(hertz)]));
+        for (int hertz = 1; hertz < 500; ++hertz)
+            add(curve, hertz, std::max(1e-3, amplitude[static_cast<std::size_t>(hertz)]));
         curves.push_back(curve);
     };
     for (const double rate : {20.0, 80.0}) {
         const Recorded record = rate == 20.0 ? slow : recorded(body, rate);
         const std::vector<double> along = spectrum_of(record.along);
-        std::printf("03-06  %.0f oscillations a second: peak along the teeth at %d Hz (bar ±1), against the feed at %d Hz: both strokes push alike\n",
+        std::printf("03-06  %.0f oscillations a second: peak along the teeth at %d Hz (bar ±1), against the feed at %d "
+                    "Hz: both strokes push alike\n",
                     rate, peak_of(along), peak_of(spectrum_of(record.against)));
         draw(figure(rate) + " /s", rate == 20.0 ? other_colour : 5, along);
     }
     const Recorded fast = recorded(body, 200.0);
     const std::vector<double> along = spectrum_of(fast.along);
-    std::printf("03-06  200 oscillations a second: %.4f N at most in the force; `vibration` is %.1f N at the rate of `stroke_rate`\n",
+    std::printf("03-06  200 oscillations a second: %.4f N at most in the force; `vibration` is %.1f N at the rate of "
+                "`stroke_rate`\n",
                 *std::max_element(along.begin(), along.end()), fast.vibration);
     draw("200 /s", ours_colour, along);
     Curve vibration = dots("vibration, 200 /s", ours_colour);
@@ -309,7 +332,8 @@ Panel proportions(const Body& body) {
     const double chip_per_feed = sawing::mean_chip_per_feed({blade.blade().stroke(), blade.blade().pitch, 200.0});
     const auto chips = {1.0_um, 2.0_um, 5.0_um, 10.0_um};
     for (const double chip : chips) {
-        const double feed = chip / chip_per_feed, of_printed = thrust(printed_saw({{"swing", 0.0}}), feed), of_ours = thrust(test::saw(), feed);
+        const double feed = chip / chip_per_feed, of_printed = thrust(printed_saw({{"swing", 0.0}}), feed),
+                     of_ours = thrust(test::saw(), feed);
         if (printed_once == 0.0) printed_once = of_printed;
         if (ours_once == 0.0) ours_once = of_ours;
         add(printed, chip / 1.0_um, of_printed / printed_once);
@@ -318,7 +342,8 @@ Panel proportions(const Body& body) {
     const auto growth = [](const Curve& curve) { return curve.markers[3].y / curve.markers[1].y; };
     const double once = thrust(printed_saw({{"swing", 0.0}}), 1.0_mm_per_s);
     const double twice = thrust(printed_saw({{"swing", 0.0}, {"oscillation", 400.0}}), 1.0_mm_per_s);
-    std::printf("03-05  from 2 to 10 um of chip: as printed x %.2f, Kerf x %.2f (bone: x 1.3); at twice the rate as printed x %.2f\n",
+    std::printf("03-05  from 2 to 10 um of chip: as printed x %.2f, Kerf x %.2f (bone: x 1.3); at twice the rate as "
+                "printed x %.2f\n",
                 growth(printed), growth(ours), twice / once);
     return {.title = "03-05  Force in proportion to the feed: as printed only",
             .x = {"chip [um], in the mean", true, 1.0, 10.0},
@@ -331,7 +356,8 @@ std::string table_of(const std::vector<Panel>& panels) {
     for (const Panel& panel : panels)
         for (const Curve& curve : panel.curves)
             for (const auto& m : curve.markers)
-                text += drawing::csv_quoted(panel.title) + "," + drawing::csv_quoted(curve.name) + "," + figure(m.x, 5) + "," + figure(m.y, 5) + "\n";
+                text += drawing::csv_quoted(panel.title) + "," + drawing::csv_quoted(curve.name) + "," +
+                        figure(m.x, 5) + "," + figure(m.y, 5) + "\n";
     return text;
 }
 
@@ -340,16 +366,20 @@ std::string table_of(const std::vector<Panel>& panels) {
 int main(int argc, char** argv) {
     const Body block = wide_block();
     const Recorded slow = recorded(block, 20.0);
-    const std::vector<Panel> panels{tube_cut(), sideways(block), angles(block), proportions(block), strokes(slow), spectra(block, slow)};
+    const std::vector<Panel> panels{tube_cut(),         sideways(block), angles(block),
+                                    proportions(block), strokes(slow),   spectra(block, slow)};
     if (argc < 2) return 0;
     const std::filesystem::path folder = argv[1];
     constexpr double width = 560, height = 320;
     std::string content;
     for (std::size_t n = 0; n < panels.size(); ++n)
-        content += panel_svg(panels[n], 10.0 + width * static_cast<double>(n % 2), 10.0 + height * static_cast<double>(n / 2), width, height);
+        content += panel_svg(panels[n], 10.0 + width * static_cast<double>(n % 2),
+                             10.0 + height * static_cast<double>(n / 2), width, height);
     std::filesystem::create_directories(folder);
-    const std::string picture = drawing::picture(2.0 * width + 20.0, 3.0 * height + 20.0, "Forces of an oscillating saw", content);
-    for (const std::string& error : {write_file(folder / "saw-traces.svg", picture), write_file(folder / "saw-traces.csv", table_of(panels))})
+    const std::string picture =
+        drawing::picture(2.0 * width + 20.0, 3.0 * height + 20.0, "Forces of an oscillating saw", content);
+    for (const std::string& error :
+         {write_file(folder / "saw-traces.svg", picture), write_file(folder / "saw-traces.csv", table_of(panels))})
         if (!error.empty()) {
             std::fprintf(stderr, "%s\n", error.c_str());
             return 1;

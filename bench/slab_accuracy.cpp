@@ -35,7 +35,8 @@ int main() {
                     simulation.after_tick();
                     // The motor follows at once, but it is told at the end of the first tick.
                     const double angle = 2.0 * pi * n * Simulation::dt * std::max(0, t - 1);
-                    const double exact = test::exact_thrust(setup, test::at_depth(depth, tilt), angle, feed_per_lip, quadrature);
+                    const double exact =
+                        test::exact_thrust(setup, test::at_depth(depth, tilt), angle, feed_per_lip, quadrature);
                     if (exact <= 0.0) continue;
                     error2 += (r.thrust - exact) * (r.thrust - exact);
                     mean += exact;
@@ -45,7 +46,8 @@ int main() {
                 sum += relative;
                 worst = std::max(worst, relative);
             }
-            std::printf("%3.0f°  %4.2f mm   %5.2f %% (%.2f %%)\n", tilt / 1.0_deg, h * 1e3, 100.0 * sum / offsets, 100.0 * worst);
+            std::printf("%3.0f°  %4.2f mm   %5.2f %% (%.2f %%)\n", tilt / 1.0_deg, h * 1e3, 100.0 * sum / offsets,
+                        100.0 * worst);
             std::fflush(stdout);
         }
     return 0;

@@ -4,14 +4,20 @@
 //     whole    a thick tube with a head and ripples in 256³ samples: one welded mesh with normals, beside VTK's
 //              FlyingEdges3D (float, with normals) and OpenVDB's volumeToMesh (quads, no normals) of the same samples,
 //              by turns, in one run
-//     frames   what a tool changes in a thirtieth of a second at 0.2 mm: the bricks it touched, meshed anew, and the table of all bricks
-//              that readers are handed, made anew. table, list: of that the table, and what one pointer for every brick would take
+//     frames   what a tool changes in a thirtieth of a second at 0.2 mm: the bricks it touched, meshed anew, and the
+//     table of all bricks
+//              that readers are handed, made anew. table, list: of that the table, and what one pointer for every brick
+//              would take
 //     ratio    median of the others / median of ours
 //
 // Times on the processor, so that what else the machine does is not counted.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <vector>
 
 #ifdef KERF_HAS_OPENVDB
@@ -23,9 +29,9 @@
 #include "bench/flying_edges.h"
 #endif
 
-#include "conformance/times.h"
 #include "core/field/bone_surface.h"
 #include "core/field/patch_table.h"
+#include "studies/times.h"
 #include "tests/support/block.h"
 #include "tests/support/with_kernel.h"
 
@@ -49,10 +55,12 @@ double bone(Vec3 p) {
 
 Body bone_of(bool has_shell) {
     const double edge = bricks * brick_edge * spacing;
-    const Grid grid{.bricks = {bricks, bricks, bricks}, .spacing = spacing, .origin = {-0.5 * edge, -0.5 * edge, -0.5 * edge}};
+    const Grid grid{
+        .bricks = {bricks, bricks, bricks}, .spacing = spacing, .origin = {-0.5 * edge, -0.5 * edge, -0.5 * edge}};
     Body body;
     body.surface = LevelSet::build(grid, bone);
-    if (has_shell) body.materials.push_back({"cortical", 1850.0, LevelSet::build(grid, [](Vec3 p) { return -bone(p) - 1.0_mm; })});
+    if (has_shell)
+        body.materials.push_back({"cortical", 1850.0, LevelSet::build(grid, [](Vec3 p) { return -bone(p) - 1.0_mm; })});
     body.materials.push_back({"cancellous", 250.0, {}});
     return body;
 }
@@ -77,8 +85,10 @@ void whole(int rounds) {
     dense.reserve(g.brick_count() * brick_edge * brick_edge * brick_edge);
     for (int k = 0; k < g.samples(2); ++k)
         for (int j = 0; j < g.samples(1); ++j)
-            for (int i = 0; i < g.samples(0); ++i) dense.push_back(static_cast<float>(g.quantum() * body.surface.sample(i, j, k)));
-    const FlyingEdges flying({g.samples(0), g.samples(1), g.samples(2)}, g.spacing, {g.origin.x, g.origin.y, g.origin.z}, dense);
+            for (int i = 0; i < g.samples(0); ++i)
+                dense.push_back(static_cast<float>(g.quantum() * body.surface.sample(i, j, k)));
+    const FlyingEdges flying({g.samples(0), g.samples(1), g.samples(2)}, g.spacing,
+                             {g.origin.x, g.origin.y, g.origin.z}, dense);
     std::vector<double> vtk;
     std::size_t vtk_triangles = 0;
 #endif
@@ -93,8 +103,10 @@ void whole(int rounds) {
                 for (int i = 0; i < g.samples(0); ++i) {
                     const std::int16_t v = body.surface.sample(i, j, k);
                     const auto metres = static_cast<float>(g.quantum() * v);
-                    if (v == -32767) accessor.setValueOff({i, j, k}, metres);
-                    else if (v != 32767) accessor.setValue({i, j, k}, metres);
+                    if (v == -32767)
+                        accessor.setValueOff({i, j, k}, metres);
+                    else if (v != 32767)
+                        accessor.setValue({i, j, k}, metres);
                 }
         sparse->setTransform(openvdb::math::Transform::createLinearTransform(g.spacing));
         sparse->setGridClass(openvdb::GRID_LEVEL_SET);
@@ -144,7 +156,8 @@ void whole(int rounds) {
 }
 
 /// Records as the cut log closes them, a twentieth of a voxel apart, and a frame each thirtieth of a second.
-void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from, Vec3 direction, double speed, int count) {
+void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from, Vec3 direction, double speed,
+            int count) {
     CutField cut(body, 4096);
     SurfacePatches surface(body);
     const auto at = [&](double way) { return Pose{from.position + way * direction, from.rotation}; };
@@ -182,9 +195,9 @@ void frames(const char* what, const Body& body, const ToolSolid& tool, Pose from
         triangles.push_back(made);
     }
     const Times t = times_of(times), d = times_of(dirty), p = times_of(published), n = times_of(triangles);
-    std::printf("  %-22s %3.0f %9.3f %8.3f %8.3f   %5.0f %5.0f   %5.0f %5.0f   %7.0f   %6.3f %6.3f\n", what, 1e3 * speed, 1e-3 * t.median,
-                1e-3 * t.p999, 1e-3 * t.longest, d.median, d.longest, p.median, p.longest, n.median, 1e-3 * times_of(tables).median,
-                1e-3 * times_of(lists).median);
+    std::printf("  %-22s %3.0f %9.3f %8.3f %8.3f   %5.0f %5.0f   %5.0f %5.0f   %7.0f   %6.3f %6.3f\n", what,
+                1e3 * speed, 1e-3 * t.median, 1e-3 * t.p999, 1e-3 * t.longest, d.median, d.longest, p.median, p.longest,
+                n.median, 1e-3 * times_of(tables).median, 1e-3 * times_of(lists).median);
 }
 
 }  // namespace
@@ -200,7 +213,8 @@ int main(int argc, char** argv) {
     whole(rounds);
 
     std::printf("frames: a thirtieth of a second at %.1f mm\n", spacing / 1.0_mm);
-    std::printf("                       mm/s  median    p99.9      max   bricks dirty   published   triangles   table   list\n                          "
+    std::printf("                       mm/s  median    p99.9      max   bricks dirty   published   triangles   table  "
+                " list\n                          "
                 "   [ms]                         median   max  median   max    median     [ms]   [ms]\n");
     const Body body = bone_of(true);
     const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm);
@@ -213,8 +227,10 @@ int main(int argc, char** argv) {
         const int count = static_cast<int>(5.0_mm / speed * 30.0);
         frames("drill, 3.2 mm", body, drill, test::pointing({20.0_mm, 0.3_mm, -9.0_mm}, {-1, 0.05, 0.1}),
                normalized(Vec3{-1, 0.05, 0.1}), speed, count);
-        frames("disc, 20 x 0.6 mm", body, disc, test::pointing({28.0_mm, 0.3_mm, -9.0_mm}, {0.1, 0.05, -1}), normalized(Vec3{-1, 0, -0.1}), speed, count);
-        frames("saw blade, 30 x 1 mm", body, blade, test::pointing({0.3_mm, 19.0_mm, -9.0_mm}, across), across, speed, count);
+        frames("disc, 20 x 0.6 mm", body, disc, test::pointing({28.0_mm, 0.3_mm, -9.0_mm}, {0.1, 0.05, -1}),
+               normalized(Vec3{-1, 0, -0.1}), speed, count);
+        frames("saw blade, 30 x 1 mm", body, blade, test::pointing({0.3_mm, 19.0_mm, -9.0_mm}, across), across, speed,
+               count);
     }
     return 0;
 }

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside two plain ways, in one run
-// and in turns of 100 ticks. Time on the processor, without what asking for it takes, which the first line says.
+// What a tick costs: a 5.4 mm drill fed by hand at 1 mm/s, 14 mm deep in a shelled block, beside two plain ways, in one
+// run and in turns of 100 ticks. Time on the processor, without what asking for it takes, which the first line says.
 //
 //     loop        all of a tick with the points that the law itself asks about: as many laws as it needs, contact with
 //                 normals, the solve, commit, committed cut
-//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with normals
-//     no lag      the second field, which the worker stamps: not part of the loop
-//     all         loop, points and no lag
-//     papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
+//     + points    the loop, and as many points besides as make 500 edges with their gap and 2000 contact points with
+//     normals no lag      the second field, which the worker stamps: not part of the loop all         loop, points and
+//     no lag papers      500 edges and 2000 contact points, nearest voxel; then every voxel of the tool's bounding box
 //                 (plain_papers.h)
 //     dense       the same points in a dense grid of distances, raised to the tool's depth (dense_field.h)
 //     ratio       mean of papers / mean of the row, mean of dense / mean of the row; (medians)
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include "bench/dense_field.h"
 #include "bench/plain_papers.h"
-#include "conformance/times.h"
 #include "core/field/block_kernel.h"
+#include "studies/times.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
 
@@ -49,7 +51,8 @@ Count points_of_law(Simulation& simulation, const ToolSetup& setup) {
     bone = &simulation.bone().query();
     count = {};
     kerf_bone_query counting = *bone;
-    counting.sample = [](const kerf_bone* of, const kerf_vec3* p, std::uint32_t n, const kerf_vec3* d, std::uint32_t directions, kerf_bone_sample* out) {
+    counting.sample = [](const kerf_bone* of, const kerf_vec3* p, std::uint32_t n, const kerf_vec3* d,
+                         std::uint32_t directions, kerf_bone_sample* out) {
         count.edges += n;
         bone->sample(of, p, n, d, directions, out);
     };
@@ -99,7 +102,8 @@ struct ManyPoints {
     /// Those asked last with a border within `reach` [m].
     [[nodiscard]] std::size_t near(double reach) const {
         std::size_t count = 0;
-        for (std::size_t n = 0; n < contact_count(); ++n) count += surface[n].body >= 0 && std::abs(surface[n].distance) <= reach;
+        for (std::size_t n = 0; n < contact_count(); ++n)
+            count += surface[n].body >= 0 && std::abs(surface[n].distance) <= reach;
         return count;
     }
 
@@ -207,8 +211,10 @@ void measure(double h) {
         }
     }
     const Baselines baselines{times_of(papers), times_of(dense)};
-    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm, block_kernel().name);
-    std::printf("  the law asks about %zu edge and %zu contact points; of %zu other contact points a border is within a voxel of %zu\n",
+    std::printf("spacing %.1f mm, from %.1f to %.1f mm deep, kernel %s\n", h / 1.0_mm, from / 1.0_mm, at() / 1.0_mm,
+                block_kernel().name);
+    std::printf("  the law asks about %zu edge and %zu contact points; of %zu other contact points a border is within "
+                "a voxel of %zu\n",
                 own.edges, own.contact, points.contact_count(), points.near(h));
     print("loop", loop, &baselines);
     print("+ points", with_points, &baselines);
@@ -219,7 +225,8 @@ void measure(double h) {
     print(" removal", papers_removal);
     print("dense", dense);
     const Times stamped = times_of(bricks);
-    std::printf("  bricks that a tick stamped, of %d as a rule: mean %.1f, p99.9 %.0f, most %.0f\n", CutTracker::bricks_per_tick, stamped.mean, stamped.p999, stamped.longest);
+    std::printf("  bricks that a tick stamped, of %d as a rule: mean %.1f, p99.9 %.0f, most %.0f\n",
+                CutTracker::bricks_per_tick, stamped.mean, stamped.p999, stamped.longest);
     compare_kernels(simulation.bone(), points);
     std::fflush(stdout);
 }

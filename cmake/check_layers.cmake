@@ -5,7 +5,7 @@
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
 #   plugins/<name>  kerf/…, its own folder, std
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
-#   conformance/…   kerf/…, core/…, devices/…, conformance/…, third parties; plugins it finds at run time
+#   studies/…       kerf/…, core/…, devices/…, studies/…, third parties; plugins it finds at run time
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
 
@@ -91,7 +91,7 @@ function(check_core_include file content directive layer rank)
     else()
       set(what "${what}: core/${CMAKE_MATCH_1} is no layer")
     endif()
-  elseif(path MATCHES "^(plugins|devices|app|tests|bench|examples|conformance)/")
+  elseif(path MATCHES "^(plugins|devices|app|tests|bench|examples|conformance|studies)/")
     set(what "${what}: core knows nothing outside core")
   elseif(layer STREQUAL "sdk")
     set(what "${what}: the sdk needs nothing but a compiler")
@@ -136,11 +136,11 @@ function(check_plugin_include file content directive folder)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-function(check_conformance_include file content directive)
+function(check_studies_include file content directive)
   split_include("${directive}" path is_angled)
   if(path MATCHES "(^|/)\\.\\./" OR path MATCHES "^(plugins|app|tests|bench|examples)/")
-    report("${file}" "${content}" "${directive}" "conformance must not include \"${path}\""
-      "kerf/…, core/…, devices/… and conformance/…, written from the root of the tree")
+    report("${file}" "${content}" "${directive}" "studies must not include \"${path}\""
+      "kerf/…, core/…, devices/… and studies/…, written from the root of the tree")
     set(violations ${violations} PARENT_SCOPE)
   endif()
 endfunction()
@@ -205,14 +205,14 @@ foreach(kind plugins devices bench)
   endforeach()
 endforeach()
 
-# ---- conformance -------------------------------------------------------------------------------------------------
+# ---- studies -----------------------------------------------------------------------------------------------------
 
-file(GLOB_RECURSE sources "${ROOT}/conformance/*.h" "${ROOT}/conformance/*.hpp" "${ROOT}/conformance/*.cpp")
+file(GLOB_RECURSE sources "${ROOT}/studies/*.h" "${ROOT}/studies/*.hpp" "${ROOT}/studies/*.cpp")
 foreach(file IN LISTS sources)
   read("${file}" content)
   find_includes("${content}" includes)
   foreach(directive IN LISTS includes)
-    check_conformance_include("${file}" "${content}" "${directive}")
+    check_studies_include("${file}" "${content}" "${directive}")
   endforeach()
 endforeach()
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
 
 #include "app/anatomy_text.h"
 #include "app/preview/png.h"
@@ -55,7 +58,8 @@ std::string landmarks(const View& view, const Scene& scene, double reach) {
     for (const LandmarkPoint& point : scene.anatomy.points) {
         if (!is_near(point.at)) continue;
         marks += "<circle cx=\"" + px(view.x_of(point.at)) + "\" cy=\"" + px(view.y_of(point.at)) + "\" r=\"" +
-                 px(std::max(3.0, point.tolerance / view.pixel())) + "\" fill=\"none\" stroke=\"#0a7d4b\" stroke-width=\"1.6\"/>";
+                 px(std::max(3.0, point.tolerance / view.pixel())) +
+                 "\" fill=\"none\" stroke=\"#0a7d4b\" stroke-width=\"1.6\"/>";
         marks += label(view.x_of(point.at) + 8, view.y_of(point.at) - 6, point.id, "#0a7d4b");
     }
     for (const LandmarkPlane& plane : scene.anatomy.planes) {
@@ -69,13 +73,14 @@ std::string landmarks(const View& view, const Scene& scene, double reach) {
 /// 10 mm in the lower left corner.
 std::string scale(const View& view) {
     const double y = view.rows - 12.0, length = 10e-3 / view.pixel();
-    return "<path d=\"M12 " + px(y) + "h" + px(length) + "M12 " + px(y - 4) + "v8M" + px(12 + length) + " " + px(y - 4) +
-           "v8\" stroke=\"#1b2126\" stroke-width=\"2\" fill=\"none\"/><path d=\"M12 " + px(y) + "h" + px(length) +
-           "\" stroke=\"#fff\" stroke-width=\"1\"/>" + label(16 + length, y + 4, "10 mm", "#1b2126");
+    return "<path d=\"M12 " + px(y) + "h" + px(length) + "M12 " + px(y - 4) + "v8M" + px(12 + length) + " " +
+           px(y - 4) + "v8\" stroke=\"#1b2126\" stroke-width=\"2\" fill=\"none\"/><path d=\"M12 " + px(y) + "h" +
+           px(length) + "\" stroke=\"#fff\" stroke-width=\"1\"/>" + label(16 + length, y + 4, "10 mm", "#1b2126");
 }
 
 std::string figure(const View& view, const Picture& picture, const std::string& marks) {
-    const std::string size = "width=\"" + std::to_string(view.columns) + "\" height=\"" + std::to_string(view.rows) + "\"";
+    const std::string size =
+        "width=\"" + std::to_string(view.columns) + "\" height=\"" + std::to_string(view.rows) + "\"";
     return "<figure><svg " + size + " viewBox=\"0 0 " + std::to_string(view.columns) + " " + std::to_string(view.rows) +
            "\" role=\"img\"><title>" + html_escaped(view.title) + "</title><image " + size + " href=\"" +
            png_link(picture) + "\"/>" + marks + scale(view) + "</svg><figcaption>" + html_escaped(view.title) +
@@ -134,7 +139,8 @@ Box shown_box(const Scene& scene) {
             for (int i = 0; i < grid.bricks[0]; ++i) {
                 if (scene.body.surface.is_all_air(grid.brick_index(i, j, k))) continue;
                 const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
-                const Vec3 high = grid.sample_position((i + 1) * brick_edge, (j + 1) * brick_edge, (k + 1) * brick_edge);
+                const Vec3 high =
+                    grid.sample_position((i + 1) * brick_edge, (j + 1) * brick_edge, (k + 1) * brick_edge);
                 box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y), std::min(box.low.z, low.z)};
                 box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y), std::max(box.high.z, high.z)};
             }
@@ -149,9 +155,10 @@ std::string outside_views(const Scene& scene, const std::vector<Pose>& tools) {
         Vec3 right, up;
     };
     std::string figures;
-    for (const Direction& d : {Direction{"From behind: the patient's left is on the left", {-1, 0, 0}, {0, 0, 1}},
-                               Direction{"From the patient's left: the front is on the left", {0, 1, 0}, {0, 0, 1}},
-                               Direction{"From above: the front is up, the patient's left on the left", {-1, 0, 0}, {0, -1, 0}}}) {
+    for (const Direction& d :
+         {Direction{"From behind: the patient's left is on the left", {-1, 0, 0}, {0, 0, 1}},
+          Direction{"From the patient's left: the front is on the left", {0, 1, 0}, {0, 0, 1}},
+          Direction{"From above: the front is up, the patient's left on the left", {-1, 0, 0}, {0, -1, 0}}}) {
         View view{d.title, centre, d.right, d.up};
         const auto extent = [&](Vec3 axis) {
             return std::abs(size.x * axis.x) + std::abs(size.y * axis.y) + std::abs(size.z * axis.z) + 16e-3;
@@ -169,19 +176,25 @@ std::string step_views(const Scene& scene, std::size_t step) {
     const double depth = frame.depth_of(tool.position);
     const bool has_plane = frame.across != Vec3{};
     Vec3 across = has_plane ? frame.across : frame.medial;
-    if (length(across) < 0.5) across = normalized(cross(frame.along, std::abs(frame.along.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+    if (length(across) < 0.5)
+        across = normalized(cross(frame.along, std::abs(frame.along.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
     const Vec3 other = cross(frame.along, across);
-    const char* side = has_plane ? ", across the plane" : length(frame.medial) > 0.5 ? "; the midline is on the right" : "";
+    const char* side = has_plane                    ? ", across the plane"
+                       : length(frame.medial) > 0.5 ? "; the midline is on the right"
+                                                    : "";
     const double width = std::max(60e-3, 1.8 * depth);
     std::string figures;
     for (const bool is_first : {true, false}) {
-        View view{is_first ? std::string("Along the axis") + side : std::string(has_plane ? "In the plane" : "Along the axis, a quarter turn further"),
+        View view{is_first ? std::string("Along the axis") + side
+                           : std::string(has_plane ? "In the plane" : "Along the axis, a quarter turn further"),
                   frame.entry + 0.5 * depth * frame.along, is_first ? across : other, -1.0 * frame.along, width};
-        figures += figure(view, cut_through(view, scene), tool_outline(view, scene.tool(step).outline, tool) + landmarks(view, scene, 3e-3));
+        figures += figure(view, cut_through(view, scene),
+                          tool_outline(view, scene.tool(step).outline, tool) + landmarks(view, scene, 3e-3));
     }
-    View section{"Across the axis, " + rounded(0.5e3 * depth, 1) + " mm behind the entry", frame.entry + 0.5 * depth * frame.along,
-                 across, cross(across, frame.along), 50e-3};
-    figures += figure(section, cut_through(section, scene), tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation}));
+    View section{"Across the axis, " + rounded(0.5e3 * depth, 1) + " mm behind the entry",
+                 frame.entry + 0.5 * depth * frame.along, across, cross(across, frame.along), 50e-3};
+    figures += figure(section, cut_through(section, scene),
+                      tool_outline(section, scene.tool(step).outline, {section.centre, tool.rotation}));
     return "<section><h2>Step " + html_escaped(scene.procedure.steps[step].id) + ": the tool at its goal, " +
            rounded(depth * 1e3, 1) + " mm deep</h2><div class=\"views\">" + figures + "</div></section>\n";
 }
@@ -213,9 +226,10 @@ std::string preview_page(const Scene& scene) {
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) tools.push_back(goal_pose(scene, step));
     std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
                        html_escaped(scene.procedure.title) + "</title><style>" + std::string(style) +
-                       "</style></head><body><main><h1>" + html_escaped(scene.procedure.title) + "</h1><p class=\"soft\">" +
-                       html_escaped(scene.anatomy.title) + ", before anything is cut. Spacing " +
-                       rounded(scene.procedure.spacing * 1e3, 2) + " mm.</p>" + key();
+                       "</style></head><body><main><h1>" + html_escaped(scene.procedure.title) +
+                       "</h1><p class=\"soft\">" + html_escaped(scene.anatomy.title) +
+                       ", before anything is cut. Spacing " + rounded(scene.procedure.spacing * 1e3, 2) + " mm.</p>" +
+                       key();
     page += outside_views(scene, tools);
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) page += step_views(scene, step);
     return page + told(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";

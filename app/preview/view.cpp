@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/field/body.h"
 #include "core/procedure/solids.h"
@@ -17,12 +19,14 @@ using Colour = Vec3;
 constexpr Colour background{0.97, 0.975, 0.98}, zone_colour{0.86, 0.20, 0.16}, tool_colour{0.22, 0.42, 0.72},
     air{0.10, 0.11, 0.13}, border_line{1.0, 0.72, 0.15};
 /// Front to back, as tissues are listed.
-constexpr std::array<Colour, 4> tissues{{{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
+constexpr std::array<Colour, 4> tissues{
+    {{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
 
 Colour mixed(Colour a, Colour b, double share) { return a + share * (b - a); }
 
 void set(Picture& picture, int x, int y, Colour colour) {
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
     const auto byte = [](double c) { return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(c, 0.0, 1.0))); };
     picture.rgb[at] = byte(colour.x);
     picture.rgb[at + 1] = byte(colour.y);
@@ -110,7 +114,8 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
         for (int x = 0; x < view.columns; ++x) {
             const Vec3 from = view.place(x + 0.5, y + 0.5);
             const Stretch in_box = within(box, from, away);
-            const double bone = first_inside(in_box, 0.25 * h, [&](double way) { return depth_at(body, from + way * away); });
+            const double bone =
+                first_inside(in_box, 0.25 * h, [&](double way) { return depth_at(body, from + way * away); });
             const bool is_bone = in_box.end > in_box.begin && bone < in_box.end;
             Colour colour = background;
             if (is_bone) {
@@ -128,7 +133,9 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
             if (!scene.anatomy.zones.empty()) lay_over(first_inside(around, 0.5 * h, zone), around.end, zone_colour);
             for (std::size_t step = 0; step < tools.size(); ++step) {
                 const Pose tool_from_world = inverse(tools[step]);
-                const auto distance = [&](double way) { return scene.tool(step).outline.whole.distance(tool_from_world * (from + way * away)); };
+                const auto distance = [&](double way) {
+                    return scene.tool(step).outline.whole.distance(tool_from_world * (from + way * away));
+                };
                 const double way = first_inside(around, 0.25 * h, distance);
                 lay_over(way, around.end, tool_colour);
             }

@@ -18,7 +18,7 @@ struct View {
     double width = 0.1;  ///< [m] of the rectangle
     int columns = 460, rows = 400;
 
-    [[nodiscard]] Vec3 away() const noexcept { return cross(up, right); }  ///< unit, from the eye into the picture
+    [[nodiscard]] Vec3 away() const noexcept { return cross(up, right); }    ///< unit, from the eye into the picture
     [[nodiscard]] double pixel() const noexcept { return width / columns; }  ///< [m]
     [[nodiscard]] Vec3 place(double x, double y) const noexcept {
         return centre + (x - 0.5 * columns) * pixel() * right + (0.5 * rows - y) * pixel() * up;
@@ -27,8 +27,8 @@ struct View {
     [[nodiscard]] double y_of(Vec3 p) const noexcept { return 0.5 * rows - dot(p - centre, up) / pixel(); }
 };
 
-/// The whole region from outside: bone, zones red and tools blue, paler where bone hides them. `tools`: where each step's tool is.
-/// [main]
+/// The whole region from outside: bone, zones red and tools blue, paler where bone hides them. `tools`: where each
+/// step's tool is. [main]
 [[nodiscard]] Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools);
 
 /// A cut through the plane of the view: the scan's values where there is one, tissues in their colours, zones red, the

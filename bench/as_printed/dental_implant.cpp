@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dental_implant.h"
 
+#include <cstdint>
+
 namespace kerf::as_printed {
 
 namespace {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "printed_drill.h"
 
 /// Drilling force as [dental-implant-2013] prints it, equations 4 to 13 and 19.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 namespace kerf::as_printed {
 
@@ -48,7 +50,8 @@ Sum teeth_in_bone_of(const Tick& tick, const BoneQuery& bone, const Hsieh2006::S
 /// 2.3: in proportion to the sample points in bone, against the way the saw moves.
 Vec3 touch_of(const Tick& tick, const BoneQuery& bone, const Hsieh2006::State& last) noexcept {
     const double step = tick.force[P::point_interval], half = 0.5 * tick.tool[saw_teeth] * tick.tool[saw_pitch];
-    const int across = static_cast<int>(2.0 * half / step) + 1, deep = static_cast<int>(0.5 * tick.tool[saw_length] / step) + 1;
+    const int across = static_cast<int>(2.0 * half / step) + 1,
+              deep = static_cast<int>(0.5 * tick.tool[saw_length] / step) + 1;
     std::array<Vec3, 128> point{};
     std::array<kerf_bone_sample, 128> sample;
     int immersed = 0;

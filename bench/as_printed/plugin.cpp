@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The papers' laws as printed, as a plugin: its tables, and nothing else.
+#include <cstddef>
 #include <iterator>
 
 #include "dental_implant.h"
@@ -45,7 +46,9 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
     const PaperDrill drill = paper_drill({params, tool_parameter_count});
     if (out->profile_capacity < 4) return KERF_CAPACITY;
     const double land = 0.5 * drill.radius, end = drill.point_depth() + land;
-    if (!(end < drill.length)) return refuse(out, "`length` is ", in_mm(drill.length), "; it needs more than ", in_mm(end), ", where the land behind the point ends.");
+    if (!(end < drill.length))
+        return refuse(out, "`length` is ", in_mm(drill.length), "; it needs more than ", in_mm(end),
+                      ", where the land behind the point ends.");
     out->profile[0] = {0.0, 0.0};
     out->profile[1] = {-drill.point_depth(), drill.radius};
     out->profile[2] = {-drill.point_depth() - land, drill.radius};
@@ -58,17 +61,21 @@ kerf_status shape(const double* params, kerf_tool_shape* out) {
 constexpr kerf_tool paper_drill_tool{sizeof(kerf_tool), drives, drive_count, &shape};
 
 constexpr kerf_param saw_parameters[] = {
-    {"length", "l: from the saw's origin, which it swings about, to its tip.", dimension::length, "mm", 20.0_mm, 90.0_mm, 60.0_mm, not_stated},
+    {"length", "l: from the saw's origin, which it swings about, to its tip.", dimension::length, "mm", 20.0_mm,
+     90.0_mm, 60.0_mm, not_stated},
     {"tooth_pitch", "p: from tooth to tooth.", dimension::length, "mm", 0.3_mm, 5.0_mm, 1.4_mm, not_stated},
     {"tooth_count", "Teeth.", dimension::none, "", 1.0, 64.0, 10.0, "[hsieh-2006] section 3: ten"},
-    {"bend", "c: how the tips leave a straight line.", kerf_dimension{{-1, 0, 0, 0, 0, 0, 0, 0}}, "1/m", 0.0, 30.0, 0.0, "[hsieh-2006] section 2.2: 0 where tips form a line"},
-    {"swing", "Angle from one turning point to the other.", dimension::angle, "deg", 0.0, 12.0_deg, 5.0_deg, not_stated},
+    {"bend", "c: how the tips leave a straight line.", kerf_dimension{{-1, 0, 0, 0, 0, 0, 0, 0}}, "1/m", 0.0, 30.0, 0.0,
+     "[hsieh-2006] section 2.2: 0 where tips form a line"},
+    {"swing", "Angle from one turning point to the other.", dimension::angle, "deg", 0.0, 12.0_deg, 5.0_deg,
+     not_stated},
     {"kerf", "Thickness of the blade.", dimension::length, "mm", 0.2_mm, 4.0_mm, 1.0_mm, not_stated},
 };
 static_assert(std::size(saw_parameters) == saw_parameter_count);
 
 constexpr kerf_drive saw_drives[] = {
-    {"oscillation", "u: oscillations; no motor is modelled.", dimension::frequency, "1/min", 0.0, 25000.0_rpm, 12000.0_rpm, 0.0},
+    {"oscillation", "u: oscillations; no motor is modelled.", dimension::frequency, "1/min", 0.0, 25000.0_rpm,
+     12000.0_rpm, 0.0},
 };
 static_assert(std::size(saw_drives) == saw_drive_count);
 
@@ -87,15 +94,18 @@ kerf_status saw_shape(const double* params, kerf_tool_shape* out) {
 }
 constexpr kerf_tool paper_saw_tool{sizeof(kerf_tool), saw_drives, saw_drive_count, &saw_shape};
 
-constexpr const char* saw_point =
-    "determined empirically, figures not stated; 8, 5 and 0.8 N of a tooth at 1 mm/s and 12000 a minute: the order of [james-2012]";
+constexpr const char* saw_point = "determined empirically, figures not stated; 8, 5 and 0.8 N of a tooth at 1 mm/s and "
+                                  "12000 a minute: the order of [james-2012]";
 constexpr kerf_param hsieh_parameters[] = {
     {"k_normal", "K_normal, against the feed.", pressure_per_length, "N/mm3", 0.0, 1e15, 8.0 / 0.007e-9, saw_point},
-    {"k_lateral", "K_lateral, along the oscillation.", pressure_per_length, "N/mm3", 0.0, 1e15, 5.0 / 0.007e-9, saw_point},
+    {"k_lateral", "K_lateral, along the oscillation.", pressure_per_length, "N/mm3", 0.0, 1e15, 5.0 / 0.007e-9,
+     saw_point},
     {"k_radial", "K_radial, across the blade.", pressure_per_length, "N/mm3", 0.0, 1e15, 0.8 / 0.007e-9, saw_point},
     {"tooth_width", "w: width of a tooth's blade.", dimension::length, "mm", 0.1_mm, 4.0_mm, 1.0_mm, not_stated},
-    {"per_point", "Force of one immersed point of a still saw.", dimension::force, "N", 0.0, 1000.0, 0.1_N, "not stated: that of [tsai-2007]"},
-    {"point_interval", "Distance of sample points on the blade: one voxel.", dimension::length, "mm", 0.1_mm, 5.0_mm, 1.0_mm, "[hsieh-2006] section 2.3"},
+    {"per_point", "Force of one immersed point of a still saw.", dimension::force, "N", 0.0, 1000.0, 0.1_N,
+     "not stated: that of [tsai-2007]"},
+    {"point_interval", "Distance of sample points on the blade: one voxel.", dimension::length, "mm", 0.1_mm, 5.0_mm,
+     1.0_mm, "[hsieh-2006] section 2.3"},
 };
 static_assert(std::size(hsieh_parameters) == Hsieh2006::force_parameter_count);
 
@@ -135,8 +145,8 @@ constexpr kerf_param tsai_parameters[] = {
     KERF_VOXEL,
     KERF_SHANK,
     KERF_SOFTER,
-    {"torque_arm", "T_thrust over this length is added to the thrust, as a force; 0: it is not.", dimension::length, "mm", 0.0, 300.0_mm, 0.0,
-     "[tsai-2007] section 5.2 adds it and states no length: off"},
+    {"torque_arm", "T_thrust over this length is added to the thrust, as a force; 0: it is not.", dimension::length,
+     "mm", 0.0, 300.0_mm, 0.0, "[tsai-2007] section 5.2 adds it and states no length: off"},
 };
 static_assert(std::size(tsai_parameters) == Tsai2007::force_parameter_count);
 
@@ -197,8 +207,17 @@ constexpr kerf_signal dental_signals[] = {{"elements", "Cutting elements.", dime
 template <class Law, std::size_t N>
 constexpr kerf_force table_of(const kerf_signal (&signals)[N]) {
     static_assert(N == Law::signal_count);
-    return {sizeof(kerf_force),      sizeof(typename Law::State), alignof(typename Law::State), signals, N, nullptr, 0, 1000000,
-            &ForceTable<Law>::begin, &ForceTable<Law>::resist,    &ForceTable<Law>::commit};
+    return {sizeof(kerf_force),
+            sizeof(typename Law::State),
+            alignof(typename Law::State),
+            signals,
+            N,
+            nullptr,
+            0,
+            1000000,
+            &ForceTable<Law>::begin,
+            &ForceTable<Law>::resist,
+            &ForceTable<Law>::commit};
 }
 constexpr kerf_force tsai = table_of<Tsai2007>(tsai_signals);
 constexpr kerf_force touch = table_of<TouchCount>(touch_signals);
@@ -216,10 +235,10 @@ constexpr kerf_component components[] = {
     {sizeof(kerf_component), KERF_KIND_FORCE, "volumetric_drilling",
      "[volumetric-drilling] equations 1 and 2, as printed.", volumetric_parameters,
      VolumetricDrilling::force_parameter_count, 0, nullptr, &volumetric, nullptr},
-    {sizeof(kerf_component), KERF_KIND_TOOL, "paper_saw", "An oscillating saw as [hsieh-2006] has it.", saw_parameters, saw_parameter_count, 0,
-     &paper_saw_tool, nullptr, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "hsieh_2006", "[hsieh-2006] sections 2.3 and 2.4, as printed.", hsieh_parameters,
-     Hsieh2006::force_parameter_count, 0, nullptr, &hsieh, nullptr},
+    {sizeof(kerf_component), KERF_KIND_TOOL, "paper_saw", "An oscillating saw as [hsieh-2006] has it.", saw_parameters,
+     saw_parameter_count, 0, &paper_saw_tool, nullptr, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "hsieh_2006", "[hsieh-2006] sections 2.3 and 2.4, as printed.",
+     hsieh_parameters, Hsieh2006::force_parameter_count, 0, nullptr, &hsieh, nullptr},
     {sizeof(kerf_component), KERF_KIND_FORCE, "dental_implant", "[dental-implant-2013] equations 4 to 13, as printed.",
      dental_parameters, DentalImplant::force_parameter_count, 0, nullptr, &dental, nullptr},
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "printed_drill.h"
 
 /// Touch by counting, as [tsai-2007] prints it, section 4.

@@ -2,7 +2,9 @@
 #include "tsai_2007.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace kerf::as_printed {
 
@@ -102,7 +104,9 @@ void Tsai2007::resist(const Tick& tick, const BoneQuery& bone, const State& stat
     const DrillingSums sum = sums_of(tick, bone, state);
     const Lateral to = lateral_force(sum.radius, sum.tang, sin_cos_exact(state.angle));
     // Thrust pushes the drill out; T_tang and T_radius are not represented (5.2, last paragraph).
-    channels.push(Vec3{to.x, to.y, -rendered_thrust(sum, tick.force[P::torque_arm])} + sideways_force(tick, bone, state), {0, 0, 0});
+    channels.push(
+        Vec3{to.x, to.y, -rendered_thrust(sum, tick.force[P::torque_arm])} + sideways_force(tick, bone, state),
+        {0, 0, 0});
 }
 
 void Tsai2007::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "printed_drill.h"
 
 /// Drilling as [tsai-2007] prints it, sections 5.1 to 5.3. Its equations have no numbers: they are cited by section and
@@ -44,8 +47,9 @@ struct DrillingSums {
     double torque_tang = 0.0, torque_radius = 0.0, torque_thrust = 0.0;  ///< [N·m]
 };
 
-/// The force along the axis [N] that is rendered: F_thrust, and T_thrust "as a cyclic force adding to" it (5.2, last paragraph), as the
-/// paper's device has no torques. By which length [m] a torque becomes a force is not stated: `arm`; 0 leaves it out.
+/// The force along the axis [N] that is rendered: F_thrust, and T_thrust "as a cyclic force adding to" it (5.2, last
+/// paragraph), as the paper's device has no torques. By which length [m] a torque becomes a force is not stated: `arm`;
+/// 0 leaves it out.
 [[nodiscard]] double rendered_thrust(const DrillingSums& sum, double arm) noexcept;
 
 struct Tsai2007 {

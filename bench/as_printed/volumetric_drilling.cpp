@@ -2,7 +2,9 @@
 #include "volumetric_drilling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace kerf::as_printed {
 

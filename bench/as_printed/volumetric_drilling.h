@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "printed_drill.h"
 
 /// Drilling as [volumetric-drilling] prints it: force of an element that cuts two materials (equations 1 and 2), and

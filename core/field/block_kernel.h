@@ -10,8 +10,8 @@
 ///
 /// Both do the same operations on every point in the same order, so both give the same bits; which one a machine runs
 /// changes how long it takes and nothing else. Here are only plain types and pointers: an inline function shared with a
-/// file that is compiled for AVX2 could end up in a program for a machine without it. Pointers that belong together go by
-/// reference: a copy of them, made with wider loads than they were stored with, would wait for those stores.
+/// file that is compiled for AVX2 could end up in a program for a machine without it. Pointers that belong together go
+/// by reference: a copy of them, made with wider loads than they were stored with, would wait for those stores.
 namespace kerf {
 
 /// A change of coordinates as nine factors and an offset; `frame.h` applies it to one point.
@@ -40,12 +40,12 @@ struct Coordinates {
 
 /// What of a grid `place` needs. Coordinates: voxels times 2^bits, as `locate_fixed` has them.
 struct Lattice {
-    double low[3], high[3];      ///< points beyond are taken to the nearest between, if `is_bounded`
-    std::uint32_t end[3];        ///< samples per axis times 2^bits
+    double low[3], high[3];  ///< points beyond are taken to the nearest between, if `is_bounded`
+    std::uint32_t end[3];    ///< samples per axis times 2^bits
     int bits;
     bool is_bounded;
-    std::int32_t row, layer;     ///< bricks along x, in a plane
-    std::int32_t brick_count;    ///< also the number of the brick outside the grid
+    std::int32_t row, layer;   ///< bricks along x, in a plane
+    std::int32_t brick_count;  ///< also the number of the brick outside the grid
 };
 /// Outside the grid nothing but `brick` counts.
 struct Places {
@@ -58,8 +58,8 @@ struct ConstPlaces {
 };
 
 /// A field of distances as a kernel reads it: where each brick's 9³ samples begin, one entry more for what lies outside
-/// the grid. Bricks that begin before `first_stored` hold one value everywhere: they begin at 0, or where those samples end.
-/// Behind the last sample 16 bytes more may be read.
+/// the grid. Bricks that begin before `first_stored` hold one value everywhere: they begin at 0, or where those samples
+/// end. Behind the last sample 16 bytes more may be read.
 struct FieldShape {
     const std::int32_t* start;
     const std::int16_t* samples;
@@ -74,8 +74,8 @@ struct ConstSlopes {
 };
 /// What makes an answer of a slope.
 struct Surface {
-    double quantum, clamp;   ///< [m]
-    float in_tool[3][3];     ///< the grid's axes in the tool frame
+    double quantum, clamp;  ///< [m]
+    float in_tool[3][3];    ///< the grid's axes in the tool frame
 };
 
 /// What edges are told, each figure for all of them. Of tissues from `tissues` on: no share, no density.
@@ -87,10 +87,11 @@ struct SampleColumns {
     std::int32_t body;
 };
 
-/// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a prism.
+/// From one outline point to the next, in the half plane (r, z): r = √(x² + y²) of a solid of revolution, |x| of a
+/// prism.
 struct OutlineSegment {
     double along_r, along_z, inverse_length2;
-    double slope;  ///< [–] how the radius grows backwards
+    double slope;                       ///< [–] how the radius grows backwards
     double normal_r, normal_z, offset;  ///< of its line: normal_r r + normal_z z = offset; unit, outwards
 };
 /// An outline from the tip backwards, `count` points and `count − 1` segments.
@@ -105,7 +106,7 @@ struct OutlineShape {
 
 /// The same in single precision, for samples and for many solids at once.
 struct OutlineFace {
-    float radius, z;                      ///< where it begins
+    float radius, z;  ///< where it begins
     float along_r, along_z, inverse_length2, slope;
     float normal_r, normal_z, offset;
 };
@@ -156,51 +157,58 @@ struct BlockKernel {
     const char* name;
 
     /// As pose · point.
-    void (*transform)(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept;
+    void (*transform)(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b,
+                      const Coordinates& in_a) noexcept;
     /// As frame · point.
     void (*move)(const Frame& a_from_b, std::size_t count, const kerf_vec3* in_b, const Coordinates& in_a) noexcept;
-    /// As `locate_fixed` of frame · point. Tells, where it is asked for, the box the points lie in, as they were given; that
-    /// of a NaN is anything.
+    /// As `locate_fixed` of frame · point. Tells, where it is asked for, the box the points lie in, as they were given;
+    /// that of a NaN is anything.
     void (*place)(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
                   const Places& places, PointBox* box) noexcept;
     /// As `trilinear` [quanta].
     void (*values)(const FieldShape& field, std::size_t count, const ConstPlaces& places, float* values) noexcept;
     /// The same in metres, those of uniform bricks ± `clamp` exactly.
-    void (*metres)(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept;
+    void (*metres)(const FieldShape& field, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
+                   double* values) noexcept;
     /// As `trilinear` of floats; `elsewhere` in bricks that begin at −1.
-    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
-                      float* values) noexcept;
+    void (*densities)(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
+                      float elsewhere, float* values) noexcept;
     /// The larger of two fields, with its gradient. Returns the least of them.
-    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept;
+    float (*slopes)(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places,
+                    const Slopes& larger) noexcept;
     /// What a contact is told: distance, and where a surface is in reach its normal.
-    void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept;
+    void (*answer)(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
+                   kerf_surface_point* answers) noexcept;
     /// Row by row what columns hold.
     void (*rows)(const SampleColumns& columns, std::size_t count, kerf_bone_sample* samples) noexcept;
     /// As minus `ToolSolid::distance` [m], points in the tool frame.
-    void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths) noexcept;
+    void (*depths)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
+                   double* depths) noexcept;
     /// A plane each that a convex solid does not cross: near a point nothing is deeper than
     /// depth + gradient · (from the point) [m], [–].
     void (*tangents)(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths,
                      const Coordinates& gradients) noexcept;
-    /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them than
-    /// `walls.depth` has it, in which, and which way is in.
-    void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids, std::size_t count,
-                    const kerf_vec3* points, const Walls& walls) noexcept;
+    /// The deepest of the same solid at several places, in single precision: where a point is deeper in one of them
+    /// than `walls.depth` has it, in which, and which way is in.
+    void (*deepest)(const SingleOutline& outline, const SingleFrame* solid_from_points, std::size_t solids,
+                    std::size_t count, const kerf_vec3* points, const Walls& walls) noexcept;
     /// As `sample = max(sample, depth)` [quanta], rounded, where a sample is at most `band` [m] outside; `samples`: the
-    /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta], if it is asked for:
-    /// were the solid deeper by less everywhere, still none would be raised that was not; kernels need not agree in it.
-    bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
-                  std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
+    /// cell's first. Tells whether any was raised, and if so in which range they are then. `spare` [quanta], if it is
+    /// asked for: were the solid deeper by less everywhere, still none would be raised that was not; kernels need not
+    /// agree in it.
+    bool (*raise)(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum,
+                  std::int16_t* samples, std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept;
     /// Which of the 27 samples of each of a cell's layers are within low … high: bit by bit.
     void (*find)(const std::int16_t* samples, std::int16_t low, std::int16_t high, std::uint32_t (&found)[3]) noexcept;
-    /// The larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[place]`. Bit x + 1 of
-    /// `inside[place >> 4]` says which of samples 0 … 8 of a row are negative.
-    void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples, std::uint16_t* inside) noexcept;
+    /// The larger of two fields at samples 0 … 8 of a brick along y and z, −1 … 9 along x, to `samples[place]`. Bit x +
+    /// 1 of `inside[place >> 4]` says which of samples 0 … 8 of a row are negative.
+    void (*larger_rows)(const BrickAround& a, const BrickAround& b, std::int16_t* samples,
+                        std::uint16_t* inside) noexcept;
     /// The same at samples −1 and 9 along y and z, 0 … 8 along the other axes.
     void (*larger_beside)(const BrickAround& a, const BrickAround& b, std::int16_t* samples) noexcept;
-    /// Where a field, linear along the grid's edge from each place along `axis`, is zero, and which way it rises there, by
-    /// central differences at both ends. Reads up to seven places behind the last and writes as many vertices, and eight
-    /// bytes more. Pre: one end negative, the other not.
+    /// Where a field, linear along the grid's edge from each place along `axis`, is zero, and which way it rises there,
+    /// by central differences at both ends. Reads up to seven places behind the last and writes as many vertices, and
+    /// eight bytes more. Pre: one end negative, the other not.
     void (*crossings)(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, int axis,
                       const SampleFrame& frame, SurfaceVertex* vertices) noexcept;
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four points at a time, in single precision eight, each with the operations of the portable kernel in its order. Compiled with -mavx2 and entered
-// only where the processor has it; without fused multiply-add, which would round differently.
+// Four points at a time, in single precision eight, each with the operations of the portable kernel in its order.
+// Compiled with -mavx2 and entered only where the processor has it; without fused multiply-add, which would round
+// differently.
 #include <immintrin.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -36,7 +38,8 @@ inline Four3 cross(const Four3& a, const Four3& b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-void transform(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept {
+void transform(const kerf_pose& a_from_b, std::size_t count, const ConstCoordinates& in_b,
+               const Coordinates& in_a) noexcept {
     const Four3 position = all(a_from_b.position);
     const Four3 u{all(a_from_b.rotation.x), all(a_from_b.rotation.y), all(a_from_b.rotation.z)};
     const Four w = all(a_from_b.rotation.w), two = all(2.0);
@@ -76,7 +79,8 @@ template <std::size_t step>
 class Steps {
 public:
     Steps(const kerf_vec3* points, std::size_t count) noexcept : points_(points), whole_(count / step * step) {
-        for (std::size_t n = 0; whole_ < count && n < step; ++n) tail_[n] = points[whole_ + n < count ? whole_ + n : count - 1];
+        for (std::size_t n = 0; whole_ < count && n < step; ++n)
+            tail_[n] = points[whole_ + n < count ? whole_ + n : count - 1];
     }
     const double* operator[](std::size_t i) const noexcept { return i < whole_ ? &points_[i].x : &tail_[0].x; }
 
@@ -121,11 +125,13 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
               const Places& to, PointBox* box) noexcept {
     const Places places = to;
     const FourFrame frame(fixed_from_points);
-    const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])}, high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
+    const Four3 low{all(grid.low[0]), all(grid.low[1]), all(grid.low[2])},
+        high{all(grid.high[0]), all(grid.high[1]), all(grid.high[2])};
     // A number that is NaN, too large or negative ends beyond the last one that is inside, taken as unsigned.
     const auto last = [&](int axis) { return all_ints(static_cast<std::int32_t>(grid.end[axis] - 1)); };
     const EightInts last_x = last(0), last_y = last(1), last_z = last(2);
-    const EightInts behind = all_ints((1 << grid.bits) - 1), row = all_ints(grid.row), layer = all_ints(grid.layer), outside = all_ints(grid.brick_count);
+    const EightInts behind = all_ints((1 << grid.bits) - 1), row = all_ints(grid.row), layer = all_ints(grid.layer),
+                    outside = all_ints(grid.brick_count);
     const __m128i bits = _mm_cvtsi32_si128(grid.bits), brick_of = _mm_cvtsi32_si128(grid.bits + brick_bits);
     const EightInts within = all_ints((1 << brick_bits) - 1), rows = all_ints(stored * stored | stored << 16);
     const Eight unit = _mm256_set1_ps(1.0f / static_cast<float>(1 << grid.bits));
@@ -155,16 +161,24 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
         const double* from = steps[n];
         const Fixed a = fixed(from), b = fixed(from + 3 * lanes);
         EightInts x = together(a.x, b.x), y = together(a.y, b.y), z = together(a.z, b.z);
-        const auto is_within = [](EightInts v, EightInts most) { return _mm256_cmpeq_epi32(_mm256_min_epu32(v, most), v); };
-        const EightInts is_inside = _mm256_and_si256(is_within(x, last_x), _mm256_and_si256(is_within(y, last_y), is_within(z, last_z)));
-        const EightInts bi = _mm256_srl_epi32(x, brick_of), bj = _mm256_srl_epi32(y, brick_of), bk = _mm256_srl_epi32(z, brick_of);
-        const EightInts brick = _mm256_add_epi32(_mm256_add_epi32(_mm256_mullo_epi32(bk, layer), _mm256_mullo_epi32(bj, row)), bi);
-        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.brick + n), _mm256_blendv_epi8(outside, brick, is_inside));
-        const EightInts oi = _mm256_and_si256(_mm256_srl_epi32(x, bits), within), oj = _mm256_and_si256(_mm256_srl_epi32(y, bits), within),
+        const auto is_within = [](EightInts v, EightInts most) {
+            return _mm256_cmpeq_epi32(_mm256_min_epu32(v, most), v);
+        };
+        const EightInts is_inside =
+            _mm256_and_si256(is_within(x, last_x), _mm256_and_si256(is_within(y, last_y), is_within(z, last_z)));
+        const EightInts bi = _mm256_srl_epi32(x, brick_of), bj = _mm256_srl_epi32(y, brick_of),
+                        bk = _mm256_srl_epi32(z, brick_of);
+        const EightInts brick =
+            _mm256_add_epi32(_mm256_add_epi32(_mm256_mullo_epi32(bk, layer), _mm256_mullo_epi32(bj, row)), bi);
+        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.brick + n),
+                            _mm256_blendv_epi8(outside, brick, is_inside));
+        const EightInts oi = _mm256_and_si256(_mm256_srl_epi32(x, bits), within),
+                        oj = _mm256_and_si256(_mm256_srl_epi32(y, bits), within),
                         ok = _mm256_and_si256(_mm256_srl_epi32(z, bits), within);
         // (k · 9 + j) · 9 + i, the products and their sum in one step
         const EightInts kj = _mm256_or_si256(ok, _mm256_slli_epi32(oj, 16));
-        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.offset + n), _mm256_add_epi32(_mm256_madd_epi16(kj, rows), oi));
+        _mm256_storeu_si256(reinterpret_cast<EightInts*>(places.offset + n),
+                            _mm256_add_epi32(_mm256_madd_epi16(kj, rows), oi));
         const auto fraction = [&](EightInts v) { return _mm256_cvtepi32_ps(_mm256_and_si256(v, behind)) * unit; };
         _mm256_storeu_ps(places.x + n, fraction(x));
         _mm256_storeu_ps(places.y + n, fraction(y));
@@ -183,8 +197,8 @@ void place_in(const Frame& fixed_from_points, const Lattice& grid, std::size_t c
             {across(most_point.x, larger), across(most_point.y, larger), across(most_point.z, larger)}};
 }
 
-void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points, const Places& places,
-           PointBox* box) noexcept {
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const kerf_vec3* points,
+           const Places& places, PointBox* box) noexcept {
     const Frame& f = fixed_from_points;
     const bool is_turned = f.x.y != 0.0 || f.x.z != 0.0 || f.y.x != 0.0 || f.y.z != 0.0 || f.z.x != 0.0 || f.z.y != 0.0;
     const auto place_there = [&]<bool wants_box>() {
@@ -200,7 +214,8 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
         place_there.template operator()<false>();
 }
 
-/// Where the bricks of eight points begin among the samples. `are_uniform` and `are_all` ask the first by itself before all of them: most often it says no.
+/// Where the bricks of eight points begin among the samples. `are_uniform` and `are_all` ask the first by itself before
+/// all of them: most often it says no.
 struct Starts {
     std::int32_t of[wide];
 
@@ -208,8 +223,12 @@ struct Starts {
         for (std::size_t n = 0; n < wide; ++n) of[n] = start[places.brick[i + n]];
     }
     /// Whether all of them begin before `first_stored`: at 0, or where one brick's samples end.
-    [[nodiscard, gnu::always_inline]] bool are_uniform(std::int32_t first_stored) const noexcept { return of[0] < first_stored && any() < first_stored; }
-    [[nodiscard, gnu::always_inline]] bool are_all(std::int32_t start) const noexcept { return of[0] == start && any() == start && common() == start; }
+    [[nodiscard, gnu::always_inline]] bool are_uniform(std::int32_t first_stored) const noexcept {
+        return of[0] < first_stored && any() < first_stored;
+    }
+    [[nodiscard, gnu::always_inline]] bool are_all(std::int32_t start) const noexcept {
+        return of[0] == start && any() == start && common() == start;
+    }
     [[nodiscard]] bool is_any_missing() const noexcept { return any() < 0; }
     [[nodiscard]] bool are_all_missing() const noexcept { return common() < 0; }
 
@@ -231,8 +250,10 @@ private:
 template <class Sample>
 class Cells {
 public:
-    [[gnu::always_inline]] Cells(const Sample* samples, const Starts& starts, const ConstPlaces& places, std::size_t i) noexcept {
-        for (std::size_t n = 0; n < wide; ++n) corner_[n] = samples + static_cast<std::uint32_t>(starts.of[n] + places.offset[i + n]);
+    [[gnu::always_inline]] Cells(const Sample* samples, const Starts& starts, const ConstPlaces& places,
+                                 std::size_t i) noexcept {
+        for (std::size_t n = 0; n < wide; ++n)
+            corner_[n] = samples + static_cast<std::uint32_t>(starts.of[n] + places.offset[i + n]);
     }
     [[nodiscard]] const Sample* operator[](std::size_t n) const noexcept { return corner_[n]; }
 
@@ -251,15 +272,20 @@ struct Rows {
 /// Of two samples a place. What they differ by is exact in whole numbers and in floats alike.
 inline Pairs pairs_of(EightInts both) noexcept {
     const EightInts lower = all_ints(1), difference = all_ints(0x1ffff);  // (1, 0) and (−1, 1)
-    return {_mm256_cvtepi32_ps(_mm256_madd_epi16(both, lower)), _mm256_cvtepi32_ps(_mm256_madd_epi16(both, difference))};
+    return {_mm256_cvtepi32_ps(_mm256_madd_epi16(both, lower)),
+            _mm256_cvtepi32_ps(_mm256_madd_epi16(both, difference))};
 }
-/// A load of sixteen samples has both rows: one in its low half, from the first sample on, the other, nine farther, in its high
-/// half from the second on.
+/// A load of sixteen samples has both rows: one in its low half, from the first sample on, the other, nine farther, in
+/// its high half from the second on.
 [[gnu::always_inline]] inline Rows load_rows(const Cells<std::int16_t>& cells, int offset) noexcept {
     const EightInts to_pairs = _mm256_setr_epi8(0, 1, 4, 5, 2, 3, 6, 7, -1, -1, -1, -1, -1, -1, -1, -1,  //
                                                 4, 5, 8, 9, 6, 7, 10, 11, -1, -1, -1, -1, -1, -1, -1, -1);
-    const auto load = [&](std::size_t n) { return _mm256_loadu_si256(reinterpret_cast<const EightInts*>(cells[n] + offset)); };
-    const auto two = [&](std::size_t n) { return _mm256_shuffle_epi8(_mm256_unpacklo_epi16(load(n), load(n + 1)), to_pairs); };
+    const auto load = [&](std::size_t n) {
+        return _mm256_loadu_si256(reinterpret_cast<const EightInts*>(cells[n] + offset));
+    };
+    const auto two = [&](std::size_t n) {
+        return _mm256_shuffle_epi8(_mm256_unpacklo_epi16(load(n), load(n + 1)), to_pairs);
+    };
     const EightInts low = _mm256_unpacklo_epi64(two(0), two(2)), high = _mm256_unpacklo_epi64(two(4), two(6));
     return {pairs_of(_mm256_permute2x128_si256(low, high, 0x20)), pairs_of(_mm256_permute2x128_si256(low, high, 0x31))};
 }
@@ -286,10 +312,12 @@ template <class Sample>
 [[gnu::always_inline]] inline Eight interpolated(const Cells<Sample>& cells, const EightFractions& f) noexcept {
     const Rows below = load_rows(cells, 0), above = load_rows(cells, stored * stored);
     const auto along_x = [&](const Pairs& p) { return p.low + p.rise * f.x; };
-    return lerp(lerp(along_x(below.first), along_x(below.second), f.y), lerp(along_x(above.first), along_x(above.second), f.y), f.z);
+    return lerp(lerp(along_x(below.first), along_x(below.second), f.y),
+                lerp(along_x(above.first), along_x(above.second), f.y), f.z);
 }
 
-/// The first sample of each brick; most often of one and the same. On its own, so that nothing of it is done before it is known which way to go.
+/// The first sample of each brick; most often of one and the same. On its own, so that nothing of it is done before it
+/// is known which way to go.
 [[gnu::noinline]] Eight uniform_values(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
     const auto first = [&](std::size_t n) { return static_cast<float>(field.samples[starts.of[n]]); };
@@ -297,7 +325,8 @@ template <class Sample>
     return _mm256_setr_ps(first(0), first(1), first(2), first(3), first(4), first(5), first(6), first(7));
 }
 
-[[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places, std::size_t i) noexcept {
+[[gnu::always_inline]] inline Eight values_of(const FieldShape& field, const ConstPlaces& places,
+                                              std::size_t i) noexcept {
     const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) return uniform_values(field, places, i);
     return interpolated(Cells(field.samples, starts, places, i), EightFractions(places, i));
@@ -313,7 +342,8 @@ struct Metres {
     Four low, high;
 
     Metres(Eight quanta, Four quantum, Four clamp) noexcept
-        : low(quantum * _mm256_cvtps_pd(_mm256_castps256_ps128(quanta))), high(quantum * _mm256_cvtps_pd(_mm256_extractf128_ps(quanta, 1))) {
+        : low(quantum * _mm256_cvtps_pd(_mm256_castps256_ps128(quanta))),
+          high(quantum * _mm256_cvtps_pd(_mm256_extractf128_ps(quanta, 1))) {
         if (!any(not_less(magnitude(quanta), _mm256_set1_ps(32767.0f)))) return;
         low = with_ends(low, _mm256_castps256_ps128(quanta), clamp);
         high = with_ends(high, _mm256_extractf128_ps(quanta, 1), clamp);
@@ -327,7 +357,8 @@ private:
     }
 };
 
-void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp, double* values) noexcept {
+void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& places, double quantum, double clamp,
+            double* values) noexcept {
     const FieldShape field = shape;
     // Values first, then what makes metres of them: in one pass it took a little longer.
     constexpr std::size_t stretch = 64;
@@ -343,8 +374,8 @@ void metres(const FieldShape& shape, std::size_t count, const ConstPlaces& place
     }
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
-               float* values) noexcept {
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
+               float elsewhere, float* values) noexcept {
     for (std::size_t i = 0; i < count; i += wide) {
         Starts starts(start, places, i);
         if (starts.are_all_missing()) {
@@ -363,7 +394,8 @@ void densities(const std::int32_t* start, const float* samples, std::size_t coun
 struct EightSlopes {
     Eight value, x, y, z;
 };
-[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i, const EightFractions& f) noexcept {
+[[gnu::always_inline]] inline EightSlopes slopes_of(const FieldShape& field, const ConstPlaces& places, std::size_t i,
+                                                    const EightFractions& f) noexcept {
     const Starts starts(field.start, places, i);
     if (starts.are_uniform(field.first_stored)) {
         const Eight zero = _mm256_setzero_ps();
@@ -372,13 +404,16 @@ struct EightSlopes {
     const Cells cells(field.samples, starts, places, i);
     const auto [v00, v10] = load_rows(cells, 0);
     const auto [v01, v11] = load_rows(cells, stored * stored);
-    const Eight c00 = v00.low + v00.rise * f.x, c10 = v10.low + v10.rise * f.x, c01 = v01.low + v01.rise * f.x, c11 = v11.low + v11.rise * f.x;
+    const Eight c00 = v00.low + v00.rise * f.x, c10 = v10.low + v10.rise * f.x, c01 = v01.low + v01.rise * f.x,
+                c11 = v11.low + v11.rise * f.x;
     const Eight y0 = c10 - c00, y1 = c11 - c01;
     const Eight c0 = c00 + y0 * f.y, c1 = c01 + y1 * f.y;
-    return {c0 + (c1 - c0) * f.z, lerp(lerp(v00.rise, v10.rise, f.y), lerp(v01.rise, v11.rise, f.y), f.z), lerp(y0, y1, f.z), c1 - c0};
+    return {c0 + (c1 - c0) * f.z, lerp(lerp(v00.rise, v10.rise, f.y), lerp(v01.rise, v11.rise, f.y), f.z),
+            lerp(y0, y1, f.z), c1 - c0};
 }
 
-float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept {
+float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::size_t count, const ConstPlaces& places,
+             const Slopes& larger) noexcept {
     const FieldShape bone = bone_shape, cut = cut_shape;
     Eight least = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
@@ -387,7 +422,8 @@ float slopes(const FieldShape& bone_shape, const FieldShape& cut_shape, std::siz
         EightSlopes found = slopes_of(cut, places, i, f);
         if (is_deep) {  // as below, of what is nowhere larger and level everywhere
             const Eight is_cut = less(eight(-32767.0f), found.value);
-            found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut), _mm256_and_ps(found.z, is_cut)};
+            found = {found.value, _mm256_and_ps(found.x, is_cut), _mm256_and_ps(found.y, is_cut),
+                     _mm256_and_ps(found.z, is_cut)};
         } else {
             const EightSlopes a = slopes_of(bone, places, i, f);
             const Eight is_cut = less(a.value, found.value);
@@ -411,7 +447,8 @@ struct FourRows {
     Four row[lanes];
 
     FourRows(Four a, Four b, Four c, Four d) noexcept {
-        const Four ab = _mm256_unpacklo_pd(a, b), ab_next = _mm256_unpackhi_pd(a, b), cd = _mm256_unpacklo_pd(c, d), cd_next = _mm256_unpackhi_pd(c, d);
+        const Four ab = _mm256_unpacklo_pd(a, b), ab_next = _mm256_unpackhi_pd(a, b), cd = _mm256_unpacklo_pd(c, d),
+                   cd_next = _mm256_unpackhi_pd(c, d);
         row[0] = _mm256_permute2f128_pd(ab, cd, 0x20);
         row[1] = _mm256_permute2f128_pd(ab_next, cd_next, 0x20);
         row[2] = _mm256_permute2f128_pd(ab, cd, 0x31);
@@ -421,30 +458,34 @@ struct FourRows {
 
 /// Four answers from their distances, normals and bodies, each coordinate for all four.
 inline void put_answers(Four distance, __m128 x, __m128 y, __m128 z, Four is_near, kerf_surface_point* to) noexcept {
-    static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) && offsetof(kerf_surface_point, body) == 4 * sizeof(double));
+    static_assert(sizeof(kerf_surface_point) == 5 * sizeof(double) &&
+                  offsetof(kerf_surface_point, body) == 4 * sizeof(double));
     const FourRows told(distance, _mm256_cvtps_pd(x), _mm256_cvtps_pd(y), _mm256_cvtps_pd(z));
     // A body of −1 and behind it a zero
     const __m256i body = _mm256_andnot_si256(_mm256_castpd_si256(is_near), _mm256_set1_epi64x(0xffffffff));
     double* at = &to->distance;
     for (std::size_t n = 0; n < lanes; ++n) _mm256_storeu_pd(at + 5 * n, told.row[n]);
-    const __m128d first = _mm_castsi128_pd(_mm256_castsi256_si128(body)), second = _mm_castsi128_pd(_mm256_extracti128_si256(body, 1));
+    const __m128d first = _mm_castsi128_pd(_mm256_castsi256_si128(body)),
+                  second = _mm_castsi128_pd(_mm256_extracti128_si256(body, 1));
     _mm_storel_pd(at + 4, first);
     _mm_storeh_pd(at + 9, first);
     _mm_storel_pd(at + 14, second);
     _mm_storeh_pd(at + 19, second);
 }
 
-void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept {
+void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
+            kerf_surface_point* answers) noexcept {
     Eight in_tool[3][3];
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < 3; ++n) in_tool[axis][n] = _mm256_set1_ps(surface.in_tool[axis][n]);
     const Four quantum = all(surface.quantum), clamp = all(surface.clamp);
     const Eight zero = _mm256_setzero_ps(), one = _mm256_set1_ps(1.0f), end = _mm256_set1_ps(32767.0f);
     for (std::size_t i = 0; i < count; i += wide) {
-        const Eight v = _mm256_loadu_ps(slopes.value + i), x = _mm256_loadu_ps(slopes.x + i), y = _mm256_loadu_ps(slopes.y + i),
-                    z = _mm256_loadu_ps(slopes.z + i);
+        const Eight v = _mm256_loadu_ps(slopes.value + i), x = _mm256_loadu_ps(slopes.x + i),
+                    y = _mm256_loadu_ps(slopes.y + i), z = _mm256_loadu_ps(slopes.z + i);
         const Eight length = _mm256_sqrt_ps((x * x + y * y) + z * z);
-        const Eight is_near = _mm256_and_ps(_mm256_cmp_ps(v, end, _CMP_LT_OQ), _mm256_cmp_ps(v, zero - end, _CMP_GT_OQ));
+        const Eight is_near =
+            _mm256_and_ps(_mm256_cmp_ps(v, end, _CMP_LT_OQ), _mm256_cmp_ps(v, zero - end, _CMP_GT_OQ));
         const Eight has_normal = _mm256_and_ps(is_near, _mm256_cmp_ps(length, zero, _CMP_GT_OQ));
         const Eight to_unit = _mm256_and_ps(one / length, has_normal);
         const Eight nx = x * to_unit, ny = y * to_unit, nz = z * to_unit;
@@ -467,14 +508,20 @@ void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes
 
 /// Four rows from the columns' places `i` on.
 inline void put_rows(const SampleColumns& from, std::size_t i, kerf_bone_sample* to) noexcept {
-    static_assert(KERF_MAX_TISSUES == 4 && sizeof(kerf_bone_sample) == 11 * sizeof(double) && offsetof(kerf_bone_sample, body) == 10 * sizeof(double));
+    static_assert(KERF_MAX_TISSUES == 4 && sizeof(kerf_bone_sample) == 11 * sizeof(double) &&
+                  offsetof(kerf_bone_sample, body) == 10 * sizeof(double));
     const auto column = [&](const float* values, std::size_t tissue) {
-        return tissue < from.tissues ? _mm256_cvtps_pd(_mm_loadu_ps(values + tissue * from.stride + i)) : _mm256_setzero_pd();
+        return tissue < from.tissues ? _mm256_cvtps_pd(_mm_loadu_ps(values + tissue * from.stride + i))
+                                     : _mm256_setzero_pd();
     };
-    const FourRows first(_mm256_cvtps_pd(_mm_loadu_ps(from.engagement + i)), _mm256_loadu_pd(from.gap + i), column(from.weight, 0), column(from.weight, 1));
-    const FourRows second(column(from.weight, 2), column(from.weight, 3), column(from.density, 0), column(from.density, 1));
-    const Four d2 = column(from.density, 2), d3 = column(from.density, 3), even = _mm256_unpacklo_pd(d2, d3), odd = _mm256_unpackhi_pd(d2, d3);
-    const __m128d third[lanes] = {_mm256_castpd256_pd128(even), _mm256_castpd256_pd128(odd), _mm256_extractf128_pd(even, 1), _mm256_extractf128_pd(odd, 1)};
+    const FourRows first(_mm256_cvtps_pd(_mm_loadu_ps(from.engagement + i)), _mm256_loadu_pd(from.gap + i),
+                         column(from.weight, 0), column(from.weight, 1));
+    const FourRows second(column(from.weight, 2), column(from.weight, 3), column(from.density, 0),
+                          column(from.density, 1));
+    const Four d2 = column(from.density, 2), d3 = column(from.density, 3), even = _mm256_unpacklo_pd(d2, d3),
+               odd = _mm256_unpackhi_pd(d2, d3);
+    const __m128d third[lanes] = {_mm256_castpd256_pd128(even), _mm256_castpd256_pd128(odd),
+                                  _mm256_extractf128_pd(even, 1), _mm256_extractf128_pd(odd, 1)};
     for (std::size_t n = 0; n < lanes; ++n) {
         double* at = &to[n].engagement;
         _mm256_storeu_pd(at, first.row[n]);
@@ -556,7 +603,8 @@ inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
         const kerf_profile_point& a = outline.point[n];
         const OutlineSegment& s = outline.segment[n];
-        const Four along = ((r - all(a.radius)) * all(s.along_r) + (z - all(a.z)) * all(s.along_z)) * all(s.inverse_length2);
+        const Four along =
+            ((r - all(a.radius)) * all(s.along_r) + (z - all(a.z)) * all(s.along_z)) * all(s.inverse_length2);
         const Four is_within = _mm256_and_pd(not_less(along, _mm256_setzero_pd()), not_less(all(1.0), along));
         is_beside = _mm256_or_pd(is_beside, _mm256_and_pd(same(to_face(s, r, z), depth), is_within));
     }
@@ -568,7 +616,8 @@ inline Four convex_depth(const OutlineShape& outline, Four r, Four z, Four depth
 /// The depth in any solid.
 inline Four depth_in(const OutlineShape& outline, Four r, Four z) noexcept {
     if (outline.is_convex) return convex_depth(outline, r, z, depth_of_planes(outline, r, z));
-    const Four is_between = _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
+    const Four is_between =
+        _mm256_and_pd(less(z, all(outline.point[0].z)), less(all(outline.point[outline.count - 1].z), z));
     const Four is_inside = _mm256_and_pd(is_between, less(r, wall_at(outline, z)));
     return with_sign(_mm256_sqrt_pd(squared_distance(outline, r, z)), is_inside);
 }
@@ -588,8 +637,8 @@ inline Four prism_depth(const OutlineShape& outline, Four x, Four y, Four z) noe
 void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* depths) noexcept {
     if (outline.half_thickness > 0.0) {
         for (std::size_t i = 0; i < count; i += lanes)
-            _mm256_storeu_pd(depths + i, prism_depth(outline, _mm256_loadu_pd(in_tool.x + i), _mm256_loadu_pd(in_tool.y + i),
-                                                     _mm256_loadu_pd(in_tool.z + i)));
+            _mm256_storeu_pd(depths + i, prism_depth(outline, _mm256_loadu_pd(in_tool.x + i),
+                                                     _mm256_loadu_pd(in_tool.y + i), _mm256_loadu_pd(in_tool.z + i)));
         return;
     }
     for (std::size_t i = 0; i < count; i += lanes) {
@@ -603,23 +652,29 @@ void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordin
     const kerf_profile_point &front = outline.point[0], &back = outline.point[outline.count - 1];
     const bool is_prism = outline.half_thickness > 0.0;
     for (std::size_t i = 0; i < count; i += lanes) {
-        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i), z = _mm256_loadu_pd(in_tool.z + i);
+        const Four x = _mm256_loadu_pd(in_tool.x + i), y = _mm256_loadu_pd(in_tool.y + i),
+                   z = _mm256_loadu_pd(in_tool.z + i);
         const Four r = is_prism ? magnitude(x) : _mm256_sqrt_pd(x * x + y * y);
         const Four to_front = all(front.z) - z, to_back = z - all(back.z), is_before = less(to_front, to_back);
-        Four depth = _mm256_blendv_pd(to_back, to_front, is_before), gz = _mm256_blendv_pd(all(1.0), all(-1.0), is_before);
+        Four depth = _mm256_blendv_pd(to_back, to_front, is_before),
+             gz = _mm256_blendv_pd(all(1.0), all(-1.0), is_before);
         Four normal_r = _mm256_setzero_pd();
         for (std::size_t n = 0; n + 1 < outline.count; ++n) {
             const OutlineSegment& s = outline.segment[n];
-            const Four to_line = all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z), is_less = less(to_line, depth);
+            const Four to_line = all(s.offset) - (all(s.normal_r) * r + all(s.normal_z) * z),
+                       is_less = less(to_line, depth);
             depth = _mm256_blendv_pd(depth, to_line, is_less);
             normal_r = _mm256_blendv_pd(normal_r, all(s.normal_r), is_less);
             gz = _mm256_blendv_pd(gz, all(-s.normal_z), is_less);
         }
         if (is_prism) {
-            const Four zero = _mm256_setzero_pd(), to_side = all(outline.half_thickness) - magnitude(y), is_side = less(to_side, depth);
+            const Four zero = _mm256_setzero_pd(), to_side = all(outline.half_thickness) - magnitude(y),
+                       is_side = less(to_side, depth);
             _mm256_storeu_pd(depths + i, _mm256_blendv_pd(depth, to_side, is_side));
-            _mm256_storeu_pd(gradients.x + i, _mm256_andnot_pd(is_side, _mm256_blendv_pd(minus(normal_r), normal_r, less(x, zero))));
-            _mm256_storeu_pd(gradients.y + i, _mm256_and_pd(is_side, _mm256_blendv_pd(all(-1.0), all(1.0), less(y, zero))));
+            _mm256_storeu_pd(gradients.x + i,
+                             _mm256_andnot_pd(is_side, _mm256_blendv_pd(minus(normal_r), normal_r, less(x, zero))));
+            _mm256_storeu_pd(gradients.y + i,
+                             _mm256_and_pd(is_side, _mm256_blendv_pd(all(-1.0), all(1.0), less(y, zero))));
             _mm256_storeu_pd(gradients.z + i, _mm256_andnot_pd(is_side, gz));
             continue;
         }
@@ -631,7 +686,6 @@ void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordin
     }
 }
 
-
 inline Eight to_face(const OutlineFace& f, Eight r, Eight z) noexcept {
     return eight(f.offset) - (eight(f.normal_r) * r + eight(f.normal_z) * z);
 }
@@ -640,7 +694,8 @@ inline Eight squared_distance(const SingleOutline& o, Eight r, Eight z) noexcept
     Eight nearest2 = eight(1e30f);
     for (std::size_t n = 0; n < o.count; ++n) {
         const OutlineFace& f = o.face[n];
-        const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius), dz = z - eight(f.z);
+        const Eight along_r = eight(f.along_r), along_z = eight(f.along_z), dr = r - eight(f.radius),
+                    dz = z - eight(f.z);
         const Eight t = least(eight(1.0f), most(zero, (dr * along_r + dz * along_z) * eight(f.inverse_length2)));
         const Eight off_r = dr - t * along_r, off_z = dz - t * along_z;
         nearest2 = least(off_r * off_r + off_z * off_z, nearest2);
@@ -675,7 +730,8 @@ inline Eight depth_from(const SingleOutline& o, Eight r, Eight z, Eight depth) n
                                    _mm256_and_ps(same(z - eight(o.back_z), depth), not_less(eight(o.back_radius), r)));
     for (std::size_t n = 0; n < o.count; ++n) {
         const OutlineFace& f = o.face[n];
-        const Eight along = ((r - eight(f.radius)) * eight(f.along_r) + (z - eight(f.z)) * eight(f.along_z)) * eight(f.inverse_length2);
+        const Eight along =
+            ((r - eight(f.radius)) * eight(f.along_r) + (z - eight(f.z)) * eight(f.along_z)) * eight(f.inverse_length2);
         const Eight is_within = _mm256_and_ps(not_less(along, zero), not_less(eight(1.0f), along));
         is_beside = _mm256_or_ps(is_beside, _mm256_and_ps(same(to_face(f, r, z), depth), is_within));
     }
@@ -705,12 +761,15 @@ inline Eight depth_from(const SingleOutline& o, Eight r, Eight y, Eight z, Eight
 }
 inline EightPoints moved(const SingleFrame& f, const EightPoints& p) noexcept {
     const auto along = [&](int n) {
-        return ((eight(f.axis[0][n]) * p.x + eight(f.axis[1][n]) * p.y) + eight(f.axis[2][n]) * p.z) + eight(f.origin[n]);
+        return ((eight(f.axis[0][n]) * p.x + eight(f.axis[1][n]) * p.y) + eight(f.axis[2][n]) * p.z) +
+               eight(f.origin[n]);
     };
     return {along(0), along(1), along(2)};
 }
 inline EightPoints turned_back(const SingleFrame& f, const EightPoints& d) noexcept {
-    const auto along = [&](int n) { return (eight(f.axis[n][0]) * d.x + eight(f.axis[n][1]) * d.y) + eight(f.axis[n][2]) * d.z; };
+    const auto along = [&](int n) {
+        return (eight(f.axis[n][0]) * d.x + eight(f.axis[n][1]) * d.y) + eight(f.axis[n][2]) * d.z;
+    };
     return {along(0), along(1), along(2)};
 }
 
@@ -727,7 +786,8 @@ inline EightPoints way_in(const SingleOutline& o, const EightPoints& p, Eight r)
     if (o.half_thickness > 0.0f) {
         const Eight zero = _mm256_setzero_ps(), is_side = less(eight(o.half_thickness) - magnitude(p.y), depth);
         return {_mm256_andnot_ps(is_side, _mm256_blendv_ps(minus(in_r), in_r, less(p.x, zero))),
-                _mm256_and_ps(is_side, _mm256_blendv_ps(eight(-1.0f), eight(1.0f), less(p.y, zero))), _mm256_andnot_ps(is_side, in_z)};
+                _mm256_and_ps(is_side, _mm256_blendv_ps(eight(-1.0f), eight(1.0f), less(p.y, zero))),
+                _mm256_andnot_ps(is_side, in_z)};
     }
     const Eight inwards = _mm256_and_ps(minus(in_r) / r, less(_mm256_setzero_ps(), r));
     return {inwards * p.x, inwards * p.y, in_z};
@@ -738,9 +798,12 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
     const Steps<wide> steps(points, count);
     for (std::size_t i = 0; i < count; i += wide) {
         const Four3 a = load_points(steps[i]), b = load_points(steps[i] + 3 * lanes);
-        const auto single = [](Four low, Four high) { return _mm256_set_m128(_mm256_cvtpd_ps(high), _mm256_cvtpd_ps(low)); };
+        const auto single = [](Four low, Four high) {
+            return _mm256_set_m128(_mm256_cvtpd_ps(high), _mm256_cvtpd_ps(low));
+        };
         const EightPoints at{single(a.x, b.x), single(a.y, b.y), single(a.z, b.z)};
-        Eight best = _mm256_loadu_ps(walls.depth + i), which = _mm256_loadu_ps(reinterpret_cast<const float*>(walls.which + i));
+        Eight best = _mm256_loadu_ps(walls.depth + i),
+              which = _mm256_loadu_ps(reinterpret_cast<const float*>(walls.which + i));
         EightPoints way{_mm256_loadu_ps(walls.x + i), _mm256_loadu_ps(walls.y + i), _mm256_loadu_ps(walls.z + i)};
         for (std::size_t n = 0; n < solids; ++n) {
             const SingleFrame& frame = solid_from_points[n];
@@ -790,13 +853,14 @@ alignas(32) constexpr LanePlaces lane_places;
 
 bool raise(const SingleOutline& outline, const SampleCell& cell, float band, float per_quantum, std::int16_t* samples,
            std::int16_t& lowest, std::int16_t& highest, std::int16_t* spare) noexcept {
-    // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong too
-    // often.
+    // In passes over the whole cell: a question whether any sample rises, asked at every step, would be guessed wrong
+    // too often.
     constexpr int steps = 3 * steps_of_layer;
     const Eight farthest = eight(-band), scale = eight(per_quantum), zero = _mm256_setzero_ps();
     const auto& along = cell.along;
     const auto step_at = [&](int n) {
-        return reinterpret_cast<__m128i*>(samples + n / steps_of_layer * stored * stored + step_start[n % steps_of_layer]);
+        return reinterpret_cast<__m128i*>(samples + n / steps_of_layer * stored * stored +
+                                          step_start[n % steps_of_layer]);
     };
     Eight radius[steps], across[steps], height[steps], depth[steps], may_rise = zero, may_rise_outside = zero;
     EightInts before[steps], value[steps];
@@ -806,8 +870,11 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         up[layer] = {k * eight(along[2][0]), k * eight(along[2][1]), k * eight(along[2][2])};
     }
     for (int n = 0; n < steps_of_layer; ++n) {
-        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_places.x[n]), j = eight(cell.first[1]) + _mm256_loadu_ps(lane_places.y[n]);
-        const auto row = [&](int axis) { return (eight(cell.origin[axis]) + i * eight(along[0][axis])) + j * eight(along[1][axis]); };
+        const Eight i = eight(cell.first[0]) + _mm256_loadu_ps(lane_places.x[n]),
+                    j = eight(cell.first[1]) + _mm256_loadu_ps(lane_places.y[n]);
+        const auto row = [&](int axis) {
+            return (eight(cell.origin[axis]) + i * eight(along[0][axis])) + j * eight(along[1][axis]);
+        };
         const EightPoints start{row(0), row(1), row(2)};
         for (int layer = 0; layer < 3; ++layer) {
             const int at = layer * steps_of_layer + n;
@@ -818,7 +885,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         }
     }
     const auto rises = [&](int n) {
-        return _mm256_and_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(value[n], before[n])), not_less(depth[n], farthest));
+        return _mm256_and_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(value[n], before[n])),
+                             not_less(depth[n], farthest));
     };
     for (int n = 0; n < steps; ++n) {
         before[n] = _mm256_cvtepi16_epi32(_mm_loadu_si128(step_at(n)));
@@ -834,7 +902,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
         EightInts least_spare = full;
         for (int n = 0; n < steps; ++n) {
             const EightInts here = _mm256_sub_epi32(_mm256_max_epi32(before[n], end_of_band), value[n]);
-            least_spare = _mm256_min_epi32(least_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
+            least_spare =
+                _mm256_min_epi32(least_spare, _mm256_blendv_epi8(here, full, _mm256_cmpeq_epi32(before[n], full)));
         }
         std::int32_t each[wide];
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(each), least_spare);
@@ -891,7 +960,8 @@ void find(const std::int16_t* samples, std::int16_t low, std::int16_t high, std:
         const std::int16_t* at = samples + layer * stored * stored;
         // Sixteen of the 27, and from the twelfth on sixteen
         const __m256i both = _mm256_packs_epi16(outside(at), outside(at + 11));
-        const auto bits = static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));
+        const auto bits =
+            static_cast<std::uint32_t>(~_mm256_movemask_epi8(_mm256_permute4x64_epi64(both, _MM_SHUFFLE(3, 1, 2, 0))));
         found[layer] = (bits & 0xffffu) | (bits >> 16) << 11;
     }
 }

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reference: stage by stage, in loops that a compiler takes for several points at a time.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "core/field/block_kernel.h"
-#include "core/field/surface_kernel.h"
 #include "core/field/point_block.h"
+#include "core/field/surface_kernel.h"
 
 namespace kerf {
 
 namespace {
 
-void transform(const Pose &a_from_b, std::size_t count, const ConstCoordinates& in_b, const Coordinates& in_a) noexcept {
+void transform(const Pose& a_from_b, std::size_t count, const ConstCoordinates& in_b,
+               const Coordinates& in_a) noexcept {
     const Pose pose = a_from_b;
-    const double *__restrict x = in_b.x, *__restrict y = in_b.y, *__restrict z = in_b.z;
-    double *__restrict to_x = in_a.x, *__restrict to_y = in_a.y, *__restrict to_z = in_a.z;
+    const double* __restrict x = in_b.x, * __restrict y = in_b.y, * __restrict z = in_b.z;
+    double* __restrict to_x = in_a.x, * __restrict to_y = in_a.y, * __restrict to_z = in_a.z;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 p = pose * Vec3{x[i], y[i], z[i]};
         to_x[i] = p.x;
@@ -34,8 +38,8 @@ void move(const Frame& a_from_b, std::size_t count, const Vec3* in_b, const Coor
     }
 }
 
-void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points, const Places& places,
-           PointBox* box) noexcept {
+void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t count, const Vec3* points,
+           const Places& places, PointBox* box) noexcept {
     const Frame frame = fixed_from_points;
     const double one = static_cast<double>(std::int64_t{1} << grid.bits);
     const auto kept = [](double v, double from, double to) { return v < from ? from : (to < v ? to : v); };
@@ -48,8 +52,10 @@ void place(const Frame& fixed_from_points, const Lattice& grid, std::size_t coun
                  kept(g.z, grid.low[2], grid.high[2])};
         }
         // Written so that NaN is outside.
-        const bool is_inside = (g.x > -1.0) & (g.y > -1.0) & (g.z > -1.0) & (g.x < grid.end[0]) & (g.y < grid.end[1]) & (g.z < grid.end[2]);
-        const auto x = static_cast<std::int32_t>(is_inside ? g.x : 0.0), y = static_cast<std::int32_t>(is_inside ? g.y : 0.0),
+        const bool is_inside = (g.x > -1.0) & (g.y > -1.0) & (g.z > -1.0) & (g.x < grid.end[0]) & (g.y < grid.end[1]) &
+                               (g.z < grid.end[2]);
+        const auto x = static_cast<std::int32_t>(is_inside ? g.x : 0.0),
+                   y = static_cast<std::int32_t>(is_inside ? g.y : 0.0),
                    z = static_cast<std::int32_t>(is_inside ? g.z : 0.0);
         const std::int32_t i = x >> grid.bits, j = y >> grid.bits, k = z >> grid.bits;
         const std::int32_t brick = k / brick_edge * grid.layer + j / brick_edge * grid.row + i / brick_edge;
@@ -96,18 +102,21 @@ private:
     std::array<FloatBlock, 8> at_;
 };
 Corners corners_in(const FieldShape& field, std::size_t count, const ConstPlaces& places) noexcept {
-    return Corners(count, [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
+    return Corners(count,
+                   [&](std::size_t i) { return field.samples + field.start[places.brick[i]] + places.offset[i]; });
 }
 
 /// Where nothing is stored, of whatever is stored first.
-Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places) noexcept {
-    return Corners(count, [&](std::size_t i) { return samples + std::max(start[places.brick[i]], 0) + places.offset[i]; });
+Corners corners_in(const std::int32_t* start, const float* samples, std::size_t count,
+                   const ConstPlaces& places) noexcept {
+    return Corners(count,
+                   [&](std::size_t i) { return samples + std::max(start[places.brick[i]], 0) + places.offset[i]; });
 }
 
 inline float lerp(float a, float b, float t) noexcept { return a + (b - a) * t; }
 
 void interpolate(const Corners& c, std::size_t count, const ConstPlaces& places, float* __restrict values) noexcept {
-    const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
+    const float* __restrict fx = places.x, * __restrict fy = places.y, * __restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
         const float c00 = lerp(c[0][i], c[1][i], fx[i]), c10 = lerp(c[2][i], c[3][i], fx[i]);
         const float c01 = lerp(c[4][i], c[5][i], fx[i]), c11 = lerp(c[6][i], c[7][i], fx[i]);
@@ -131,15 +140,15 @@ void metres(const FieldShape& field, std::size_t count, const ConstPlaces& place
     for (std::size_t i = 0; i < count; ++i) values[i] = metres_of(quanta[i], quantum, clamp);
 }
 
-void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places, float elsewhere,
-               float* values) noexcept {
+void densities(const std::int32_t* start, const float* samples, std::size_t count, const ConstPlaces& places,
+               float elsewhere, float* values) noexcept {
     interpolate(corners_in(start, samples, count, places), count, places, values);
     for (std::size_t i = 0; i < count; ++i) values[i] = start[places.brick[i]] < 0 ? elsewhere : values[i];
 }
 
 void slopes_of(const FieldShape& field, std::size_t count, const ConstPlaces& places, SlopeBlock& slopes) noexcept {
     const Corners c = corners_in(field, count, places);
-    const float *__restrict fx = places.x, *__restrict fy = places.y, *__restrict fz = places.z;
+    const float* __restrict fx = places.x, * __restrict fy = places.y, * __restrict fz = places.z;
     for (std::size_t i = 0; i < count; ++i) {
         const float x00 = c[1][i] - c[0][i], x10 = c[3][i] - c[2][i];
         const float x01 = c[5][i] - c[4][i], x11 = c[7][i] - c[6][i];
@@ -154,7 +163,8 @@ void slopes_of(const FieldShape& field, std::size_t count, const ConstPlaces& pl
     }
 }
 
-float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places, const Slopes& larger) noexcept {
+float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, const ConstPlaces& places,
+             const Slopes& larger) noexcept {
     SlopeBlock a, b;
     slopes_of(bone, count, places, a);
     slopes_of(cut, count, places, b);
@@ -170,7 +180,8 @@ float slopes(const FieldShape& bone, const FieldShape& cut, std::size_t count, c
     return least;
 }
 
-void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes, kerf_surface_point* answers) noexcept {
+void answer(const Surface& surface, std::size_t count, const ConstSlopes& slopes,
+            kerf_surface_point* answers) noexcept {
     const auto& in_tool = surface.in_tool;
     for (std::size_t i = 0; i < count; ++i) {
         const float v = slopes.value[i], x = slopes.x[i], y = slopes.y[i], z = slopes.z[i];
@@ -219,7 +230,7 @@ void squared_distances(const OutlineShape& outline, std::size_t count, const Blo
             nearest2[i] = d2 < nearest2[i] ? d2 : nearest2[i];
         }
     }
-    const auto add_cap = [&](const kerf_profile_point &rim) {
+    const auto add_cap = [&](const kerf_profile_point& rim) {
         for (std::size_t i = 0; i < count; ++i) {
             const double beside = r[i] - rim.radius, dz = z[i] - rim.z;
             const double dr = 0.0 < beside ? beside : 0.0;
@@ -235,8 +246,7 @@ void squared_distances(const OutlineShape& outline, std::size_t count, const Blo
 void convex_depths(const OutlineShape& outline, std::size_t count, const BlockValues& r, const double* __restrict z,
                    double* __restrict depths) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
-    for (std::size_t i = 0; i < count; ++i)
-        depths[i] = z[i] - back.z < front.z - z[i] ? z[i] - back.z : front.z - z[i];
+    for (std::size_t i = 0; i < count; ++i) depths[i] = z[i] - back.z < front.z - z[i] ? z[i] - back.z : front.z - z[i];
     for (std::size_t n = 0; n + 1 < outline.count; ++n) {
         const OutlineSegment s = outline.segment[n];
         for (std::size_t i = 0; i < count; ++i) {
@@ -271,23 +281,25 @@ void convex_depths(const OutlineShape& outline, std::size_t count, const BlockVa
 }
 
 /// A prism's: what its outline has in the plane, within two flat sides.
-void prism_depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* __restrict depths) noexcept {
+void prism_depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
+                  double* __restrict depths) noexcept {
     BlockValues r{};
-    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y;
+    const double* __restrict x = in_tool.x, * __restrict y = in_tool.y;
     for (std::size_t i = 0; i < count; ++i) r[i] = std::abs(x[i]);
     convex_depths(outline, count, r, in_tool.z, depths);
     for (std::size_t i = 0; i < count; ++i) {
         const double side = std::abs(y[i]) - outline.half_thickness, flat = depths[i];
-        const double off = 0.0 > flat ? flat : 0.0, beside = side > 0.0 ? side : 0.0, within = flat < -side ? flat : -side;
+        const double off = 0.0 > flat ? flat : 0.0, beside = side > 0.0 ? side : 0.0,
+                     within = flat < -side ? flat : -side;
         depths[i] = (flat < 0.0) | (side > 0.0) ? -std::sqrt(off * off + beside * beside) : within;
     }
 }
 
-void depths(const OutlineShape &outline, std::size_t count, const ConstCoordinates& in_tool,
-            double *__restrict depths) noexcept {
+void depths(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
+            double* __restrict depths) noexcept {
     if (outline.half_thickness > 0.0) return prism_depths(outline, count, in_tool, depths);
     BlockValues r{}, nearest2, wall;
-    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
+    const double* __restrict x = in_tool.x, * __restrict y = in_tool.y, * __restrict z = in_tool.z;
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
     for (std::size_t i = 0; i < count; ++i) {
         r[i] = std::sqrt(x[i] * x[i] + y[i] * y[i]);
@@ -315,11 +327,11 @@ void depths(const OutlineShape &outline, std::size_t count, const ConstCoordinat
     }
 }
 
-void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool, double* __restrict depths,
-              const Coordinates& gradients) noexcept {
+void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordinates& in_tool,
+              double* __restrict depths, const Coordinates& gradients) noexcept {
     const auto front = outline.point[0], back = outline.point[outline.count - 1];
-    const double *__restrict x = in_tool.x, *__restrict y = in_tool.y, *__restrict z = in_tool.z;
-    double *__restrict gx = gradients.x, *__restrict gy = gradients.y, *__restrict gz = gradients.z;
+    const double* __restrict x = in_tool.x, * __restrict y = in_tool.y, * __restrict z = in_tool.z;
+    double* __restrict gx = gradients.x, * __restrict gy = gradients.y, * __restrict gz = gradients.z;
     const bool is_prism = outline.half_thickness > 0.0;
     BlockValues r, normal_r;
     for (std::size_t i = 0; i < count; ++i) {
@@ -360,7 +372,9 @@ void tangents(const OutlineShape& outline, std::size_t count, const ConstCoordin
 
 inline float smaller(float a, float b) noexcept { return a < b ? a : b; }
 inline float larger(float a, float b) noexcept { return a > b ? a : b; }
-inline float to_face(const OutlineFace& f, float r, float z) noexcept { return f.offset - (f.normal_r * r + f.normal_z * z); }
+inline float to_face(const OutlineFace& f, float r, float z) noexcept {
+    return f.offset - (f.normal_r * r + f.normal_z * z);
+}
 
 /// To the nearest point of the outline, squared.
 float squared_distance(const SingleOutline& o, float r, float z) noexcept {
@@ -425,7 +439,9 @@ float depth_from(const SingleOutline& o, SinglePoint p, float r, float depth) no
     return smaller(-std::sqrt(off * off + beside * beside), depth);
 }
 SinglePoint moved(const SingleFrame& f, SinglePoint p) noexcept {
-    const auto along = [&](int n) { return ((f.axis[0][n] * p.x + f.axis[1][n] * p.y) + f.axis[2][n] * p.z) + f.origin[n]; };
+    const auto along = [&](int n) {
+        return ((f.axis[0][n] * p.x + f.axis[1][n] * p.y) + f.axis[2][n] * p.z) + f.origin[n];
+    };
     return {along(0), along(1), along(2)};
 }
 /// Pre: a rotation.
@@ -436,7 +452,8 @@ SinglePoint turned_back(const SingleFrame& f, SinglePoint d) noexcept {
 
 /// The way in from a point inside, in the frame of the solid.
 SinglePoint way_in(const SingleOutline& o, SinglePoint p, float r) noexcept {
-    float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f, in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
+    float depth = smaller(p.z - o.back_z, o.front_z - p.z), in_r = 0.0f,
+          in_z = o.front_z - p.z < p.z - o.back_z ? -1.0f : 1.0f;
     for (std::size_t n = 0; n < o.count; ++n) {
         const float here = to_face(o.face[n], r, p.z);
         const bool is_less = here < depth;
@@ -458,7 +475,8 @@ void deepest(const SingleOutline& outline, const SingleFrame* solid_from_points,
         const SingleFrame& frame = solid_from_points[n];
         for (std::size_t i = 0; i < count; ++i) {
             const Vec3 point = points[i];
-            const SinglePoint p = moved(frame, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+            const SinglePoint p =
+                moved(frame, {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
             const float r = radius_of(outline, p);
             float depth = depth_at_most(outline, p, r);
             if (!(depth > walls.depth[i])) continue;
@@ -490,12 +508,16 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
             for (int x = 0; x < stored_edge; ++x) {
                 const float i = cell.first[0] + static_cast<float>(x), j = cell.first[1] + static_cast<float>(y),
                             k = cell.first[2] + static_cast<float>(z);
-                const auto place = [&](int n) { return ((cell.origin[n] + i * at[0][n]) + j * at[1][n]) + k * at[2][n]; };
+                const auto place = [&](int n) {
+                    return ((cell.origin[n] + i * at[0][n]) + j * at[1][n]) + k * at[2][n];
+                };
                 const SinglePoint p{place(0), place(1), place(2)};
                 const float r = radius_of(outline, p);
                 std::int16_t& sample = samples[(z * stored_edge + y) * stored_edge + x];
                 const float at_most = depth_at_most(outline, p, r);
-                if (sample < 32767) least_spare = std::min(least_spare, std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
+                if (sample < 32767)
+                    least_spare = std::min(
+                        least_spare, std::max<std::int32_t>(sample, end_of_band) - quantised(at_most, per_quantum));
                 if (at_most >= -band && quantised(at_most, per_quantum) > sample) {
                     const float depth = depth_from(outline, p, r, at_most);
                     const std::int32_t value = quantised(depth, per_quantum);
@@ -507,7 +529,8 @@ bool raise(const SingleOutline& outline, const SampleCell& cell, float band, flo
                 least = std::min<std::int32_t>(least, sample);
                 most = std::max<std::int32_t>(most, sample);
             }
-    if (spare != nullptr) *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
+    if (spare != nullptr)
+        *spare = is_raised ? std::int16_t{0} : static_cast<std::int16_t>(std::clamp(least_spare, 0, 32767));
     if (!is_raised) return false;
     lowest = static_cast<std::int16_t>(least);
     highest = static_cast<std::int16_t>(most);
@@ -547,6 +570,6 @@ constexpr BlockKernel table{
 
 }  // namespace
 
-const BlockKernel &portable_kernel() noexcept { return table; }
+const BlockKernel& portable_kernel() noexcept { return table; }
 
 }  // namespace kerf

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,10 @@ struct Material {
 /// Frame: LPS, metres. The last material is the base and fills what the others leave.
 struct Body {
     std::string id;
-    LevelSet surface;                 ///< negative inside bone, before any cut
-    /// Rooms in it, negative inside them; empty: none. Two one-sided fields carry a sheet between surface and room however
-    /// thin, as they are combined after interpolation (B1). Every cut field begins with it, as with bone that is gone.
+    LevelSet surface;  ///< negative inside bone, before any cut
+    /// Rooms in it, negative inside them; empty: none. Two one-sided fields carry a sheet between surface and room
+    /// however thin, as they are combined after interpolation (B1). Every cut field begins with it, as with bone that
+    /// is gone.
     LevelSet hollow = {};
     std::vector<Material> materials;  ///< 1 … KERF_MAX_TISSUES
     Region region = {};  ///< its faces lie on samples of the grid; unbounded: the grid holds all of the bone
@@ -56,9 +59,9 @@ inline constexpr float quantum_in_voxels = static_cast<float>(clamp_voxels / 327
     return body.hollow.is_empty() ? distance : std::max(distance, -body.hollow.at(place));
 }
 
-/// Share of an edge that is in bone, `uncut` and `cut` [quanta] the distances to the bone before any cut and to what was
-/// removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a ramp of
-/// little more: the end of a lip runs along the wall of its own hole and must not feel it.
+/// Share of an edge that is in bone, `uncut` and `cut` [quanta] the distances to the bone before any cut and to what
+/// was removed (negative where it still is). The removed solid is known to a twentieth of a voxel, so its border is a
+/// ramp of little more: the end of a lip runs along the wall of its own hole and must not feel it.
 [[nodiscard]] inline float engagement(float uncut, float cut) noexcept {
     const float there = coverage(uncut), left = coverage(cut, 0.1f);
     return std::min(left, there);

@@ -2,7 +2,11 @@
 #include "core/field/bone_surface.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "core/field/brick_mesher.h"
 #include "core/field/isosurface.h"

@@ -2,6 +2,9 @@
 #include "core/field/bone_view.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace kerf {
 
@@ -10,7 +13,8 @@ namespace {
 /// Calls `ask(first, count)` for blocks of the points.
 template <class Ask>
 void in_blocks(std::uint32_t count, const Ask& ask) noexcept {
-    for (std::size_t first = 0; first < count; first += block_capacity) ask(first, std::min(block_capacity, count - first));
+    for (std::size_t first = 0; first < count; first += block_capacity)
+        ask(first, std::min(block_capacity, count - first));
 }
 
 /// Member by member: to clear the whole struct at once took longer than all other stages of a question.
@@ -23,16 +27,22 @@ void put_air(kerf_bone_sample& s) noexcept {
 }
 
 /// Whether a point lies beyond the region's faces across an axis.
-bool is_beyond(const Lattice& grid, std::size_t axis, double at) noexcept { return at < grid.low[axis] || at > grid.high[axis]; }
+bool is_beyond(const Lattice& grid, std::size_t axis, double at) noexcept {
+    return at < grid.low[axis] || at > grid.high[axis];
+}
 /// On a face nothing is cut any more.
 bool can_be_cut(const Lattice& grid, Vec3 p) noexcept {
-    return p.x > grid.low[0] && p.y > grid.low[1] && p.z > grid.low[2] && p.x < grid.high[0] && p.y < grid.high[1] && p.z < grid.high[2];
+    return p.x > grid.low[0] && p.y > grid.low[1] && p.z > grid.low[2] && p.x < grid.high[0] && p.y < grid.high[1] &&
+           p.z < grid.high[2];
 }
 
 }  // namespace
 
-void BoneView::sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept {
-    in_blocks(count, [&](std::size_t first, std::size_t n) { sample_block(points + first, n, directions.from(first), out + first); });
+void BoneView::sample(const Vec3* points, std::uint32_t count, Directions directions,
+                      kerf_bone_sample* out) const noexcept {
+    in_blocks(count, [&](std::size_t first, std::size_t n) {
+        sample_block(points + first, n, directions.from(first), out + first);
+    });
 }
 
 void BoneView::sample_block(const Vec3* points, std::size_t count, Directions directions,
@@ -50,7 +60,8 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         return;
     }
 
-    // The way to the front is told one by one and only of those in bone, which most often are all; tissues of all, in the same steps.
+    // The way to the front is told one by one and only of those in bone, which most often are all; tissues of all, in
+    // the same steps.
     BlockValues gap;
     if (engaged_count == count) {
         tracker_->gap(body_from_tool_, points, count, directions, gap);
@@ -79,7 +90,9 @@ void BoneView::sample_block(const Vec3* points, std::size_t count, Directions di
         else
             material.densities.at(places, material.density, density[m]);
     }
-    block_kernel().rows({engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, body_id_}, count, out);
+    block_kernel().rows(
+        {engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, body_id_}, count,
+        out);
     for (std::size_t i = 0; engaged_count < count && i < count; ++i)
         if (engagement[i] <= 0.0f) put_air(out[i]);
 }
@@ -94,18 +107,23 @@ double BoneView::present_distance(Vec3 p) const noexcept {
 void BoneView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {
     PendingSurface pending(*tracker_, body_from_tool_);
     Surface surface{body_->grid().quantum(), body_->grid().clamp(), {}};
-    const double rows[3][3] = {{frame_.x.x, frame_.y.x, frame_.z.x}, {frame_.x.y, frame_.y.y, frame_.z.y}, {frame_.x.z, frame_.y.z, frame_.z.z}};
+    const double rows[3][3] = {{frame_.x.x, frame_.y.x, frame_.z.x},
+                               {frame_.x.y, frame_.y.y, frame_.z.y},
+                               {frame_.x.z, frame_.y.z, frame_.z.z}};
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t n = 0; n < 3; ++n) surface.in_tool[axis][n] = static_cast<float>(rows[axis][n]);
-    in_blocks(count, [&](std::size_t first, std::size_t n) { nearest_block(pending, surface, points + first, n, out + first); });
+    in_blocks(count, [&](std::size_t first, std::size_t n) {
+        nearest_block(pending, surface, points + first, n, out + first);
+    });
 }
 
-void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points,
-                             std::size_t count, kerf_surface_point* out) const noexcept {
+void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points, std::size_t count,
+                             kerf_surface_point* out) const noexcept {
     PlaceBlock places;
     SlopeBlock slopes;
     const PointBox box = grid_.locate_box(points, count, places);
-    const float least = block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
+    const float least =
+        block_kernel().slopes(body_->surface.shape(), committed_->shape(), count, places.places(), slopes.writable());
     const bool is_bounded = grid_.lattice().is_bounded;
     std::array<bool, block_capacity> can_rise;
     for (std::size_t i = 0; is_bounded && i < count; ++i) {  // beyond a face everything is as at the face
@@ -116,7 +134,8 @@ void BoneView::nearest_block(PendingSurface& pending, const Surface& surface, co
         if (is_beyond(grid_.lattice(), 2, at.z)) slopes.z[i] = 0.0f;
     }
     block_kernel().answer(surface, count, slopes.slopes(), out);
-    pending.raise(points, count, box, surface.quantum * static_cast<double>(least), is_bounded ? can_rise.data() : nullptr, out);
+    pending.raise(points, count, box, surface.quantum * static_cast<double>(least),
+                  is_bounded ? can_rise.data() : nullptr, out);
     if (body_id_ != 0)
         for (std::size_t i = 0; i < count; ++i)
             if (out[i].body >= 0) out[i].body = body_id_;

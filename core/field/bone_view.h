@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "core/field/pending_surface.h"
 
 /// The bone as a plugin sees it at one tick: batch queries in the tool frame, bounds-safe everywhere.
 ///
-/// Questions are answered in blocks, stage by stage: places in the grid, surface and cut there, then tissues, or pending
-/// cuts only where they may concern a point. Every point gets the bits it would get alone.
+/// Questions are answered in blocks, stage by stage: places in the grid, surface and cut there, then tissues, or
+/// pending cuts only where they may concern a point. Every point gets the bits it would get alone.
 namespace kerf {
 
 class BoneView {
@@ -44,13 +47,15 @@ public:
     [[nodiscard]] double present_distance(Vec3 point_in_body) const noexcept;
 
 private:
-    void sample_block(const Vec3* points, std::size_t count, Directions directions, kerf_bone_sample* out) const noexcept;
-    void nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points,
-                       std::size_t count, kerf_surface_point* out) const noexcept;
+    void sample_block(const Vec3* points, std::size_t count, Directions directions,
+                      kerf_bone_sample* out) const noexcept;
+    void nearest_block(PendingSurface& pending, const Surface& surface, const Vec3* points, std::size_t count,
+                       kerf_surface_point* out) const noexcept;
 
-    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3* directions,
-                             std::uint32_t direction_count, kerf_bone_sample* out) {
-        reinterpret_cast<const BoneView*>(bone)->sample(points, count, Directions::given(directions, direction_count, count), out);
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                             const kerf_vec3* directions, std::uint32_t direction_count, kerf_bone_sample* out) {
+        reinterpret_cast<const BoneView*>(bone)->sample(points, count,
+                                                        Directions::given(directions, direction_count, count), out);
     }
     static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
                               kerf_surface_point* out) {

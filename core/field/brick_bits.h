@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 /// The 8³ samples that a brick owns, a bit each.
@@ -30,7 +31,8 @@ struct BrickBits {
         constexpr std::uint64_t pairs = 0x5555555555555555u, fours = 0x3333333333333333u, bytes = 0x0f0f0f0f0f0f0f0fu;
         std::uint64_t sum = 0;  // a byte for each row of all slices: 64 at most
         for (const std::uint64_t s : slice) {
-            const std::uint64_t of_pairs = s - (s >> 1 & pairs), of_fours = (of_pairs & fours) + (of_pairs >> 2 & fours);
+            const std::uint64_t of_pairs = s - (s >> 1 & pairs),
+                                of_fours = (of_pairs & fours) + (of_pairs >> 2 & fours);
             sum += (of_fours + (of_fours >> 4)) & bytes;
         }
         constexpr std::uint64_t four_words = 0x00ff00ff00ff00ffu, ones = 0x0001000100010001u;
@@ -39,7 +41,9 @@ struct BrickBits {
     [[nodiscard]] constexpr bool has(int x, int y, int z) const noexcept {
         return (slice[static_cast<std::size_t>(z)] >> (8 * y + x) & 1u) != 0;
     }
-    constexpr void add(int x, int y, int z) noexcept { slice[static_cast<std::size_t>(z)] |= std::uint64_t{1} << (8 * y + x); }
+    constexpr void add(int x, int y, int z) noexcept {
+        slice[static_cast<std::size_t>(z)] |= std::uint64_t{1} << (8 * y + x);
+    }
     [[nodiscard]] constexpr bool meets(const BrickBits& other) const noexcept {
         std::uint64_t any = 0;
         for (std::size_t z = 0; z < 8; ++z) any |= slice[z] & other.slice[z];

@@ -22,7 +22,8 @@ void* map_brick_memory(std::size_t bytes) {
     // Room for one huge page more, so that the samples can begin on one; what lies beside them is given back.
     constexpr std::size_t page = 4096;
     const std::size_t used = (bytes + page - 1) / page * page;
-    void* mapped = mmap(nullptr, used + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* mapped =
+        mmap(nullptr, used + huge_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
     const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(mapped) % huge_page) % huge_page;
     std::byte* aligned = static_cast<std::byte*>(mapped) + before;

@@ -58,7 +58,8 @@ BrickPatch::BrickPatch(const PatchView& patch)
 
 bool BrickPatch::is_same_as(const PatchView& other) const noexcept {
     const auto same = [](const auto& a, const auto& b) {
-        return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
+        return a.size() == b.size() &&
+               (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
     };
     return same(edges_, other.edges) && same(triangles_, other.triangles) && same(vertices_, other.vertices) &&
            same(tissue_, other.tissue);
@@ -67,7 +68,8 @@ bool BrickPatch::is_same_as(const PatchView& other) const noexcept {
 BrickMesher::BrickMesher(const Body& body) : body_(&body), to_places_(body.grid(), {}, frame_of(identity_pose())) {
     const Grid& g = body.grid();
     frame_ = {{static_cast<float>(g.origin.x), static_cast<float>(g.origin.y), static_cast<float>(g.origin.z)},
-              static_cast<float>(g.spacing), {}};
+              static_cast<float>(g.spacing),
+              {}};
     if (!body.region.is_bounded()) return;
     const std::array<double, 3> low{body.region.low.x, body.region.low.y, body.region.low.z};
     const std::array<double, 3> high{body.region.high.x, body.region.high.y, body.region.high.z};
@@ -133,7 +135,8 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
     // What lies outside the grid is outside: so no row says anything else.
     const auto& bricks = body_->grid().bricks;
     const std::array<int, 3> first{at[0] == 0 ? -1 : 0, at[1] == 0 ? -1 : 0, at[2] == 0 ? -1 : 0};
-    const std::array<int, 3> end{at[0] + 1 == bricks[0] ? 8 : 9, at[1] + 1 == bricks[1] ? 8 : 9, at[2] + 1 == bricks[2] ? 8 : 9};
+    const std::array<int, 3> end{at[0] + 1 == bricks[0] ? 8 : 9, at[1] + 1 == bricks[1] ? 8 : 9,
+                                 at[2] + 1 == bricks[2] ? 8 : 9};
     const bool is_at_border = std::min({first[0], first[1], first[2]}) < 0 || std::min({end[0], end[1], end[2]}) < 9;
     if (is_at_border) clear_signs_from(end);
 
@@ -152,7 +155,8 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
     vertex_count_ = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::uint16_t* places_along = edges_along_[axis].data();
-        kernel.crossings(samples(), places_along, count_along_[axis], static_cast<int>(axis), frame_, &vertices_[vertex_count_]);
+        kernel.crossings(samples(), places_along, count_along_[axis], static_cast<int>(axis), frame_,
+                         &vertices_[vertex_count_]);
         for (std::size_t n = 0; n < count_along_[axis]; ++n) {
             number_[axis * places + places_along[n]] = static_cast<std::uint16_t>(vertex_count_ + n);
             edges_[vertex_count_ + n] = static_cast<std::uint16_t>(places_along[n] | axis << 12);
@@ -162,7 +166,9 @@ PatchView BrickMesher::mesh(const CutField& cut, std::size_t brick) noexcept {
     if (is_at_border) close_at_border(at);
     make_triangles();
     label(brick);
-    return {{vertices_.data(), vertex_count_}, {tissue_.data(), vertex_count_}, {edges_.data(), vertex_count_},
+    return {{vertices_.data(), vertex_count_},
+            {tissue_.data(), vertex_count_},
+            {edges_.data(), vertex_count_},
             {triangles_.data(), triangle_count_}};
 }
 
@@ -172,9 +178,12 @@ void BrickMesher::expect(const CutField& cut, std::size_t brick) const noexcept 
         for (int n = 0; n < count; n += line) __builtin_prefetch(first + n);
     };
     constexpr int stored_layer = stored_edge * stored_edge;
-    const std::size_t row = static_cast<std::size_t>(body_->grid().bricks[0]), layer = row * static_cast<std::size_t>(body_->grid().bricks[1]);
+    const std::size_t row = static_cast<std::size_t>(body_->grid().bricks[0]),
+                      layer = row * static_cast<std::size_t>(body_->grid().bricks[1]);
     for (const FieldShape& field : {body_->surface.shape(), cut.shape()}) {
-        const auto samples_of = [&](std::size_t other) { return field.samples + field.start[std::min(other, body_->grid().brick_count())]; };
+        const auto samples_of = [&](std::size_t other) {
+            return field.samples + field.start[std::min(other, body_->grid().brick_count())];
+        };
         fetch(samples_of(brick), stored_samples);
         fetch(samples_of(brick + layer) + stored_layer, stored_layer);
         const std::int16_t* next = samples_of(brick + row) + stored_edge;
@@ -218,7 +227,8 @@ void BrickMesher::clear_signs_from(const std::array<int, 3>& end) noexcept {
 }
 
 void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept {
-    std::uint16_t *along_x = edges_along_[0].data(), *along_y = edges_along_[1].data(), *along_z = edges_along_[2].data();
+    std::uint16_t *along_x = edges_along_[0].data(), *along_y = edges_along_[1].data(),
+                  *along_z = edges_along_[2].data();
     std::uint16_t* cells = cells_.data();
     const bool is_closed_at_x = first[0] < 0;
     for (int z = first[2]; z <= brick_edge; ++z)
@@ -228,7 +238,8 @@ void BrickMesher::list_edges_and_cells(const std::array<int, 3>& first) noexcept
             const unsigned here = inside[0], next = inside[1], above = inside[16], both = inside[17];
 
             const unsigned crosses_x = (here ^ here >> 1) & 0x1ff;
-            if (((crosses_x & (is_closed_at_x ? 0x1ff : 0x1fe)) | (here ^ next) | (here ^ above) | (here ^ both)) == 0) continue;
+            if (((crosses_x & (is_closed_at_x ? 0x1ff : 0x1fe)) | (here ^ next) | (here ^ above) | (here ^ both)) == 0)
+                continue;
             if (is_closed_at_x && (crosses_x & 1) != 0) *along_x++ = static_cast<std::uint16_t>(place - 1);
             along_x = list(along_x, crosses_x >> 1, place);
             if (y < brick_edge) {
@@ -352,7 +363,8 @@ void BrickMesher::label(std::size_t brick) noexcept {
         for (std::size_t n = 0; n < count; ++n) {
             const SurfaceVertex& v = vertices_[begin + n];
             const double step = 0.5 * body_->grid().spacing;
-            inwards[n] = {v.position[0] - step * v.normal[0], v.position[1] - step * v.normal[1], v.position[2] - step * v.normal[2]};
+            inwards[n] = {v.position[0] - step * v.normal[0], v.position[1] - step * v.normal[1],
+                          v.position[2] - step * v.normal[2]};
         }
         to_places_.locate(inwards.data(), count, at);
         material_weights(*body_, at, weight);

@@ -13,8 +13,8 @@
 /// The surface of what is left of a body, brick by brick.
 namespace kerf {
 
-/// The surface in the cells of one brick, as it lies in somebody's memory. A brick's cells lie between its samples 0 … 8;
-/// in the first bricks of the grid from −1 on, so that the surface is closed there.
+/// The surface in the cells of one brick, as it lies in somebody's memory. A brick's cells lie between its samples 0 …
+/// 8; in the first bricks of the grid from −1 on, so that the surface is closed there.
 ///
 /// Vertices come in three runs, those on edges along x first, each in the order of z, y, x: so vertices that two bricks
 /// share have the same order in both, and the same bits.
@@ -34,8 +34,8 @@ public:
     [[nodiscard]] const std::vector<SurfaceVertex>& vertices() const noexcept { return vertices_; }
     [[nodiscard]] const std::vector<std::uint8_t>& tissue() const noexcept { return tissue_; }
     [[nodiscard]] const std::vector<std::array<std::uint16_t, 3>>& triangles() const noexcept { return triangles_; }
-    /// Whether a vertex's edge ends on this side of the brick, −x, +x, −y, +y, −z, +z: then its normal depends on what lies
-    /// beyond.
+    /// Whether a vertex's edge ends on this side of the brick, −x, +x, −y, +y, −z, +z: then its normal depends on what
+    /// lies beyond.
     [[nodiscard]] bool depends_on(int side) const noexcept { return (sides_ >> side & 1) != 0; }
     [[nodiscard]] bool is_same_as(const PatchView& other) const noexcept;
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/field/growing_distance.h"
@@ -20,14 +22,15 @@ double distance_to(const CutBone& piece, Vec3 p) {
     return std::max(piece.bone->surface.at(place), piece.cut->at(place));
 }
 
-/// Distances to a piece at a grid's samples. Near its border they are the piece's own; farther off those are not known any more,
-/// or too small, as beside an edge that was cut, and from there on they grow.
+/// Distances to a piece at a grid's samples. Near its border they are the piece's own; farther off those are not known
+/// any more, or too small, as beside an edge that was cut, and from there on they grow.
 class FarDistances {
 public:
     /// `near` [m] at a point of the grid's frame.
     template <class Near>
     FarDistances(const Grid& grid, const Near& near) : grid_(grid) {
-        for (std::size_t axis = 0; axis < 3; ++axis) count_[axis] = grid.samples(axis) + 1;  // with the last bricks' aprons
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            count_[axis] = grid.samples(axis) + 1;  // with the last bricks' aprons
         std::vector<std::uint8_t> is_fixed;
         for (int k = 0; k < count_[2]; ++k)
             for (int j = 0; j < count_[1]; ++j)
@@ -91,7 +94,8 @@ std::optional<Bridge> bridge_between(const CutBone& a, const CutBone& b, const P
         return std::max({0.5 * (of_a + of_b - width), -of_a, -of_b});
     });
     for (const Material& material : a.bone->materials)
-        bridge.materials.push_back({material.id, material.density, LevelSet::build(own, [&](Vec3) { return own.clamp(); })});
+        bridge.materials.push_back(
+            {material.id, material.density, LevelSet::build(own, [&](Vec3) { return own.clamp(); })});
     return Bridge{std::move(bridge), least};
 }
 

@@ -111,7 +111,8 @@ constexpr CellCase triangulated(int inside) {
 
 consteval std::array<CellCase, cell_case_count> all_cases() {
     std::array<CellCase, cell_case_count> cases;
-    for (int inside = 0; inside < cell_case_count; ++inside) cases[static_cast<std::size_t>(inside)] = triangulated(inside);
+    for (int inside = 0; inside < cell_case_count; ++inside)
+        cases[static_cast<std::size_t>(inside)] = triangulated(inside);
     return cases;
 }
 

@@ -13,10 +13,11 @@ struct SampleSlope {
     int along[3];
 };
 
-/// The vertex on an edge of the grid, from sample `at` of a brick one step along `axis`, where the field goes from `low`
-/// to `high`, one negative, the other not. Where it rises in no way the normal runs along the edge, outwards.
-[[nodiscard]] inline SurfaceVertex crossing(int low, int high, const SampleSlope& about_low, const SampleSlope& about_high,
-                                            int axis, const int (&at)[3], const SampleFrame& frame) noexcept {
+/// The vertex on an edge of the grid, from sample `at` of a brick one step along `axis`, where the field goes from
+/// `low` to `high`, one negative, the other not. Where it rises in no way the normal runs along the edge, outwards.
+[[nodiscard]] inline SurfaceVertex crossing(int low, int high, const SampleSlope& about_low,
+                                            const SampleSlope& about_high, int axis, const int (&at)[3],
+                                            const SampleFrame& frame) noexcept {
     SurfaceVertex vertex;
     const float to_low = static_cast<float>(std::abs(low)), to_high = static_cast<float>(std::abs(high));
     float slope[3];

@@ -2,8 +2,10 @@
 #include "core/field/cut_field.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -173,8 +175,7 @@ void CutField::find_ranges(std::size_t index) noexcept {
         cells.highest[cell] = highest;
     }
     cells.compared = 0;
-    is_full_[index] =
-        std::all_of(cells.lowest.begin(), cells.lowest.end(), [](std::int16_t s) { return s == 32767; });
+    is_full_[index] = std::all_of(cells.lowest.begin(), cells.lowest.end(), [](std::int16_t s) { return s == 32767; });
 }
 
 void CutField::reserve(std::size_t count) {
@@ -257,16 +258,23 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
     // Only a sample a little outside a sub-pose can lie on a ridge beside it, and
     // where one has raised samples there are bricks.
     const Grid& g = grid();
-    const auto below = [&](double depth) { return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767)); };
+    const auto below = [&](double depth) {
+        return static_cast<std::int16_t>(-std::min(static_cast<int>(depth / quantum_) + 2, 32767));
+    };
     const std::int16_t lowest_anywhere = below(sweep.step());
-    // Of those before the solid's back end few were deeper at any instant of the way than in the end: where a face drew back.
+    // Of those before the solid's back end few were deeper at any instant of the way than in the end: where a face drew
+    // back.
     const Pose end_from_body = inverse(record.to);
     const std::int16_t lowest_before_end =
-        !solid.is_convex() ? lowest_anywhere : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to)));
+        !solid.is_convex()
+            ? lowest_anywhere
+            : std::max(lowest_anywhere, below(solid.most_gained_outside(inverse(record.from) * record.to)));
     const Vec3 forwards = rotate(conjugate(end_from_body.rotation), {0, 0, 1});  // of the tool, body frame
     const double half_cell = (4.0 * std::abs(forwards.x) + std::abs(forwards.y) + std::abs(forwards.z)) * g.spacing;
     const double end = solid.end_z() - end_from_body.position.z + sweep.step() * sweep.sub_poses() + half_cell;
-    const auto lowest_in = [&](Vec3 middle_of_cell) { return dot(forwards, middle_of_cell) > end ? lowest_before_end : lowest_anywhere; };
+    const auto lowest_in = [&](Vec3 middle_of_cell) {
+        return dot(forwards, middle_of_cell) > end ? lowest_before_end : lowest_anywhere;
+    };
     const double tolerance = 0.5 * quantum_;
     RidgeBlock ridge(sweep, tolerance);
     const auto clear_block = [&] {
@@ -299,7 +307,8 @@ std::size_t CutField::clear_ridges(const Sweep& sweep, const ToolSolid& solid, c
         for (std::size_t cell = 0; cell < BrickCells::count; ++cell) {
             if (cells.lowest[cell] > 0 || cells.highest[cell] < lowest_anywhere) continue;
             const CellPlace at = CellPlace::of(cell);
-            const std::int16_t lowest = lowest_in(g.sample_position(i * brick_edge + 4, j * brick_edge + at.first_y + 1, k * brick_edge + at.first_z + 1));
+            const std::int16_t lowest = lowest_in(g.sample_position(i * brick_edge + 4, j * brick_edge + at.first_y + 1,
+                                                                    k * brick_edge + at.first_z + 1));
             if (cells.highest[cell] < lowest) continue;
             std::uint32_t found[3];
             block_kernel().find(samples + at.first_sample(), lowest, 0, found);

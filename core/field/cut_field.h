@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -11,7 +13,8 @@
 #include "core/field/pose_stamp.h"
 #include "core/field/sweep.h"
 
-/// What has been removed from a body, as a sparse level set: positive where bone is gone. It begins with what is hollow.
+/// What has been removed from a body, as a sparse level set: positive where bone is gone. It begins with what is
+/// hollow.
 namespace kerf {
 
 class PieceMask;
@@ -39,7 +42,8 @@ public:
     /// `reserve` bricks are ready before the first stamp, so that stamping does not allocate.   [main]
     CutField(const Body& body, std::size_t reserve);
 
-    /// The cut of a piece that came away from what `whole` cut: gone too is what the mask says. `reserve` as above.   [worker]
+    /// The cut of a piece that came away from what `whole` cut: gone too is what the mask says. `reserve` as above.
+    /// [worker]
     CutField(const CutField& whole, const PieceMask& mask, std::size_t reserve);
 
     /// With as much room to grow as the first.   [main, worker]
@@ -54,8 +58,8 @@ public:
     /// Its depth is understated by a ridge's height at most, an eighth of a voxel. Returns the bricks touched.
     /// [haptic, nonblocking] while `free_bricks()` suffices, else it allocates.
     int stamp(const CutRecord& record, const ToolSolid& solid);
-    /// The same in pieces, with the same bits in the end: goes on from `progress` until about `most` bricks are touched or
-    /// the record is done; true then. `touched` counts them.   [haptic, nonblocking] as above.
+    /// The same in pieces, with the same bits in the end: goes on from `progress` until about `most` bricks are touched
+    /// or the record is done; true then. `touched` counts them.   [haptic, nonblocking] as above.
     bool stamp_on(const CutRecord& record, const ToolSolid& solid, int most, StampProgress& progress, int& touched);
 
     /// Makes room for `count` further bricks, or for as many as hold bone.   [main, worker]
@@ -115,7 +119,8 @@ private:
             return {first[0] + static_cast<int>(n % extent(0)), first[1] + static_cast<int>(n / extent(0) % extent(1)),
                     first[2] + static_cast<int>(n / layer())};
         }
-        /// From a brick to the one after it: hundreds in a row, and the divisions above would take longer than looking at most.
+        /// From a brick to the one after it: hundreds in a row, and the divisions above would take longer than looking
+        /// at most.
         void go_on(std::array<int, 3>& place) const noexcept {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 if (++place[axis] <= last[axis]) return;
@@ -130,15 +135,15 @@ private:
         [[nodiscard]] std::size_t layer() const noexcept { return extent(0) * extent(1); }
     };
     /// Bricks whose samples may lie within `band` [m] of the solid.
-    [[nodiscard]] BrickBox bricks_near(const ToolSolid& solid, const Pose& body_from_tool,
-                                       double band) const noexcept;
+    [[nodiscard]] BrickBox bricks_near(const ToolSolid& solid, const Pose& body_from_tool, double band) const noexcept;
     /// From the brick `next` on; where it stopped, or `to_the_end`.
-    std::size_t stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most, int& touched);
+    std::size_t stamp_pose(const Pose& body_from_tool, const ToolSolid& solid, std::size_t next, int most,
+                           int& touched);
     /// Of the bricks with these centres and places, those that the solid reaches. How many were looked at.
     std::size_t stamp_bricks(PoseStamp& stamp, const PointBlock& centres, const std::array<int, 3>* places, int most,
                              int& touched);
-    /// Samples that the sweep holds and none of its sub-poses does become one quantum deep. Bricks as in `stamp_pose`; four
-    /// of them count as one.
+    /// Samples that the sweep holds and none of its sub-poses does become one quantum deep. Bricks as in `stamp_pose`;
+    /// four of them count as one.
     std::size_t clear_ridges(const Sweep& sweep, const ToolSolid& solid, const CutRecord& record, std::size_t next,
                              int most, int& touched) noexcept;
 
@@ -157,9 +162,9 @@ private:
     std::array<int, 3> first_ = {}, last_ = {};  ///< samples that may be cut: those within the body's region
     std::vector<std::int32_t> start_;  ///< of each brick among the samples; the last entry is outside the grid
     std::vector<std::uint8_t> changed_;
-    std::vector<std::uint8_t> is_full_;  ///< every sample as high as it can be: nothing left to stamp
+    std::vector<std::uint8_t> is_full_;   ///< every sample as high as it can be: nothing left to stamp
     BrickSamples<std::int16_t> samples_;  ///< has room for every brick that can be cut, so stamping never moves it
-    std::vector<BrickCells> cells_;  ///< of the bricks in use
+    std::vector<BrickCells> cells_;       ///< of the bricks in use
     StampMemory memory_;
     std::size_t used_ = 0, capacity_ = 0, most_ = 0;  ///< bricks; `most_` is how many hold bone
 };

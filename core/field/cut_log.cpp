@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "core/field/reach.h"
@@ -11,18 +13,20 @@
 namespace kerf {
 
 namespace {
-constexpr double aside_voxels = 0.2;        ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
+constexpr double aside_voxels =
+    0.2;  ///< motion that closes a record: with the last tick's it is one sub-pose nearly always
 constexpr double along_voxels = 1.0;        ///< the same of a slide that the solid covers
 constexpr double look_voxels = 0.05;        ///< motion after which the open stretch is looked at again
 constexpr double reversal_voxels = 0.0005;  ///< turning back by less is rounding, not a reversal
 constexpr double bend_voxels = 0.02;        ///< detour that a record, which is straight, may leave out
-constexpr double stray_voxels = 0.04;       ///< the same of its way aside: a twentieth of a voxel from the straight way at most
-constexpr double wall_voxels = 0.03;        ///< how exact the committed wall of an earlier cut is
-constexpr double end_voxels = 0.25;         ///< the same at a blade's narrow ends, where two sides are near
-constexpr double rounding = 1e-9;           ///< [m] of distances that are compared with bounds
+constexpr double stray_voxels =
+    0.04;  ///< the same of its way aside: a twentieth of a voxel from the straight way at most
+constexpr double wall_voxels = 0.03;  ///< how exact the committed wall of an earlier cut is
+constexpr double end_voxels = 0.25;   ///< the same at a blade's narrow ends, where two sides are near
+constexpr double rounding = 1e-9;     ///< [m] of distances that are compared with bounds
 
-/// [m] by how much a point of the outline, `radius` from the axis, may seem to stand in bone where it has been before. Out of its hole and in
-/// again it goes along the wall that the widest end of its segment has left, of `widest` [m].
+/// [m] by how much a point of the outline, `radius` from the axis, may seem to stand in bone where it has been before.
+/// Out of its hole and in again it goes along the wall that the widest end of its segment has left, of `widest` [m].
 double wall_error(const ToolSolid& solid, bool is_at_narrow_end, double radius, double widest, double h) noexcept {
     if (solid.is_prism()) return (is_at_narrow_end ? end_voxels : wall_voxels) * h;
     return wall_voxels * h + std::max(0.0, wall_sagitta(widest, h) - (widest - radius));
@@ -76,7 +80,8 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
     const bool has_turned = way.motion < farthest_motion_ || way.motion < further;
     double aside = way_aside_ > 0.0 ? way_from(corner_).aside : way.aside;  // without one the corner is where it began
     const bool has_strayed = way_aside_ + aside > way.aside + stray_voxels * h;
-    if (further >= reversal_voxels * h && (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
+    if (further >= reversal_voxels * h &&
+        (has_turned || has_strayed || farthest_motion_ + further > way.motion + bend_voxels * h)) {
         close_at(farthest_, tick);
         last_reversal_ = sequence_;
         way = way_from(open_from_);
@@ -90,8 +95,10 @@ int CutTracker::advance(const Pose& now, std::uint64_t tick) noexcept {
         farthest_ = now;
         farthest_motion_ = way.motion;
     }
-    if (way.aside >= aside_voxels * h || way.along >= along_voxels * h) close_at(now, tick);
-    else look_at_open_stretch();
+    if (way.aside >= aside_voxels * h || way.along >= along_voxels * h)
+        close_at(now, tick);
+    else
+        look_at_open_stretch();
     return closed_count_;
 }
 
@@ -155,10 +162,12 @@ void CutTracker::commit_passed(const Pose& now, bool is_at_front, int most) {
         const double ahead = (inverse(end) * now).position.z;
         return ahead >= 0.0 || largest_motion(*solid_, end * Pose{{0, 0, ahead}, {1, 0, 0, 0}}, now) >= h;
     };
-    const auto is_due = [&](std::size_t i) { return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i)); };
+    const auto is_due = [&](std::size_t i) {
+        return i < pending_count_ && (pending_count_ - i > pending_limit || is_passed(i));
+    };
 
-    // A few bricks for each record that waits, and more where many do, so that the tool does not leave the stamping behind; all there
-    // may be beyond the limit.
+    // A few bricks for each record that waits, and more where many do, so that the tool does not leave the stamping
+    // behind; all there may be beyond the limit.
     int waiting = progress_.has_begun() ? 1 : 0;
     while (waiting * bricks_per_record < 2 * most && is_due(static_cast<std::size_t>(waiting))) ++waiting;
     const int few = std::min(waiting * bricks_per_record, bricks_per_tick);
@@ -218,7 +227,8 @@ void CutTracker::gap(const Pose& body_from_tool, const Vec3* points, std::size_t
     for (std::size_t i = solid_count(), first = first_that_matters(); i-- > first;) {
         const Frame solid_from = solid_from_tool(i, body_from_tool);
         std::array<Vec3, block_capacity> along;
-        for (std::size_t p = 0; p < (directions.is_one() ? 1 : count); ++p) along[p] = turned(solid_from, directions[p]);
+        for (std::size_t p = 0; p < (directions.is_one() ? 1 : count); ++p)
+            along[p] = turned(solid_from, directions[p]);
         const auto way = [&](std::size_t p) -> const Vec3& { return along[directions.is_one() ? 0 : p]; };
         transform(solid_from, points, count, in_solid);
         const bool knows_more = solid_->is_convex() && i + 1 < solid_count();
@@ -249,7 +259,8 @@ bool CutTracker::removes_bone(const Pose& at) const noexcept {
     const auto& outline = solid_->outline();
     for (std::size_t way = 0; way < solid_->around(0.0, 0.0).size(); ++way)
         for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-            const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius, way_long = std::hypot(dz, dr);
+            const double dz = outline[i + 1].z - outline[i].z, dr = outline[i + 1].radius - outline[i].radius,
+                         way_long = std::hypot(dz, dr);
             const double widest = std::max(outline[i].radius, outline[i + 1].radius);
             // No bone is nearer than the distance to it: a step is as long as that, and a voxel at least.
             for (double s = 0.0;;) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 
 #include "core/field/brick_mesher.h"
@@ -16,7 +17,8 @@ struct InWindow {
 };
 InWindow in_window(const WallWindow& window, Vec3 p) noexcept {
     const Vec3 from_entry = p - window.entry;
-    return {dot(from_entry, window.along), dot(from_entry, cross(window.normal, window.along)), dot(from_entry, window.normal)};
+    return {dot(from_entry, window.along), dot(from_entry, cross(window.normal, window.along)),
+            dot(from_entry, window.normal)};
 }
 bool is_in(const WallWindow& window, Vec3 p, double margin) noexcept {
     const auto [deep, aside, off] = in_window(window, p);
@@ -33,7 +35,8 @@ void add_wall_points(const Body& body, const CutField& cut, const WallWindow& wi
     const auto mesher = std::make_unique<BrickMesher>(body);
     for (std::size_t brick = 0; brick < grid.brick_count(); ++brick) {
         const auto [i, j, k] = grid.brick_place(brick);
-        const Vec3 middle = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half_brick, half_brick, half_brick};
+        const Vec3 middle = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) +
+                            Vec3{half_brick, half_brick, half_brick};
         if (!is_in(window, middle, brick_reach + grid.spacing) || !mesher->may_cross(cut, brick)) continue;
         const PatchView patch = mesher->mesh(cut, brick);
         for (const SurfaceVertex& vertex : patch.vertices) {
@@ -73,11 +76,13 @@ std::optional<CutWall> fit_wall(const std::vector<Vec3>& points, const WallWindo
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (const Vec3 p : points) {
         const InWindow at = in_window(window, p);
-        const double left = at.off - mean.off - slope_deep * (at.deep - mean.deep) - slope_aside * (at.aside - mean.aside);
+        const double left =
+            at.off - mean.off - slope_deep * (at.deep - mean.deep) - slope_aside * (at.aside - mean.aside);
         least = std::min(least, left);
         most = std::max(most, left);
     }
-    return CutWall{std::atan(slope), std::abs(mean.off + 0.5 * kerf), (most - least) / std::sqrt(1.0 + slope * slope), points.size()};
+    return CutWall{std::atan(slope), std::abs(mean.off + 0.5 * kerf), (most - least) / std::sqrt(1.0 + slope * slope),
+                   points.size()};
 }
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct WallWindow {
     double depth = 0.0;       ///< [m] along the axis
 };
 
-/// Appends the vertices of what is left of a body that lie on the cut, in the window, on a wall that looks along the normal
-/// (within 45°). A vertex lies on the cut where bone was a voxel deep at least before: there only the cut can end it.   [worker]
+/// Appends the vertices of what is left of a body that lie on the cut, in the window, on a wall that looks along the
+/// normal (within 45°). A vertex lies on the cut where bone was a voxel deep at least before: there only the cut can
+/// end it.   [worker]
 void add_wall_points(const Body& body, const CutField& cut, const WallWindow& window, std::vector<Vec3>& points);
 
 /// A wall against its plan.

@@ -2,6 +2,8 @@
 #include "core/field/density_field.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 namespace kerf {

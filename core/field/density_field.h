@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -29,8 +31,8 @@ public:
     }
     /// The same for a block. Pre: not empty.   [any] pure, nonblocking.
     void at(const PlaceBlock& places, double elsewhere, FloatBlock& densities) const noexcept {
-        block_kernel().densities(start_.data(), samples_.data(), places.count, places.places(), static_cast<float>(elsewhere),
-                                 densities.data());
+        block_kernel().densities(start_.data(), samples_.data(), places.count, places.places(),
+                                 static_cast<float>(elsewhere), densities.data());
     }
 
     /// [kg/m³] of all that is stored; 0 when empty.

@@ -14,7 +14,8 @@ namespace kerf {
 
 /// a_from_b * point_in_b. The order of the sums is part of the definition: block queries keep to it.
 [[nodiscard]] constexpr Vec3 operator*(const Frame& f, Vec3 p) noexcept {
-    return {((f.x.x * p.x + f.y.x * p.y) + f.z.x * p.z) + f.origin.x, ((f.x.y * p.x + f.y.y * p.y) + f.z.y * p.z) + f.origin.y,
+    return {((f.x.x * p.x + f.y.x * p.y) + f.z.x * p.z) + f.origin.x,
+            ((f.x.y * p.x + f.y.y * p.y) + f.z.y * p.z) + f.origin.y,
             ((f.x.z * p.x + f.y.z * p.y) + f.z.z * p.z) + f.origin.z};
 }
 

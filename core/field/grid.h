@@ -61,7 +61,8 @@ struct BrickPlace {
 };
 
 /// Voxels as whole numbers with `fraction_bits` behind the point: as many as 31 bits leave, and no more than a float
-/// holds. A grid of 512 samples an axis tells apart 2e-7 voxels, a five-hundredth of what one step of a sample is worth.
+/// holds. A grid of 512 samples an axis tells apart 2e-7 voxels, a five-hundredth of what one step of a sample is
+/// worth.
 [[nodiscard]] inline int fraction_bits(const Grid& grid) noexcept {
     const int longest = std::max({grid.samples(0), grid.samples(1), grid.samples(2), 1});
     return std::min(23, 31 - static_cast<int>(std::bit_width(static_cast<unsigned>(longest - 1))));
@@ -96,8 +97,8 @@ struct BrickPlace {
     return locate_fixed(grid, bits, gx, gy, gz);
 }
 
-/// Trilinear value of one brick's stored samples, as they are stored. In float: of whole numbers up to 32767 that leaves
-/// less than a hundredth of one.
+/// Trilinear value of one brick's stored samples, as they are stored. In float: of whole numbers up to 32767 that
+/// leaves less than a hundredth of one.
 template <class Sample>
 [[nodiscard]] inline float trilinear(const Sample* brick, const BrickPlace& at) noexcept {
     constexpr int y = stored_edge, z = stored_edge * stored_edge;

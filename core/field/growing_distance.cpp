@@ -34,8 +34,8 @@ double solved(std::array<double, 3> near, std::array<double, 3> spacing) {
 
 }  // namespace
 
-void grow_distances(const std::array<int, 3>& size, const std::array<double, 3>& spacing, const std::vector<std::uint8_t>& is_fixed, double farthest,
-                    std::vector<double>& distance) {
+void grow_distances(const std::array<int, 3>& size, const std::array<double, 3>& spacing,
+                    const std::vector<std::uint8_t>& is_fixed, double farthest, std::vector<double>& distance) {
     const std::array<std::ptrdiff_t, 3> stride{1, size[0], static_cast<std::ptrdiff_t>(size[0]) * size[1]};
     // In the eight directions in which the nearest border can lie; again, for winding bone, until nothing comes nearer.
     for (int round = 0; round < 2; ++round) {

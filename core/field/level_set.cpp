@@ -2,6 +2,7 @@
 #include "core/field/level_set.h"
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace kerf {

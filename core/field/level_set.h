@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -42,7 +43,9 @@ public:
 
     [[nodiscard]] bool is_all_air(std::size_t brick_index) const noexcept { return start_[brick_index] == air; }
     [[nodiscard]] bool is_all_solid(std::size_t brick_index) const noexcept { return start_[brick_index] == solid; }
-    [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept { return start_[brick_index] >= first_stored; }
+    [[nodiscard]] bool has_border(std::size_t brick_index) const noexcept {
+        return start_[brick_index] >= first_stored;
+    }
     /// The 9³ samples of a brick [quanta], or nullptr where it is uniform.
     [[nodiscard]] const std::int16_t* stored(std::size_t brick_index) const noexcept {
         return has_border(brick_index) ? brick(start_[brick_index]) : nullptr;
@@ -51,8 +54,12 @@ public:
         return start_[brick_index] == air ? std::int16_t{32767} : std::int16_t{-32767};
     }
     /// Whether any of a brick's 9³ samples is negative, or is not.
-    [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept { return (signs_[brick_index] & inside) != 0; }
-    [[nodiscard]] bool has_outside(std::size_t brick_index) const noexcept { return (signs_[brick_index] & outside) != 0; }
+    [[nodiscard]] bool has_inside(std::size_t brick_index) const noexcept {
+        return (signs_[brick_index] & inside) != 0;
+    }
+    [[nodiscard]] bool has_outside(std::size_t brick_index) const noexcept {
+        return (signs_[brick_index] & outside) != 0;
+    }
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
     [[nodiscard]] bool is_empty() const noexcept { return grid_.brick_count() == 0; }  ///< never built: nothing to ask
     [[nodiscard]] std::size_t memory_bytes() const noexcept {

@@ -13,8 +13,8 @@ namespace kerf {
 
 /// The patches of a body at one moment, by brick. Never changed once made: any thread may keep and read it.
 ///
-/// Bricks lie in pages, and a table shares with the one it was made from all pages in which nothing changed, so that a new one
-/// costs what changed and not what there is.
+/// Bricks lie in pages, and a table shares with the one it was made from all pages in which nothing changed, so that a
+/// new one costs what changed and not what there is.
 class PatchTable {
 public:
     /// Without any surface.   [main, worker]

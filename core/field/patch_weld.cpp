@@ -21,7 +21,8 @@ constexpr std::array<std::uint8_t, 10 * place_layer> faces_of_place = [] {
 
 }  // namespace
 
-PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangles) : grid_(grid), first_shared_(grid.brick_count()) {
+PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangles)
+    : grid_(grid), first_shared_(grid.brick_count()) {
     const auto reserve = [](auto& list, std::size_t count) {
         list.reserve(count);
         prefer_huge_pages(list.data(), count * sizeof(*list.data()));
@@ -33,7 +34,8 @@ PatchWeld::PatchWeld(const Grid& grid, std::size_t vertices, std::size_t triangl
 }
 
 void PatchWeld::add(std::size_t brick, const PatchView& patch) {
-    const std::size_t row = static_cast<std::size_t>(grid_.bricks[0]), layer = row * static_cast<std::size_t>(grid_.bricks[1]);
+    const std::size_t row = static_cast<std::size_t>(grid_.bricks[0]),
+                      layer = row * static_cast<std::size_t>(grid_.bricks[1]);
     const std::array<bool, 3> has_lower{brick % row != 0, brick % layer >= row, brick >= layer};
     const std::array<std::size_t, 3> below{1, row, layer};
 
@@ -42,7 +44,8 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
     std::array<const std::uint32_t*, 3> known;
     unsigned lower_faces = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        known[axis] = has_lower[axis] && !shared_.empty() ? shared_.data() + first_shared_[brick - below[axis]][axis] : &none;
+        known[axis] =
+            has_lower[axis] && !shared_.empty() ? shared_.data() + first_shared_[brick - below[axis]][axis] : &none;
         lower_faces |= unsigned{has_lower[axis]} << axis;
     }
 
@@ -51,7 +54,8 @@ void PatchWeld::add(std::size_t brick, const PatchView& patch) {
     number_.resize(count);
     fresh_.resize(count + 1);
     on_face_.resize(count + 1);
-    std::uint32_t fresh = 0, on_face = 0, *fresh_list = fresh_.data(), *face_list = on_face_.data(), *numbers = number_.data();
+    std::uint32_t fresh = 0, on_face = 0, *fresh_list = fresh_.data(), *face_list = on_face_.data(),
+                  *numbers = number_.data();
     const std::uint16_t* edges = patch.edges.data();
     const auto faces_of = [&](std::size_t v) -> unsigned {
         return faces_of_place[edges[v] & 0xfff] & ~(9U << (edges[v] >> 12)) & (lower_faces | 0x38);

@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-/// One mesh of the patches of a grid: what two of them have in common is there once. Closed, if all of the grid's patches
-/// are added: each edge belongs to two triangles that run along it in opposite directions. Numbering follows from the
-/// patches alone.   [worker] one thread at a time.
+/// One mesh of the patches of a grid: what two of them have in common is there once. Closed, if all of the grid's
+/// patches are added: each edge belongs to two triangles that run along it in opposite directions. Numbering follows
+/// from the patches alone.   [worker] one thread at a time.
 class PatchWeld {
 public:
     /// Makes room for so many vertices and triangles; more may come.
@@ -30,9 +30,9 @@ private:
     std::vector<std::uint32_t> shared_;
     std::vector<std::array<std::uint32_t, 3>> first_shared_;  ///< by brick
     std::vector<std::uint32_t> number_;                       ///< in the mesh, of the vertices of the patch
-    std::vector<std::uint32_t> fresh_, on_face_;              ///< vertices of the patch: that are new, that may be shared
-    std::array<std::vector<std::uint32_t>, 3> upper_;         ///< numbers of those that are shared
-    std::vector<Vec3> vertices_, normals_;                    ///< what a patch adds
+    std::vector<std::uint32_t> fresh_, on_face_;       ///< vertices of the patch: that are new, that may be shared
+    std::array<std::vector<std::uint32_t>, 3> upper_;  ///< numbers of those that are shared
+    std::vector<Vec3> vertices_, normals_;             ///< what a patch adds
     std::vector<std::uint8_t> tissue_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace kerf {
 
@@ -19,11 +20,12 @@ Vec3 magnitude(Vec3 v) noexcept { return {std::abs(v.x), std::abs(v.y), std::abs
 
 PendingSurface::PendingSurface(const CutTracker& tracker, const Pose& body_from_tool) noexcept
     : tracker_(&tracker), body_from_tool_(body_from_tool), clamp_(tracker.body().grid().clamp()) {
-    if (tracker.solid_count() > 0) newest_from_tool_ = tracker.solid_from_tool(tracker.solid_count() - 1, body_from_tool);
+    if (tracker.solid_count() > 0)
+        newest_from_tool_ = tracker.solid_from_tool(tracker.solid_count() - 1, body_from_tool);
 }
 
-void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least, const bool* may_rise,
-                           kerf_surface_point* answers) noexcept {
+void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox& box, double least,
+                           const bool* may_rise, kerf_surface_point* answers) noexcept {
     if (tracker_->solid_count() == 0) return;
     const ToolSolid& solid = tracker_->solid();
     const CutTracker::Spread& spread = tracker_->spread();
@@ -40,8 +42,8 @@ void PendingSurface::raise(const Vec3* points, std::size_t count, const PointBox
     const double turn = spread.turn * (length(middle) + length(half)) + rounding;
     const Vec3 reach = larger(-spread.low, spread.high);
     const Vec3 extent = half.x * magnitude(f.x) + half.y * magnitude(f.y) + half.z * magnitude(f.z);
-    const double deepest = is_convex ? solid.deepest_in(middle, extent + reach)
-                                     : length(half) + length(reach) - solid.distance(middle);
+    const double deepest =
+        is_convex ? solid.deepest_in(middle, extent + reach) : length(half) + length(reach) - solid.distance(middle);
     if (deepest + turn <= least) return;  // not so where a number is NaN
 
     if (frame_count_ == 0) {

@@ -2,6 +2,8 @@
 #include "core/field/piece_finder.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -28,8 +30,8 @@ void begin_apart(std::vector<std::uint32_t>& parent, std::size_t count) {
 }
 
 /// Joins what touches between a brick and the next one along an axis.
-void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<const BrickBits> low, std::uint32_t low_node,
-                std::span<const BrickBits> high, std::uint32_t high_node) noexcept {
+void join_along(std::vector<std::uint32_t>& parent, std::size_t axis, std::span<const BrickBits> low,
+                std::uint32_t low_node, std::span<const BrickBits> high, std::uint32_t high_node) noexcept {
     for (std::size_t a = 0; a < low.size(); ++a)
         for (std::size_t b = 0; b < high.size(); ++b)
             if (touch_along(axis, low[a], high[b]))
@@ -42,7 +44,8 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 
 PieceFinder::PieceFinder(const Body& body, const CutField& cut)
     : grid_(body.grid()),
-      step_{1, static_cast<std::size_t>(grid_.bricks[0]), static_cast<std::size_t>(grid_.bricks[0]) * static_cast<std::size_t>(grid_.bricks[1])},
+      step_{1, static_cast<std::size_t>(grid_.bricks[0]),
+            static_cast<std::size_t>(grid_.bricks[0]) * static_cast<std::size_t>(grid_.bricks[1])},
       bits_(grid_.brick_count()),
       count_(grid_.brick_count(), 0),
       samples_(grid_.brick_count(), 0),
@@ -102,8 +105,10 @@ void PieceFinder::look_at_sides(std::size_t brick) noexcept {
 
 /// Between a brick and the next one along an axis.
 void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t high) noexcept {
-    const bool has_both = count_[low] != 0 && count_[high] != 0, is_asked = has_both && (count_[low] > 1 || count_[high] > 1);
-    const bool touches = has_both && !is_asked && ((is_full_[low] & is_full_[high]) != 0 || touch_along(axis, bits_[low], bits_[high]));
+    const bool has_both = count_[low] != 0 && count_[high] != 0,
+               is_asked = has_both && (count_[low] > 1 || count_[high] > 1);
+    const bool touches =
+        has_both && !is_asked && ((is_full_[low] & is_full_[high]) != 0 || touch_along(axis, bits_[low], bits_[high]));
     const auto put = [](std::uint8_t& bits, std::size_t side, bool is_set) {
         bits = static_cast<std::uint8_t>((bits & ~(1u << side)) | (is_set ? 1u << side : 0u));
     };
@@ -113,11 +118,12 @@ void PieceFinder::look_at_side(std::size_t axis, std::size_t low, std::size_t hi
     put(sides_[high].is_asked, 2 * axis, is_asked);
 }
 
-/// Where a brick is in one piece as it was, and touches all that it touched, nothing can have come apart: a dirty brick like that
-/// is as good as unchanged. Only told where those around are in one piece, too.
+/// Where a brick is in one piece as it was, and touches all that it touched, nothing can have come apart: a dirty brick
+/// like that is as good as unchanged. Only told where those around are in one piece, too.
 bool PieceFinder::holds(const Dirty& dirty) const noexcept {
     const Sides &was = dirty.sides, &is = sides_[dirty.brick];
-    return dirty.components.empty() && count_[dirty.brick] == 1 && (was.is_asked | is.is_asked) == 0 && (was.touches & ~is.touches) == 0;
+    return dirty.components.empty() && count_[dirty.brick] == 1 && (was.is_asked | is.is_asked) == 0 &&
+           (was.touches & ~is.touches) == 0;
 }
 
 std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const std::size_t> changed) {
@@ -159,7 +165,9 @@ std::vector<LoosePart> PieceFinder::update(const CutField& cut, std::span<const 
     for (auto& [first, roots] : parts_of) {
         std::vector<std::uint32_t> all = roots;
         for (auto p = pieces.begin(); p != pieces.end();) {
-            const bool is_shared = std::any_of(p->begin(), p->end(), [&](std::uint32_t r) { return std::find(all.begin(), all.end(), r) != all.end(); });
+            const bool is_shared = std::any_of(p->begin(), p->end(), [&](std::uint32_t r) {
+                return std::find(all.begin(), all.end(), r) != all.end();
+            });
             if (!is_shared) {
                 ++p;
                 continue;
@@ -199,9 +207,10 @@ std::vector<LoosePart> PieceFinder::loose_parts_of(const std::vector<std::vector
     // and what belongs to those that are not the largest.
     std::vector<LoosePart> loose;
     for (const auto& piece : pieces) {
-        const std::uint32_t stays = *std::max_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return size_[a].samples != size_[b].samples ? size_[a].samples < size_[b].samples : a > b;
-        });
+        const std::uint32_t stays =
+            *std::max_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return size_[a].samples != size_[b].samples ? size_[a].samples < size_[b].samples : a > b;
+            });
         for (const std::uint32_t root : piece) {
             if (root == stays) continue;
             size_[root].part = static_cast<std::uint32_t>(loose.size());
@@ -281,7 +290,8 @@ void PieceFinder::look_at_the_box(const std::vector<Dirty>& dirty) {
     const auto extent = [&](std::size_t a) { return static_cast<std::size_t>(box.last[a] - box.first[a] + 1); };
     const std::size_t bricks = extent(0) * extent(1) * extent(2);
     const auto brick_at = [&](std::size_t n) {
-        return grid_.brick_index(box.first[0] + static_cast<int>(n % extent(0)), box.first[1] + static_cast<int>(n / extent(0) % extent(1)),
+        return grid_.brick_index(box.first[0] + static_cast<int>(n % extent(0)),
+                                 box.first[1] + static_cast<int>(n / extent(0) % extent(1)),
                                  box.first[2] + static_cast<int>(n / extent(0) / extent(1)));
     };
 
@@ -364,8 +374,10 @@ void PieceFinder::look_at_everything() {
 }
 
 void PieceFinder::join_everything() {
-    constexpr unsigned next_along[3] = {1u << 1, 1u << 3, 1u << 5}, next = next_along[0] | next_along[1] | next_along[2];
-    std::array<std::pair<std::uint32_t, std::uint32_t>, 3> joined;  // the last two along each axis: rows meet in many bricks
+    constexpr unsigned next_along[3] = {1u << 1, 1u << 3, 1u << 5},
+                       next = next_along[0] | next_along[1] | next_along[2];
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 3>
+        joined;  // the last two along each axis: rows meet in many bricks
     joined.fill({none, none});
     for (std::size_t b = 0; b < bits_.size(); ++b) {
         const unsigned touches = sides_[b].touches, is_asked = sides_[b].is_asked;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -48,24 +50,28 @@ struct LoosePart {
     SampleSet bone;
 };
 
-/// Bone hangs together over faces of voxels, as our surface joins it: what touches across an edge or a corner only is two pieces.
+/// Bone hangs together over faces of voxels, as our surface joins it: what touches across an edge or a corner only is
+/// two pieces.
 ///
-/// Labels are kept brick by brick. Where a cut has taken samples, the bricks around are looked at as they were and as they
-/// are: unless something there has fallen apart within the box, nothing has anywhere, for the ways around it are all left. Only
-/// then is the graph of all bricks asked. That is exact: it finds what a flood of the whole volume would.
+/// Labels are kept brick by brick. Where a cut has taken samples, the bricks around are looked at as they were and as
+/// they are: unless something there has fallen apart within the box, nothing has anywhere, for the ways around it are
+/// all left. Only then is the graph of all bricks asked. That is exact: it finds what a flood of the whole volume
+/// would.
 class PieceFinder {
 public:
     /// Looks at all of it.   [worker]
     PieceFinder(const Body& body, const CutField& cut);
 
-    /// Bricks `changed` since the last call, by cutting alone: samples only ever go. Returns the parts that a piece has fallen
-    /// into, for each piece that has, but for its largest part (of equal ones the one with the first sample), which stays;
-    /// empty: nothing came apart. What is returned no longer counts as this finder's bone.   [worker]
+    /// Bricks `changed` since the last call, by cutting alone: samples only ever go. Returns the parts that a piece has
+    /// fallen into, for each piece that has, but for its largest part (of equal ones the one with the first sample),
+    /// which stays; empty: nothing came apart. What is returned no longer counts as this finder's bone.   [worker]
     [[nodiscard]] std::vector<LoosePart> update(const CutField& cut, std::span<const std::size_t> changed);
 
     /// All bone there is.
     [[nodiscard]] SampleSet bone() const;
-    [[nodiscard]] BrickBits bits(std::size_t brick_index) const noexcept { return count_[brick_index] != 0 ? bits_[brick_index] : BrickBits{}; }
+    [[nodiscard]] BrickBits bits(std::size_t brick_index) const noexcept {
+        return count_[brick_index] != 0 ? bits_[brick_index] : BrickBits{};
+    }
     [[nodiscard]] std::size_t samples() const noexcept;
     /// Pieces that do not hang together. Looks at the whole graph.
     [[nodiscard]] std::size_t count_pieces();
@@ -118,12 +124,12 @@ private:
     std::vector<std::uint16_t> samples_;
     std::vector<Sides> sides_;
     std::vector<std::uint8_t> is_full_;
-    std::vector<std::int32_t> slot_;    ///< of a brick that has several, in `many_`
+    std::vector<std::int32_t> slot_;  ///< of a brick that has several, in `many_`
     std::vector<std::vector<BrickBits>> many_;
     std::vector<std::int32_t> free_slots_;
 
-    // Of the whole graph, in which a row of bricks that touch along x is one node: the first node of a brick, and under which node each
-    // stands; looked at, its root.
+    // Of the whole graph, in which a row of bricks that touch along x is one node: the first node of a brick, and under
+    // which node each stands; looked at, its root.
     std::vector<std::uint32_t> first_node_, parent_;
     struct Size {
         std::uint32_t samples = 0, full_bricks = 0, others = 0, part = 0;

@@ -2,6 +2,7 @@
 #include "core/field/piece_mask.h"
 
 #include <algorithm>
+#include <array>
 
 namespace kerf {
 
@@ -19,7 +20,8 @@ struct Block {
         for (int z = 0; z < brick_edge; ++z)
             for (int y = 0; y < brick_edge; ++y) {
                 const auto eight = static_cast<Row>(bits.slice[static_cast<std::size_t>(z)] >> (8 * y) & 0xffu);
-                row[static_cast<std::size_t>(bz * brick_edge + z)][static_cast<std::size_t>(by * brick_edge + y)] |= eight << (bx * brick_edge);
+                row[static_cast<std::size_t>(bz * brick_edge + z)][static_cast<std::size_t>(by * brick_edge + y)] |=
+                    eight << (bx * brick_edge);
             }
     }
     /// One sample farther: over faces, or over edges and corners too. The two in turn come near to a round distance.
@@ -44,7 +46,8 @@ struct Block {
                 flat.row[z][y] = along_x(row[z][y] | (y > 0 ? row[z][y - 1] : 0) | (y + 1 < block ? row[z][y + 1] : 0));
         for (std::size_t z = 0; z < block; ++z)
             for (std::size_t y = 0; y < block; ++y)
-                result.row[z][y] = flat.row[z][y] | (z > 0 ? flat.row[z - 1][y] : 0) | (z + 1 < block ? flat.row[z + 1][y] : 0);
+                result.row[z][y] =
+                    flat.row[z][y] | (z > 0 ? flat.row[z - 1][y] : 0) | (z + 1 < block ? flat.row[z + 1][y] : 0);
         return result;
     }
     [[nodiscard]] BrickBits middle() const noexcept {

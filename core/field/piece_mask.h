@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,11 +9,11 @@
 
 namespace kerf {
 
-/// What is not a piece's own, where bone has come apart: samples of other pieces, air nearer to them, and whole bricks that
-/// have none of its bone near.
+/// What is not a piece's own, where bone has come apart: samples of other pieces, air nearer to them, and whole bricks
+/// that have none of its bone near.
 ///
-/// Air between two pieces knows the distance to the nearer of them. A piece that kept what lies nearer to the other would feel a
-/// wall where the other had been (R4).
+/// Air between two pieces knows the distance to the nearer of them. A piece that kept what lies nearer to the other
+/// would feel a wall where the other had been (R4).
 class PieceMask {
 public:
     /// `piece` of all the bone in `all`.   [worker]

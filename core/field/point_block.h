@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "core/field/block_kernel.h"
 #include "core/field/frame.h"
 #include "core/field/grid.h"
@@ -44,7 +48,9 @@ public:
     [[nodiscard]] bool is_one() const noexcept { return is_one_; }
     [[nodiscard]] Vec3 operator[](std::size_t i) const noexcept { return direction_[is_one_ ? 0 : i]; }
     /// Of the points from `first` on.
-    [[nodiscard]] Directions from(std::size_t first) const noexcept { return is_one_ ? *this : each(direction_ + first); }
+    [[nodiscard]] Directions from(std::size_t first) const noexcept {
+        return is_one_ ? *this : each(direction_ + first);
+    }
 
 private:
     Directions(const Vec3* directions, bool is_one) noexcept : direction_(directions), is_one_(is_one) {}
@@ -60,7 +66,8 @@ void transform(const Frame& a_from_b, const Vec3* points_in_b, std::size_t count
 /// As `BrickPlace`, for a block. Behind the last point the last once more, up to a multiple of eight.
 struct PlaceBlock {
     std::size_t count = 0;
-    alignas(32) std::array<std::int32_t, block_capacity> brick, offset;  ///< outside the grid: Grid::brick_count(), and then nothing else counts
+    alignas(32) std::array<std::int32_t, block_capacity> brick,
+        offset;  ///< outside the grid: Grid::brick_count(), and then nothing else counts
     alignas(32) FloatBlock fx, fy, fz;
 
     [[nodiscard]] ConstPlaces places() const noexcept {
@@ -73,7 +80,9 @@ public:
     GridFrame(const Grid& grid, const Region& region, const Frame& body_from_points) noexcept;
 
     /// `count` ≤ `block_capacity`. Beyond the region, where it ends.   [any] pure, nonblocking.
-    void locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept { place(points, count, places, nullptr); }
+    void locate(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
+        place(points, count, places, nullptr);
+    }
     /// The same, and the box the points lie in.
     [[nodiscard]] PointBox locate_box(const Vec3* points, std::size_t count, PlaceBlock& places) const noexcept {
         PointBox box;

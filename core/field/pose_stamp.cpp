@@ -18,14 +18,18 @@ bool pays_to_ask(std::int16_t spare) noexcept { return spare > rounding; }
 }  // namespace
 
 PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory) noexcept
-    : grid_(&grid), solid_(&solid), memory_(pays_to_remember(solid) ? memory : nullptr), tool_from_body_(inverse(body_from_tool)), band_(band(grid.spacing)) {
+    : grid_(&grid),
+      solid_(&solid),
+      memory_(pays_to_remember(solid) ? memory : nullptr),
+      tool_from_body_(inverse(body_from_tool)),
+      band_(band(grid.spacing)) {
     const Vec3 tip = (1.0 / grid.spacing) * (body_from_tool * Vec3{0, 0, solid.tip_z()} - grid.origin);
     const double at[3] = {tip.x, tip.y, tip.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
         anchor_[axis] = static_cast<int>(std::clamp(at[axis], 0.0, static_cast<double>(grid.samples(axis))));
     origin_ = tool_from_body_ * grid.sample_position(anchor_[0], anchor_[1], anchor_[2]);
     const Vec3 axes[3] = {{grid.spacing, 0, 0}, {0, grid.spacing, 0}, {0, 0, grid.spacing}};
-    const auto single = [](Vec3 v, float (&to)[3]) {
+    const auto single = [](Vec3 v, float(&to)[3]) {
         to[0] = static_cast<float>(v.x);
         to[1] = static_cast<float>(v.y);
         to[2] = static_cast<float>(v.z);
@@ -40,10 +44,13 @@ PoseStamp::PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_
 bool PoseStamp::may_reach(int i, int j, int k) const noexcept {
     if (!solid_->is_prism()) return true;
     constexpr double half = 0.5 * brick_edge;
-    const auto place = [&](int at, std::size_t axis) { return static_cast<double>(at * brick_edge - anchor_[axis]) + half; };
+    const auto place = [&](int at, std::size_t axis) {
+        return static_cast<double>(at * brick_edge - anchor_[axis]) + half;
+    };
     const Vec3 middle = origin_ + place(i, 0) * along_[0] + place(j, 1) * along_[1] + place(k, 2) * along_[2];
     const auto [x, y, z] = along_;
-    const Vec3 extent{half * (std::abs(x.x) + std::abs(y.x) + std::abs(z.x)), half * (std::abs(x.y) + std::abs(y.y) + std::abs(z.y)),
+    const Vec3 extent{half * (std::abs(x.x) + std::abs(y.x) + std::abs(z.x)),
+                      half * (std::abs(x.y) + std::abs(y.y) + std::abs(z.y)),
                       half * (std::abs(x.z) + std::abs(y.z) + std::abs(z.z))};
     return solid_->deepest_in(middle, extent) >= -band_ - 2.0 * grid_->quantum();
 }
@@ -81,13 +88,16 @@ const PoseStamp::Motion* PoseStamp::motion_since(std::uint32_t number) noexcept 
 
 double PoseStamp::most_gained(const Motion& motion, Vec3 middle, Vec3 half) const noexcept {
     const double size = length(half), spread = motion.turned * size + motion.error * (length(middle) + size);
-    const double gained = solid_->most_gained(middle, half, motion.shift + cross(motion.turn, middle), spread, grid_->clamp() + grid_->quantum());
+    const double gained = solid_->most_gained(middle, half, motion.shift + cross(motion.turn, middle), spread,
+                                              grid_->clamp() + grid_->quantum());
     return gained / grid_->quantum() + rounding;
 }
 
 Vec3 PoseStamp::extent(double along_x, double across) const noexcept {
     const auto [x, y, z] = along_;
-    const auto reach = [&](double in_x, double in_y, double in_z) { return along_x * std::abs(in_x) + across * (std::abs(in_y) + std::abs(in_z)); };
+    const auto reach = [&](double in_x, double in_y, double in_z) {
+        return along_x * std::abs(in_x) + across * (std::abs(in_y) + std::abs(in_z));
+    };
     return {reach(x.x, y.x, z.x), reach(x.y, y.y, z.y), reach(x.z, y.z, z.z)};
 }
 
@@ -96,7 +106,8 @@ bool PoseStamp::is_as_before(const BrickCells& cells, int i, int j, int k) noexc
     if (since == nullptr) return false;
     const std::int16_t least = *std::min_element(cells.spare.begin(), cells.spare.end());
     constexpr double half = 0.5 * brick_edge;
-    return pays_to_ask(least) && most_gained(*since, place_in(cell_at(i, j, k), half, half, half), extent(half, half)) <= static_cast<double>(least);
+    return pays_to_ask(least) && most_gained(*since, place_in(cell_at(i, j, k), half, half, half),
+                                             extent(half, half)) <= static_cast<double>(least);
 }
 
 bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int j, int k) noexcept {
@@ -150,10 +161,12 @@ bool PoseStamp::raise_cells(std::int16_t* samples, BrickCells& cells, int i, int
         const CellPlace at = CellPlace::of(n);
         cell.first[1] = first[0] + static_cast<float>(at.first_y);
         cell.first[2] = first[1] + static_cast<float>(at.first_z);
-        const SingleOutline outline = solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
+        const SingleOutline outline =
+            solid_->is_prism() ? solid_->faces_near(whole, middles[n].x, half.x, grid_->clamp() + band_) : whole;
         cell.has_edges = solid_->has_edge_within(middles[n], half, 2.0 * band_ + 0.1 * grid_->spacing);
         if (block_kernel().raise(outline, cell, static_cast<float>(band_), static_cast<float>(per_quantum),
-                                 samples + at.first_sample(), cells.lowest[n], cells.highest[n], memory_ != nullptr ? &cells.spare[n] : nullptr))
+                                 samples + at.first_sample(), cells.lowest[n], cells.highest[n],
+                                 memory_ != nullptr ? &cells.spare[n] : nullptr))
             is_changed = true;
     }
     cells.compared = number_;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/field/grid.h"
 #include "core/field/stamp_memory.h"
@@ -13,7 +15,8 @@ namespace kerf {
 struct BrickCells {
     static constexpr std::size_t count = 9;
     std::array<std::int16_t, count> lowest, highest;  ///< [quanta]
-    /// The stamp, by its number, that raises nothing any more, nor would if it were deeper everywhere by `spare` [quanta]; 0: none.
+    /// The stamp, by its number, that raises nothing any more, nor would if it were deeper everywhere by `spare`
+    /// [quanta]; 0: none.
     std::uint32_t compared;
     std::array<std::int16_t, count> spare;
 
@@ -32,7 +35,9 @@ struct CellPlace {
         const int n = static_cast<int>(cell);
         return {n % 3 * 3, n / 3 * 3};
     }
-    [[nodiscard]] constexpr int first_sample() const noexcept { return (first_z * stored_edge + first_y) * stored_edge; }
+    [[nodiscard]] constexpr int first_sample() const noexcept {
+        return (first_z * stored_edge + first_y) * stored_edge;
+    }
 };
 
 class PoseStamp {
@@ -41,14 +46,15 @@ public:
     [[nodiscard]] static constexpr double band(double spacing) noexcept { return 2.0 * spacing; }
 
     /// `memory`: of the field, and outlives it; null: every cell is compared.
-    PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool, StampMemory* memory = nullptr) noexcept;
+    PoseStamp(const Grid& grid, const ToolSolid& solid, const Pose& body_from_tool,
+              StampMemory* memory = nullptr) noexcept;
 
     /// Depth of each brick's centre in the solid [m]; `centres` in the body frame.
     void depths_of(const PointBlock& centres, BlockValues& depths) const noexcept {
         solid_->depths(tool_from_body_, centres, depths);
     }
-    /// Whether a sample of brick (i, j, k) may be raised; errs towards true. For a solid of revolution what `depths_of` says is as
-    /// good; beside a blade, which is thinner than a brick, half of the bricks that near are not reached.
+    /// Whether a sample of brick (i, j, k) may be raised; errs towards true. For a solid of revolution what `depths_of`
+    /// says is as good; beside a blade, which is thinner than a brick, half of the bricks that near are not reached.
     [[nodiscard]] bool may_reach(int i, int j, int k) const noexcept;
     /// Raises the 9³ samples of brick (i, j, k) [quanta] to the solid's depth, within `first` … `last` (samples of the
     /// grid), and keeps their cells true. True if any was.   [haptic, nonblocking]
@@ -59,7 +65,8 @@ public:
     [[nodiscard]] SampleCell cell_at(int i, int j, int k) const noexcept;
 
 private:
-    /// How the solid has moved since another stamp: by shift + turn × where a point is now, but for `error` of its distance.
+    /// How the solid has moved since another stamp: by shift + turn × where a point is now, but for `error` of its
+    /// distance.
     struct Motion {
         std::uint32_t since = 0;  ///< 0: unknown
         bool is_known = false;    ///< false: it is too long ago, or was another solid
@@ -74,7 +81,8 @@ private:
     [[nodiscard]] const Motion* motion_since(std::uint32_t number) noexcept;
     /// A place in a brick, in samples from its first; tool frame [m].
     [[nodiscard]] Vec3 place_in(const SampleCell& brick, double x, double y, double z) const noexcept {
-        return origin_ + (static_cast<double>(brick.first[0]) + x) * along_[0] + (static_cast<double>(brick.first[1]) + y) * along_[1] +
+        return origin_ + (static_cast<double>(brick.first[0]) + x) * along_[0] +
+               (static_cast<double>(brick.first[1]) + y) * along_[1] +
                (static_cast<double>(brick.first[2]) + z) * along_[2];
     }
     /// Of so many samples to either side, along x and across it: how far that reaches along the tool's axes [m].

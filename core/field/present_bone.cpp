@@ -2,6 +2,8 @@
 #include "core/field/present_bone.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/field/fnv1a.h"
 #include "core/field/piece_mask.h"
@@ -16,7 +18,11 @@ std::vector<std::size_t> BrickList::take() {
 }
 
 PresentPiece::PresentPiece(const Body& whole, CutField field)
-    : bone(&whole), cut(std::move(field)), removed(whole), uncounted(whole.grid().brick_count()), changed(whole.grid().brick_count()) {}
+    : bone(&whole),
+      cut(std::move(field)),
+      removed(whole),
+      uncounted(whole.grid().brick_count()),
+      changed(whole.grid().brick_count()) {}
 
 PresentBone::PresentBone(const Body& body, std::size_t reserve_bricks) {
     pieces_.reserve(most_bodies);
@@ -34,7 +40,8 @@ std::vector<Separation> PresentBone::apply(const CutRecord& record, const ToolSo
     std::vector<Separation> separations;
     for (std::size_t body = 0, count = pieces_.size(); body < count; ++body)
         if (body == record.body || pieces_[body]->still_in == record.body)
-            if (auto separation = apply_to(static_cast<std::uint16_t>(body), record, solid)) separations.push_back(std::move(*separation));
+            if (auto separation = apply_to(static_cast<std::uint16_t>(body), record, solid))
+                separations.push_back(std::move(*separation));
     return separations;
 }
 
@@ -62,7 +69,8 @@ BoneImage PresentBone::image() {
     BoneImage all{{}, crumbs_, refused_, crumb_volume_, added_};
     for (auto& piece : pieces_) {
         if (piece->image == nullptr)
-            piece->image = std::make_shared<const PieceImage>(PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off});
+            piece->image = std::make_shared<const PieceImage>(
+                PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off});
         all.pieces.push_back(piece->image);
     }
     return all;
@@ -80,7 +88,9 @@ void PresentBone::restore(const BoneImage& image) {
         if (is_new) pieces_.push_back(std::make_unique<PresentPiece>(*was.bone, was.cut));
         PresentPiece& piece = *pieces_[body];
         if (piece.image == image.pieces[body]) continue;
-        for (const std::size_t b : is_new ? CutField(*was.bone, 0).differing_bricks(was.cut) : piece.cut.differing_bricks(was.cut)) piece.changed.add(b);
+        for (const std::size_t b :
+             is_new ? CutField(*was.bone, 0).differing_bricks(was.cut) : piece.cut.differing_bricks(was.cut))
+            piece.changed.add(b);
         piece.cut = was.cut;
         piece.removed = was.removed;
         (void)piece.uncounted.take();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,13 +21,13 @@ struct Separation {
     std::uint64_t sequence = 0, tick = 0;  ///< of the record, in the parent's count
     std::uint16_t parent = 0;
     struct Part {
-        std::uint16_t body;   ///< the parent first, then what came off it: ids in the order of their first sample
-        double volume;        ///< [m³]
+        std::uint16_t body;  ///< the parent first, then what came off it: ids in the order of their first sample
+        double volume;       ///< [m³]
         std::shared_ptr<const PieceMask> mask;
     };
     std::vector<Part> parts;
-    std::size_t crumbs = 0;       ///< pieces too small to keep: their bone is gone in every body
-    double crumb_volume = 0.0;    ///< [m³]
+    std::size_t crumbs = 0;     ///< pieces too small to keep: their bone is gone in every body
+    double crumb_volume = 0.0;  ///< [m³]
 };
 
 /// Bricks, each once.
@@ -64,14 +66,14 @@ struct PresentPiece {
     PresentPiece(const Body& whole, CutField field);
 
     const Body* bone;
-    CutField cut;                      ///< without lag
-    RemovedVolume removed;             ///< cut from it since it is a body of its own, but for the bricks
-    BrickList uncounted;               ///< in here
-    std::optional<PieceFinder> finder; ///< if pieces are looked for
-    BrickList changed;                 ///< since `take_changed`
-    std::optional<std::uint16_t> still_in;  ///< until it is adopted, records that cut it name this body
-    std::uint16_t came_off = 0;             ///< the body that it was part of before
-    std::shared_ptr<const PieceImage> image; ///< as it is, once somebody asked
+    CutField cut;                             ///< without lag
+    RemovedVolume removed;                    ///< cut from it since it is a body of its own, but for the bricks
+    BrickList uncounted;                      ///< in here
+    std::optional<PieceFinder> finder;        ///< if pieces are looked for
+    BrickList changed;                        ///< since `take_changed`
+    std::optional<std::uint16_t> still_in;    ///< until it is adopted, records that cut it name this body
+    std::uint16_t came_off = 0;               ///< the body that it was part of before
+    std::shared_ptr<const PieceImage> image;  ///< as it is, once somebody asked
 };
 
 class PresentBone {
@@ -82,13 +84,14 @@ public:
     /// From now on bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
     void look_for_pieces(double crumb);
 
-    /// Stamps a record into its body, and into what came off that body and has not been adopted. What that parts gets bodies;
-    /// what happened is said.   [worker]
+    /// Stamps a record into its body, and into what came off that body and has not been adopted. What that parts gets
+    /// bodies; what happened is said.   [worker]
     std::vector<Separation> apply(const CutRecord& record, const ToolSolid& solid);
     /// From now on records name the parts of a separation themselves.   [worker]
     void adopted(const Separation& separation);
 
-    /// Another body beside those that there are, which must outlive this; its id.   [worker] Pre: fewer than `most_bodies`.
+    /// Another body beside those that there are, which must outlive this; its id.   [worker] Pre: fewer than
+    /// `most_bodies`.
     std::uint16_t add(const Body& body);
 
     /// As it is now, to be brought back.   [worker]
@@ -118,7 +121,8 @@ public:
     [[nodiscard]] std::uint64_t hash() const noexcept;
 
 private:
-    [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record, const ToolSolid& solid);
+    [[nodiscard]] std::optional<Separation> apply_to(std::uint16_t body, const CutRecord& record,
+                                                     const ToolSolid& solid);
     void count_removed();
     [[nodiscard]] Separation part(std::uint16_t body, const CutRecord& record, std::vector<LoosePart> loose);
 

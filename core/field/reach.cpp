@@ -17,8 +17,12 @@ bool is_in_reach_of_bone(const Body& body, const ToolSolid& solid, const Pose& b
     high = body.region.nearest(high);
 
     const double edge = brick_edge * g.spacing;
-    const auto first = [&](double from, double origin) { return std::max(0, static_cast<int>(std::floor((from - origin) / edge))); };
-    const auto last = [&](double to, double origin, int n) { return std::min(n - 1, static_cast<int>(std::floor((to - origin) / edge))); };
+    const auto first = [&](double from, double origin) {
+        return std::max(0, static_cast<int>(std::floor((from - origin) / edge)));
+    };
+    const auto last = [&](double to, double origin, int n) {
+        return std::min(n - 1, static_cast<int>(std::floor((to - origin) / edge)));
+    };
     for (int k = first(low.z, g.origin.z); k <= last(high.z, g.origin.z, g.bricks[2]); ++k)
         for (int j = first(low.y, g.origin.y); j <= last(high.y, g.origin.y, g.bricks[1]); ++j)
             for (int i = first(low.x, g.origin.x); i <= last(high.x, g.origin.x, g.bricks[0]); ++i)

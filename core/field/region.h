@@ -25,8 +25,8 @@ struct Region {
     }
     /// Whether a box has a point in it.
     [[nodiscard]] bool meets(Vec3 box_low, Vec3 box_high) const noexcept {
-        return box_high.x >= low.x && box_high.y >= low.y && box_high.z >= low.z && box_low.x <= high.x && box_low.y <= high.y &&
-               box_low.z <= high.z;
+        return box_high.x >= low.x && box_high.y >= low.y && box_high.z >= low.z && box_low.x <= high.x &&
+               box_low.y <= high.y && box_low.z <= high.z;
     }
     /// The nearest point of the region. NaN stays.   [any] pure, nonblocking.
     [[nodiscard]] Vec3 nearest(Vec3 p) const noexcept {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace kerf {
 
@@ -10,16 +11,17 @@ namespace {
 /// Share of a voxel that is inside a surface at distance `d` voxels from its centre.
 double inside_share(double d) noexcept { return std::clamp(0.5 - d, 0.0, 1.0); }
 
-/// Share of a voxel that two half spaces have in common, of which each alone takes a share `a` and `b`, and whose ways in are
-/// `cosine` to each other: the smaller where they face alike, their product across, and what they have too much where they
-/// face each other; in between in proportion. An edge of a cut is such a voxel: counted as facing, it would lose a twelfth of
-/// a voxel's area for every length of edge.
+/// Share of a voxel that two half spaces have in common, of which each alone takes a share `a` and `b`, and whose ways
+/// in are `cosine` to each other: the smaller where they face alike, their product across, and what they have too much
+/// where they face each other; in between in proportion. An edge of a cut is such a voxel: counted as facing, it would
+/// lose a twelfth of a voxel's area for every length of edge.
 double common_share(double a, double b, double cosine) noexcept {
     const double across = a * b;
-    return cosine > 0.0 ? across + cosine * (std::min(a, b) - across) : across + cosine * (across - std::max(0.0, a + b - 1.0));
+    return cosine > 0.0 ? across + cosine * (std::min(a, b) - across)
+                        : across + cosine * (across - std::max(0.0, a + b - 1.0));
 }
-/// Between the ways into the bone and into the cut, by differences to the next samples along each axis. Where nothing of the
-/// bone is stored, as if they faced each other.
+/// Between the ways into the bone and into the cut, by differences to the next samples along each axis. Where nothing
+/// of the bone is stored, as if they faced each other.
 double cosine_of(const std::int16_t* bone, const std::int16_t* cut) noexcept {
     if (bone == nullptr) return -1.0;
     double common = 0.0, of_bone = 0.0, of_cut = 0.0;
@@ -123,7 +125,9 @@ double bone_volume(const Body& body, const CutField& cut) noexcept {
         const std::array<int, 3> at = g.brick_place(b);
         const BrickShares shares(body, cut, b);
         for_each_sample([&](int sample, int x, int y, int z) {
-            if (!body.region.contains(g.sample_position(at[0] * brick_edge + x, at[1] * brick_edge + y, at[2] * brick_edge + z))) return;
+            if (!body.region.contains(
+                    g.sample_position(at[0] * brick_edge + x, at[1] * brick_edge + y, at[2] * brick_edge + z)))
+                return;
             const double bone = shares.bone(sample);
             voxels += bone - shares.lost(sample, bone);
         });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ public:
     void update(CutField& cut) { update(cut, cut.take_changed()); }
     /// The same, told which.
     void update(const CutField& cut, std::span<const std::size_t> changed);
-    /// What is gone in `cut` and was not before is another piece's: from now on only what is cut from this one is counted.   [worker]
+    /// What is gone in `cut` and was not before is another piece's: from now on only what is cut from this one is
+    /// counted.   [worker]
     void go_on_with(const CutField& cut);
 
     /// [m³] of material `m`.

@@ -42,8 +42,9 @@ BrickBits solid_bits(const std::int16_t* surface, const std::int16_t* cut) noexc
 BrickBits solid_bits(const Body& body, const CutField& cut, std::size_t index) noexcept {
     if (body.surface.is_all_air(index)) return {};
     const std::int16_t *bone = body.surface.stored(index), *removed = cut.stored(index);
-    BrickBits bits = bone == nullptr && removed == nullptr ? BrickBits::full()
-                                                           : solid_bits(bone != nullptr ? bone : removed, removed != nullptr ? removed : bone);
+    BrickBits bits = bone == nullptr && removed == nullptr
+                         ? BrickBits::full()
+                         : solid_bits(bone != nullptr ? bone : removed, removed != nullptr ? removed : bone);
     const auto [i, j, k] = body.grid().brick_place(index);
     const auto within = [&](std::size_t axis, int brick) {  // the samples of a row that may be cut, a bit each
         const int low = std::clamp(cut.first_sample()[axis] - brick * brick_edge, 0, brick_edge);

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// The last solids that a field was raised to, and where they stood: cells of it remember by their numbers what they were compared
-/// with last, so that a stamp need not look again at what cannot have changed.
+/// The last solids that a field was raised to, and where they stood: cells of it remember by their numbers what they
+/// were compared with last, so that a stamp need not look again at what cannot have changed.
 class StampMemory {
 public:
     struct Stamped {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "core/field/block_kernel.h"
 
 /// The stages of a brick's surface, as `BlockKernel` has them: for any machine, and for AVX2.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of a brick, or eight vertices at a time, with the operations of the portable stages in their order. Compiled and
-// entered as block_kernel_avx2.cpp.
+// A row of a brick, or eight vertices at a time, with the operations of the portable stages in their order. Compiled
+// and entered as block_kernel_avx2.cpp.
 #include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
 
 #include "core/field/surface_kernel.h"
 
@@ -86,12 +89,13 @@ inline void store(const Eight (&row)[6], float* to) noexcept {
     const Eight first_four[4] = {lows(a0, b0), highs(a0, b0), lows(a1, b1), highs(a1, b1)};
     const Eight last_two[4] = {lows(c0, nothing), highs(c0, nothing), lows(c1, nothing), highs(c1, nothing)};
     for (int n = 0; n < 4; ++n) _mm256_storeu_ps(to + 6 * n, _mm256_permute2f128_ps(first_four[n], last_two[n], 0x20));
-    for (int n = 0; n < 4; ++n) _mm256_storeu_ps(to + 6 * (n + 4), _mm256_permute2f128_ps(first_four[n], last_two[n], 0x31));
+    for (int n = 0; n < 4; ++n)
+        _mm256_storeu_ps(to + 6 * (n + 4), _mm256_permute2f128_ps(first_four[n], last_two[n], 0x31));
 }
 
 template <int axis>
-void crossings_along(const std::int16_t* samples, const std::uint16_t* places, std::size_t count, const SampleFrame& frame,
-                     SurfaceVertex* vertices) noexcept {
+void crossings_along(const std::int16_t* samples, const std::uint16_t* places, std::size_t count,
+                     const SampleFrame& frame, SurfaceVertex* vertices) noexcept {
     const Eight spacing = _mm256_set1_ps(frame.spacing), one = _mm256_set1_ps(1.0f), zero = _mm256_setzero_ps(),
                 sign = _mm256_set1_ps(-0.0f);
     const EightInts nibble = _mm256_set1_epi32(15);
@@ -102,7 +106,8 @@ void crossings_along(const std::int16_t* samples, const std::uint16_t* places, s
             e = along_x(samples, at);
         else
             e = across<axis>(samples, at);
-        const Eight to_low = _mm256_cvtepi32_ps(_mm256_abs_epi32(e.low)), to_high = _mm256_cvtepi32_ps(_mm256_abs_epi32(e.high));
+        const Eight to_low = _mm256_cvtepi32_ps(_mm256_abs_epi32(e.low)),
+                    to_high = _mm256_cvtepi32_ps(_mm256_abs_epi32(e.high));
 
         Eight slope[3];
         for (int n = 0; n < 3; ++n) slope[n] = to_high * e.low_slope[n] + to_low * e.high_slope[n];

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <cstdint>
+
 #include "core/field/crossing.h"
 #include "core/field/grid.h"
 #include "core/field/surface_kernel.h"

@@ -2,6 +2,8 @@
 #include "core/field/surface_patches.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/field/patch_weld.h"
 
@@ -18,11 +20,13 @@ void SurfacePatches::remesh(const CutField& cut, std::size_t brick, std::vector<
     published.push_back({brick, patch});
 }
 
-std::vector<SurfacePatches::Published> SurfacePatches::update(const CutField& cut, std::span<const std::size_t> changed) {
+std::vector<SurfacePatches::Published> SurfacePatches::update(const CutField& cut,
+                                                              std::span<const std::size_t> changed) {
     const auto& n = body_->grid().bricks;
     std::vector<std::size_t> bricks(changed.begin(), changed.end());
     for (const std::size_t brick : changed) {
-        const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(n[0]), static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1])};
+        const std::array<std::size_t, 3> step{1, static_cast<std::size_t>(n[0]),
+                                              static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1])};
         const std::array<std::size_t, 3> at{brick % step[1], brick % step[2] / step[1], brick / step[2]};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto depends = [&](std::size_t other, std::size_t side) {

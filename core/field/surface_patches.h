@@ -25,15 +25,17 @@ public:
     /// Of nothing yet. The body must outlive it.   [main, worker]
     explicit SurfacePatches(const Body& body);
 
-    /// Makes the surface anew where values changed: `changed`, as CutField::take_changed() names bricks, and those of their
-    /// neighbours whose normals depend on them. Returns the patches that differ from those before, bricks ascending; all
-    /// patches are then, bit for bit, what `update_all` would make.   [worker]
+    /// Makes the surface anew where values changed: `changed`, as CutField::take_changed() names bricks, and those of
+    /// their neighbours whose normals depend on them. Returns the patches that differ from those before, bricks
+    /// ascending; all patches are then, bit for bit, what `update_all` would make.   [worker]
     std::vector<Published> update(const CutField& cut, std::span<const std::size_t> changed);
     /// The same with all bricks.
     std::vector<Published> update_all(const CutField& cut);
 
     /// Of a brick; null where there is no surface.
-    [[nodiscard]] const std::shared_ptr<const BrickPatch>& patch(std::size_t brick) const noexcept { return patches_[brick]; }
+    [[nodiscard]] const std::shared_ptr<const BrickPatch>& patch(std::size_t brick) const noexcept {
+        return patches_[brick];
+    }
     /// All of it as one closed mesh (body frame [m]).   [worker]
     [[nodiscard]] Mesh welded() const;
 

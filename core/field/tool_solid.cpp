@@ -34,11 +34,13 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
         if (i == 0) continue;
         const double r = outline_[i].radius - outline_[i - 1].radius, z = outline_[i].z - outline_[i - 1].z;
         const double l = std::sqrt(r * r + z * z), nr = -z / l, nz = r / l;
-        segments_.push_back({r, z, 1.0 / (r * r + z * z), -r / z, nr, nz, nr * outline_[i].radius + nz * outline_[i].z});
+        segments_.push_back(
+            {r, z, 1.0 / (r * r + z * z), -r / z, nr, nz, nr * outline_[i].radius + nz * outline_[i].z});
         const OutlineSegment& s = segments_.back();
         const auto single = [](double v) { return static_cast<float>(v); };
-        faces_.push_back({single(outline_[i - 1].radius), single(outline_[i - 1].z), single(s.along_r), single(s.along_z),
-                          single(s.inverse_length2), single(s.slope), single(s.normal_r), single(s.normal_z), single(s.offset)});
+        faces_.push_back({single(outline_[i - 1].radius), single(outline_[i - 1].z), single(s.along_r),
+                          single(s.along_z), single(s.inverse_length2), single(s.slope), single(s.normal_r),
+                          single(s.normal_z), single(s.offset)});
         if (i == 1) continue;
         // Backwards the outline may only bend towards the axis.
         const OutlineSegment &a = segments_[i - 2], &b = segments_[i - 1];
@@ -63,7 +65,9 @@ ToolSolid::ToolSolid(std::vector<kerf_profile_point> outline, double half_thickn
 std::array<Vec3, 8> ToolSolid::around(double radius, double z) const noexcept {
     std::array<Vec3, 8> points;
     const double y = half_thickness_, x = 0.75 * radius;
-    if (is_prism()) return {{{radius, 0, z}, {x, y, z}, {0, y, z}, {-x, y, z}, {-radius, 0, z}, {-x, -y, z}, {0, -y, z}, {x, -y, z}}};
+    if (is_prism())
+        return {
+            {{radius, 0, z}, {x, y, z}, {0, y, z}, {-x, y, z}, {-radius, 0, z}, {-x, -y, z}, {0, -y, z}, {x, -y, z}}};
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = {radius * azimuths[i][0], radius * azimuths[i][1], z};
     return points;
 }
@@ -72,7 +76,8 @@ ToolSolid::Box ToolSolid::box(const Pose& other_from_tool) const noexcept {
     const Vec3 tip = other_from_tool * Vec3{0, 0, tip_z()}, end = other_from_tool * Vec3{0, 0, end_z()};
     Vec3 more{largest_radius_, largest_radius_, largest_radius_};
     if (is_prism()) {
-        const Vec3 x = rotate(other_from_tool.rotation, {largest_radius_, 0, 0}), y = rotate(other_from_tool.rotation, {0, half_thickness_, 0});
+        const Vec3 x = rotate(other_from_tool.rotation, {largest_radius_, 0, 0}),
+                   y = rotate(other_from_tool.rotation, {0, half_thickness_, 0});
         more = {std::abs(x.x) + std::abs(y.x), std::abs(x.y) + std::abs(y.y), std::abs(x.z) + std::abs(y.z)};
     }
     return {Vec3{std::min(tip.x, end.x), std::min(tip.y, end.y), std::min(tip.z, end.z)} - more,
@@ -112,13 +117,14 @@ double ToolSolid::distance(double r, double z) const noexcept {
 }
 
 double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread, double deepest) const noexcept {
-    // Inside, the depth is the least of the planes' of its faces, and concave: it grows by no more than where it was, at the steepest of
-    // the faces that may have been the nearest. Outside of several faces the way to their edge lies between theirs.
+    // Inside, the depth is the least of the planes' of its faces, and concave: it grows by no more than where it was,
+    // at the steepest of the faces that may have been the nearest. Outside of several faces the way to their edge lies
+    // between theirs.
     const double size = length(moved) + spread, r = radius_of(middle);
     const double aside = std::sqrt(squared(half.x) + squared(half.y)) + size, along = half.z + size;
     const double lateral = std::sqrt(squared(moved.x) + squared(moved.y));
     double outwards = -lateral;  // at least
-    if (aside < 0.7 * r) {  // by an angle of asin(aside / r) at most
+    if (aside < 0.7 * r) {       // by an angle of asin(aside / r) at most
         const double in_the_middle = (middle.x * moved.x + middle.y * moved.y) / r;
         outwards = std::max(outwards, in_the_middle - 1.11 * aside / r * lateral);
     }
@@ -140,7 +146,8 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
     });
     double gain = -HUGE_VAL;
     for_each_plane([&](const Plane& p) {
-        const bool may_be_nearest = p.depth - nearest.depth <= std::abs(p.out - nearest.out) * aside + std::abs(p.on - nearest.on) * along;
+        const bool may_be_nearest =
+            p.depth - nearest.depth <= std::abs(p.out - nearest.out) * aside + std::abs(p.on - nearest.on) * along;
         const double least = p.depth - p.out * aside - std::abs(p.on) * along;
         if ((may_be_nearest && least <= deepest) || least <= 0.0) gain = std::max(gain, p.gain);
     });
@@ -149,20 +156,25 @@ double ToolSolid::most_gained(Vec3 middle, Vec3 half, Vec3 moved, double spread,
 }
 
 double ToolSolid::most_gained_outside(const Pose& moved) const noexcept {
-    // Depth is concave: it grows by no more than the motion into the solid, along the way from where the solid is nearest. Before the
-    // back end that way leads forwards, or to the side, unless a face looks backwards. A turn moves what ends inside by its chord at most,
-    // about the origin, and turns the way itself.
+    // Depth is concave: it grows by no more than the motion into the solid, along the way from where the solid is
+    // nearest. Before the back end that way leads forwards, or to the side, unless a face looks backwards. A turn moves
+    // what ends inside by its chord at most, about the origin, and turns the way itself.
     const Vec3 shift = moved.position;
-    const bool looks_back = std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
-    const double into = looks_back ? length(shift) : std::sqrt(squared(shift.x) + squared(shift.y)) + std::max(0.0, -shift.z);
-    const double farthest = std::max(std::abs(tip_z()), std::abs(end_z())) + largest_radius_ + half_thickness_ + length(shift);
+    const bool looks_back =
+        std::any_of(segments_.begin(), segments_.end(), [](const OutlineSegment& s) { return s.normal_z < 0.0; });
+    const double into =
+        looks_back ? length(shift) : std::sqrt(squared(shift.x) + squared(shift.y)) + std::max(0.0, -shift.z);
+    const double farthest =
+        std::max(std::abs(tip_z()), std::abs(end_z())) + largest_radius_ + half_thickness_ + length(shift);
     return into + 2.0 * length({moved.rotation.x, moved.rotation.y, moved.rotation.z}) * farthest;
 }
 
 bool ToolSolid::has_edge_within(Vec3 middle, Vec3 half, double distance) const noexcept {
     if (!is_blunt_) return true;
-    const double x = std::abs(middle.x), y = std::abs(middle.y), least_x = std::max(0.0, x - half.x), least_y = std::max(0.0, y - half.y);
-    if (is_prism() && std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline stands for an edge
+    const double x = std::abs(middle.x), y = std::abs(middle.y), least_x = std::max(0.0, x - half.x),
+                 least_y = std::max(0.0, y - half.y);
+    if (is_prism() &&
+        std::abs(y - half_thickness_) - half.y < distance)  // then any point of the outline stands for an edge
         return std::abs(this->distance(x, middle.z)) < distance + std::sqrt(squared(half.x) + squared(half.z));
     const double nearest = is_prism() ? least_x : std::sqrt(squared(least_x) + squared(least_y));
     const double farthest = is_prism() ? x + half.x : std::sqrt(squared(x + half.x) + squared(y + half.y));
@@ -190,8 +202,9 @@ double ToolSolid::squared_distance(double r, double z) const noexcept {
 
 double ToolSolid::deepest_in(Vec3 middle, Vec3 half) const noexcept {
     const double low = middle.z - half.z, high = middle.z + half.z;
-    const double beside = is_prism() ? std::abs(middle.x) - half.x
-                                     : std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
+    const double beside =
+        is_prism() ? std::abs(middle.x) - half.x
+                   : std::sqrt(squared(middle.x) + squared(middle.y)) - std::sqrt(squared(half.x) + squared(half.y));
     const double r = std::max(0.0, beside);
     double depth = std::min(tip_z() - low, high - end_z());
     if (is_prism()) depth = std::min(depth, half_thickness_ - std::max(0.0, std::abs(middle.y) - half.y));
@@ -287,7 +300,8 @@ Vec3 ToolSolid::way_in(Vec3 p) const noexcept {
 }
 
 SingleOutline ToolSolid::faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept {
-    // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own points are.
+    // The nearest point of the surface lies no farther aside than it is away; a face's plane is nearest where its own
+    // points are.
     const double far = spread + reach, low = std::abs(x) - far, high = std::abs(x) + far;
     std::size_t first = 0, last = segments_.size();
     while (first + 1 < last && outline_[first + 1].radius < low) ++first;
@@ -297,16 +311,14 @@ SingleOutline ToolSolid::faces_near(SingleOutline whole, double x, double spread
     return whole;
 }
 
-void ToolSolid::depths(const Pose& tool_from_other, const PointBlock& points,
-                             BlockValues& depths) const noexcept {
+void ToolSolid::depths(const Pose& tool_from_other, const PointBlock& points, BlockValues& depths) const noexcept {
     PointBlock in_tool;
     transform(tool_from_other, points, in_tool);
     this->depths(in_tool, depths);
 }
 
 void ToolSolid::depths(const PointBlock& points_in_tool, BlockValues& depths) const noexcept {
-    block_kernel().depths(shape(), points_in_tool.count,
-                          points_in_tool.coordinates(), depths.data());
+    block_kernel().depths(shape(), points_in_tool.count, points_in_tool.coordinates(), depths.data());
 }
 
 double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) const noexcept {
@@ -329,7 +341,8 @@ double ToolSolid::travel_to_leave(Vec3 p, Vec3 direction, double tolerance) cons
         consider_plane(half_thickness_ + p.y, -direction.y);
         for (const OutlineSegment& s : segments_)
             for (const double side : {1.0, -1.0})
-                consider_plane(s.offset - (side * s.normal_r * p.x + s.normal_z * p.z), side * s.normal_r * direction.x + s.normal_z * direction.z);
+                consider_plane(s.offset - (side * s.normal_r * p.x + s.normal_z * p.z),
+                               side * s.normal_r * direction.x + s.normal_z * direction.z);
         return exit < 1e299 ? exit : 0.0;
     }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/field/point_block.h"
@@ -16,8 +18,8 @@ namespace kerf {
 /// The outline is a polyline (z, radius) from the tip (largest z) backwards; it is closed by the axis and by a flat
 /// end cap behind its last point. Tool frame [m].
 ///
-/// A prism, such as a saw's blade, has the same outline with half of its width along x for the radius, and two flat sides
-/// across y. So all that is said of (r, z) holds for both, with r = |x| in a prism.
+/// A prism, such as a saw's blade, has the same outline with half of its width along x for the radius, and two flat
+/// sides across y. So all that is said of (r, z) holds for both, with r = |x| in a prism.
 class ToolSolid {
 public:
     ToolSolid() = default;
@@ -28,8 +30,8 @@ public:
         return ToolSolid(std::move(outline), 0.5 * thickness);
     }
 
-    /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an edge
-    /// of the outline is nearer still.   [any] pure.
+    /// Exact signed distance [m], negative inside. A convex solid's is that to the plane of its nearest face, unless an
+    /// edge of the outline is nearer still.   [any] pure.
     [[nodiscard]] double distance(Vec3 point_in_tool) const noexcept;
 
     /// Minus the distance of a block [m].   [any] pure, nonblocking.
@@ -40,12 +42,19 @@ public:
     /// For kernels in single precision.
     [[nodiscard]] SingleOutline single() const noexcept {
         const auto &front = outline_.front(), &back = outline_.back();
-        return {faces_.data(), faces_.size(), static_cast<float>(front.radius), static_cast<float>(front.z),
-                static_cast<float>(back.radius), static_cast<float>(back.z), is_convex_, static_cast<float>(half_thickness_)};
+        return {faces_.data(),
+                faces_.size(),
+                static_cast<float>(front.radius),
+                static_cast<float>(front.z),
+                static_cast<float>(back.radius),
+                static_cast<float>(back.z),
+                is_convex_,
+                static_cast<float>(half_thickness_)};
     }
 
-    /// Of a prism's outline those faces that may be the nearest to a point which is no farther than `reach` [m] from the surface and
-    /// no farther than `spread` from x in the direction of x: with them alone such a point's distance has the same bits.   [any] pure.
+    /// Of a prism's outline those faces that may be the nearest to a point which is no farther than `reach` [m] from
+    /// the surface and no farther than `spread` from x in the direction of x: with them alone such a point's distance
+    /// has the same bits.   [any] pure.
     [[nodiscard]] SingleOutline faces_near(SingleOutline whole, double x, double spread, double reach) const noexcept;
 
     /// A plane for each point of a block that the solid does not cross: around it nothing is deeper than the plane,
@@ -59,18 +68,19 @@ public:
     /// No point of the box is deeper [m]. Pre: is_convex().   [any] pure.
     [[nodiscard]] double deepest_in(Vec3 middle_in_tool, Vec3 half_extent) const noexcept;
 
-    /// No point of the box is deeper by more than this [m] where it stands than it was before it moved there: by `moved`, give or take
-    /// `spread` [m]. Negative: all have become less deep. Points that were deeper than `deepest` do not count. Pre: convex, and no prism.
-    /// [any] pure, nonblocking.
-    [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread, double deepest) const noexcept;
+    /// No point of the box is deeper by more than this [m] where it stands than it was before it moved there: by
+    /// `moved`, give or take `spread` [m]. Negative: all have become less deep. Points that were deeper than `deepest`
+    /// do not count. Pre: convex, and no prism. [any] pure, nonblocking.
+    [[nodiscard]] double most_gained(Vec3 middle_in_tool, Vec3 half_extent, Vec3 moved, double spread,
+                                     double deepest) const noexcept;
 
-    /// A point that is outside, before the solid's back end, and inside after it has gone to `moved` times its place, or at any instant
-    /// of a straight way there that turns evenly, was outside by no more than this, less what it is inside then [m]. Pre: convex.
-    /// [any] pure, nonblocking.
+    /// A point that is outside, before the solid's back end, and inside after it has gone to `moved` times its place,
+    /// or at any instant of a straight way there that turns evenly, was outside by no more than this, less what it is
+    /// inside then [m]. Pre: convex. [any] pure, nonblocking.
     [[nodiscard]] double most_gained_outside(const Pose& moved) const noexcept;
 
-    /// Whether an edge of the outline, or of the solid's ends, may be so near to a point of a box. If none is, then what of the box
-    /// lies outside a convex solid, by half of `distance` at most, lies beside a face.   [any] pure.
+    /// Whether an edge of the outline, or of the solid's ends, may be so near to a point of a box. If none is, then
+    /// what of the box lies outside a convex solid, by half of `distance` at most, lies beside a face.   [any] pure.
     [[nodiscard]] bool has_edge_within(Vec3 middle_in_tool, Vec3 half_extent, double distance) const noexcept;
 
     /// The unit vector along which a point's depth grows fastest: away from the nearest surface inside, towards it
@@ -86,18 +96,19 @@ public:
     [[nodiscard]] double tip_z() const noexcept { return outline_.front().z; }
     [[nodiscard]] double end_z() const noexcept { return outline_.back().z; }
     [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }
-    /// [m] of its back end over which it is as wide as anywhere, if it only narrows from there to its tip; else 0. Such a solid
-    /// covers its own way along its axis: where it was on a slide shorter than this, it is at one of its ends.
+    /// [m] of its back end over which it is as wide as anywhere, if it only narrows from there to its tip; else 0. Such
+    /// a solid covers its own way along its axis: where it was on a slide shorter than this, it is at one of its ends.
     [[nodiscard]] double land() const noexcept { return land_; }
     /// Solids of one shape have one; others another.
     [[nodiscard]] std::uint64_t shape_hash() const noexcept { return shape_hash_; }
     [[nodiscard]] bool is_prism() const noexcept { return half_thickness_ > 0.0; }
     [[nodiscard]] double thickness() const noexcept { return 2.0 * half_thickness_; }  ///< [m] of a prism; else 0
 
-    /// Eight points around the solid where its outline has `radius` at `z`. Of a prism those on its flat sides stand away from
-    /// its edges, which a grid rounds off.   [any] pure.
+    /// Eight points around the solid where its outline has `radius` at `z`. Of a prism those on its flat sides stand
+    /// away from its edges, which a grid rounds off.   [any] pure.
     [[nodiscard]] std::array<Vec3, 8> around(double radius, double z) const noexcept;
-    /// The same all along the outline, rings of points at most `apart` [m] from each other: `visit(ring)`.   [any] nonblocking
+    /// The same all along the outline, rings of points at most `apart` [m] from each other: `visit(ring)`.   [any]
+    /// nonblocking
     template <class Visit>
     void for_each_ring(double apart, const Visit& visit) const {
         constexpr double most = 64.0;  // along one stretch

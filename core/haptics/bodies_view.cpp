@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/bodies_view.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
 namespace kerf {
 
 BodiesView::BodiesView(const Body& first) {
@@ -12,7 +18,8 @@ BodiesView::BodiesView(const Body& first) {
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
 }
 
-void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, const HeldBody& held) noexcept {
+void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool,
+                       const Pose& world_from_tool, const HeldBody& held) noexcept {
     near_count_ = 0;
     for (const auto& body : bodies) {
         const Pose body_from_tool = body->body_from(world_from_tool);
@@ -29,7 +36,8 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
         if (body->is_near && !body->is_cuttable) near_[near_count_++] = body.get();
 }
 
-void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions directions, kerf_bone_sample* out) const noexcept {
+void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions directions,
+                        kerf_bone_sample* out) const noexcept {
     if (cuttable_count_ == 0) {
         for (std::uint32_t i = 0; i < count; ++i) {
             out[i] = kerf_bone_sample{};

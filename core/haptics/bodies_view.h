@@ -2,23 +2,28 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
 
 #include "core/haptics/held_body.h"
 
 /// All bodies near a tool as one bone, which is how a plugin asks.
 namespace kerf {
 
-/// An edge is answered by the body it is engaged in most of those that can be cut, a contact point by the body it is deepest in; the answer names it.
-/// With one body near, its own answer is handed through.
+/// An edge is answered by the body it is engaged in most of those that can be cut, a contact point by the body it is
+/// deepest in; the answer names it. With one body near, its own answer is handed through.
 class BodiesView {
 public:
     explicit BodiesView(const Body& first);
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
-    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for what it holds.
-    /// [haptic, nonblocking]
-    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool, const HeldBody& held) noexcept;
+    /// Points are asked about at this pose until the next call, of the bodies that come near the tool, but for what it
+    /// holds. [haptic, nonblocking]
+    void place(std::span<const std::unique_ptr<LiveBody>> bodies, const ToolSolid& tool, const Pose& world_from_tool,
+               const HeldBody& held) noexcept;
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
     [[nodiscard]] std::span<LiveBody* const> near() const noexcept { return {near_.data(), near_count_}; }
 
@@ -29,11 +34,13 @@ public:
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
 
 private:
-    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3* directions,
-                             std::uint32_t direction_count, kerf_bone_sample* out) {
-        reinterpret_cast<const BodiesView*>(bone)->sample(points, count, Directions::given(directions, direction_count, count), out);
+    static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                             const kerf_vec3* directions, std::uint32_t direction_count, kerf_bone_sample* out) {
+        reinterpret_cast<const BodiesView*>(bone)->sample(points, count,
+                                                          Directions::given(directions, direction_count, count), out);
     }
-    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, kerf_surface_point* out) {
+    static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                              kerf_surface_point* out) {
         reinterpret_cast<const BodiesView*>(bone)->nearest(points, count, out);
     }
 

@@ -24,8 +24,10 @@ ChannelForce channel_force(const kerf_channel& c, double s, double dt) noexcept 
             if (s >= c.w) return {c.tau, 0.0};
             if (s <= -c.w) return {-c.tau, 0.0};
             return {c.tau * s / c.w, c.tau / c.w};
-        case KERF_HOLD: return {c.k * (c.delta + s * dt) + c.b * s, c.k * dt + c.b};
-        default: return {};
+        case KERF_HOLD:
+            return {c.k * (c.delta + s * dt) + c.b * s, c.k * dt + c.b};
+        default:
+            return {};
     }
 }
 

@@ -22,9 +22,13 @@ struct ChannelForce {
 /// Whether the host may solve with it: finite, a direction, nothing that would push.   [any] pure, nonblocking.
 [[nodiscard]] bool is_sound(const kerf_channel& channel) noexcept;
 
-/// The host's own contact, beside the plugin's: along `d` [–, m], pressed in by `depth` [m], negative while it is apart. Its id says what
-/// touches.   [any] pure, nonblocking.
-enum class OwnContact : std::uint32_t { held = 0xfffffe00u /* the first of its octants */, metal = 0xfffffffeu, region = 0xffffffffu };
+/// The host's own contact, beside the plugin's: along `d` [–, m], pressed in by `depth` [m], negative while it is
+/// apart. Its id says what touches.   [any] pure, nonblocking.
+enum class OwnContact : std::uint32_t {
+    held = 0xfffffe00u /* the first of its octants */,
+    metal = 0xfffffffeu,
+    region = 0xffffffffu
+};
 [[nodiscard]] kerf_channel contact_channel(OwnContact what, const Vec6& d, double stiffness, double depth) noexcept;
 
 [[nodiscard]] inline Vec6 direction(const kerf_channel& c) noexcept {

@@ -15,13 +15,14 @@ constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
 /// What one count of the encoders may change the force by: more is heard and felt while a hand holds still (S-06).
 constexpr double felt_count = 0.08;  // [N]
-}
+}  // namespace
 
 CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency) noexcept {
     KERF_ASSERT(latency >= 0 && latency <= longest_latency, "whole ticks, at most two");
     CouplingGains gains;
     gains.stiffness = std::min(0.6 * device.largest_stiffness, 0.5 * device.stiffest_wall[latency]);
-    gains.damping = std::clamp(nominal_period * (felt_count / device.resolution - gains.stiffness), 0.0, 0.5 * device.largest_damping);
+    gains.damping = std::clamp(nominal_period * (felt_count / device.resolution - gains.stiffness), 0.0,
+                               0.5 * device.largest_damping);
     gains.force_limit = device.peak_force;
     // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
     gains.has_torque = device.peak_torque > 0.0;
@@ -46,8 +47,7 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
     out.hand_turn = rotate(tool_from_world, angular(hand_rate));
     out.hand_velocity = rotate(tool_from_world, linear(hand_rate)) + cross(out.hand_turn, grip_);
     out.force = {k * stretched + b * out.hand_velocity, b + dt * k, force_limit() / gains_.force_scale};
-    out.torque = {arm2 * (k * twisted + b * out.hand_turn), arm2 * (b + dt * k),
-                  torque_limit() / gains_.force_scale};
+    out.torque = {arm2 * (k * twisted + b * out.hand_turn), arm2 * (b + dt * k), torque_limit() / gains_.force_scale};
     out.grip = grip_;
     out.dt = dt;
     out.release_damping = 0.0;
@@ -64,8 +64,7 @@ void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {
     slip_ = slip_ + after - clamped(after, force_limit() / gains_.stiffness);
     const Quat turn_after = twist(handle, tool);
     const Vec3 turn = small_rotation_vector(turn_after);
-    const Vec3 kept =
-        clamped(turn, torque_limit() / (gains_.rotation_arm * gains_.rotation_arm * gains_.stiffness));
+    const Vec3 kept = clamped(turn, torque_limit() / (gains_.rotation_arm * gains_.rotation_arm * gains_.stiffness));
     if (!(kept == turn))
         rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
 }

@@ -9,15 +9,15 @@ namespace kerf {
 
 /// Gains on the device's side; divided by the force scale they act on the bone's.
 struct CouplingGains {
-    double stiffness = 0.0;      ///< K_c [N/m]
-    double damping = 0.0;        ///< B_c [N·s/m]
-    double force_limit = 0.0;    ///< [N]
-    double torque_limit = 0.0;   ///< [N·m]
-    bool has_torque = false;     ///< the device makes torques: they count for what the hand is given
-    double resolution = 0.0;     ///< [m] of one count of the device's encoders
-    double spare_damping = 0.0;  ///< [N·s/m] the most the passivity controller may add
-    double force_scale = 1.0;    ///< [–] device newtons per bone newton, one for force and torque
-    double rotation_arm = 0.05;  ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
+    double stiffness = 0.0;        ///< K_c [N/m]
+    double damping = 0.0;          ///< B_c [N·s/m]
+    double force_limit = 0.0;      ///< [N]
+    double torque_limit = 0.0;     ///< [N·m]
+    bool has_torque = false;       ///< the device makes torques: they count for what the hand is given
+    double resolution = 0.0;       ///< [m] of one count of the device's encoders
+    double spare_damping = 0.0;    ///< [N·s/m] the most the passivity controller may add
+    double force_scale = 1.0;      ///< [–] device newtons per bone newton, one for force and torque
+    double rotation_arm = 0.05;    ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
     double release_damping = 0.0;  ///< [N·s/m] between hand and tool at breakthrough (docs/ARCHITECTURE.md)
 };
 
@@ -39,9 +39,9 @@ class Coupling {
 public:
     Coupling(const CouplingGains& gains, Vec3 grip) : gains_(gains), grip_(grip) {}
 
-    /// Of its limits of force and torque, these shares are allowed from now on (0 … 1]: the anchor slides so much the sooner. Force comes back after
-    /// a fault by allowing more, not by scaling what it would be: what is scaled up gives more than it took (A10).
-    /// [haptic, nonblocking]
+    /// Of its limits of force and torque, these shares are allowed from now on (0 … 1]: the anchor slides so much the
+    /// sooner. Force comes back after a fault by allowing more, not by scaling what it would be: what is scaled up
+    /// gives more than it took (A10). [haptic, nonblocking]
     void allow(double of_force, double of_torque) noexcept {
         force_share_ = of_force;
         torque_share_ = of_torque;

@@ -16,8 +16,8 @@ struct DeviceRecord {
     double viscosity;          ///< [N·s/m]
     double friction;           ///< [N] Coulomb
     double resolution;         ///< [m] of one count
-    /// The stiffest sampled spring that rests on the device alone, its friction counted, when forces come 0, 1 or 2 whole
-    /// ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
+    /// The stiffest sampled spring that rests on the device alone, its friction counted, when forces come 0, 1 or 2
+    /// whole ticks of a millisecond late [N/m]. Measured on our model of the device: `kerf stability`, S-02.
     double stiffest_wall[3];
     const char* source;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/haptics/solve.h"
@@ -13,8 +14,8 @@ namespace kerf {
 /// It goes with λ̄, a filtered λ kept by the channels' ids: taken with λ itself it diverges from μ = 1.1 on (R1).
 class Following {
 public:
-    /// `own` and Σ follow λ̄ for the balance's channels, tool frame. The coupling alone holds what follows; more than it can
-    /// carry has no balance, so at most half of that is given.   [haptic, nonblocking]
+    /// `own` and Σ follow λ̄ for the balance's channels, tool frame. The coupling alone holds what follows; more than it
+    /// can carry has no balance, so at most half of that is given.   [haptic, nonblocking]
     [[nodiscard]] Vec6 wrench(const Balance& balance, const Vec6& own) const noexcept;
     /// λ̄ ← λ̄ + α(λ − λ̄), α = 1/(1 + μ²), μ = max |follow|/|d| in the coupling's own norm. A channel that is gone is
     /// forgotten.   [haptic, nonblocking]

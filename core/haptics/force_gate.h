@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-/// Takes the force away after a fault and gives it back: to nothing in 5 ms, then, once all is well, up in 50 ms and by 0.4 N a
-/// millisecond at most, whatever the hand runs into. What was stored in the coupling is let go in between: force is never ramped back
-/// into a stretch (resolutions A10).
+/// Takes the force away after a fault and gives it back: to nothing in 5 ms, then, once all is well, up in 50 ms and by
+/// 0.4 N a millisecond at most, whatever the hand runs into. What was stored in the coupling is let go in between:
+/// force is never ramped back into a stretch (resolutions A10).
 class ForceGate {
 public:
     enum class State { open, closing, shut, opening };
@@ -36,8 +36,9 @@ public:
                 break;
         }
     }
-    /// Of a force limit [N], the share that may be used in the next step of `dt`, after one that made `force` [N]. As long as the bound
-    /// on the rise is what holds the force, the gate goes on opening.   [haptic, nonblocking] once a tick
+    /// Of a force limit [N], the share that may be used in the next step of `dt`, after one that made `force` [N]. As
+    /// long as the bound on the rise is what holds the force, the gate goes on opening.   [haptic, nonblocking] once a
+    /// tick
     [[nodiscard]] double share(double limit, double force, double dt) noexcept {
         if (state_ != State::opening) return gain_;
         const bool is_held = force >= (1.0 - 1e-9) * share_ * limit;
@@ -53,7 +54,7 @@ public:
 
 private:
     static constexpr double closing_time = 5e-3, opening_time = 50e-3;  // [s]
-    static constexpr double fastest_rise = 400.0;                       // [N/s]; 0.5 N a millisecond is not to be passed (S-21)
+    static constexpr double fastest_rise = 400.0;  // [N/s]; 0.5 N a millisecond is not to be passed (S-21)
     double gain_ = 1.0;
     double share_ = 1.0;  ///< allowed last, while it opens
     State state_ = State::open;

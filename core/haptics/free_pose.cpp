@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-
+#include <cstddef>
 
 namespace kerf {
 

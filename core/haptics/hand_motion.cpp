@@ -2,6 +2,8 @@
 #include "core/haptics/hand_motion.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "kerf/exact_math.hpp"
 
@@ -11,7 +13,7 @@ namespace {
 
 constexpr double filter_hz = 50.0;
 constexpr std::uint32_t too_many_missed = 3;  // (A10)
-constexpr double leap = 20e-3;  // [m] between two ticks (B9)
+constexpr double leap = 20e-3;                // [m] between two ticks (B9)
 
 bool is_pose(const Pose& p) noexcept {
     constexpr double room = 10.0;  // [m]
@@ -25,7 +27,8 @@ bool is_pose(const Pose& p) noexcept {
 bool HandMotion::take(const DeviceSample& sample, double dt) noexcept {
     const Pose& handle = sample.world_from_handle;
     const bool is_there = is_pose(handle);
-    const bool has_leapt = is_there && (was_missing_ || sample.missed >= too_many_missed || length(handle.position - pose_.position) > leap);
+    const bool has_leapt = is_there && (was_missing_ || sample.missed >= too_many_missed ||
+                                        length(handle.position - pose_.position) > leap);
     was_missing_ = !is_there;
     if (!is_there || has_leapt) {
         if (is_there) pose_ = handle;

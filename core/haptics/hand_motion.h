@@ -11,9 +11,9 @@ class HandMotion {
 public:
     explicit HandMotion(const Pose& start) : pose_(start) {}
 
-    /// One tick's sample. A pose that is none is left out; a leap of more than 20 mm between two ticks is no hand's, and
-    /// after three missed ticks it may have been anywhere. Returns false for any of these, and for the first sample after
-    /// a pose that was none: then nothing may follow from the difference to the last one.   [haptic, nonblocking]
+    /// One tick's sample. A pose that is none is left out; a leap of more than 20 mm between two ticks is no hand's,
+    /// and after three missed ticks it may have been anywhere. Returns false for any of these, and for the first sample
+    /// after a pose that was none: then nothing may follow from the difference to the last one.   [haptic, nonblocking]
     bool take(const DeviceSample& sample, double dt) noexcept;
 
     [[nodiscard]] const Pose& pose() const noexcept { return pose_; }  ///< the last good one

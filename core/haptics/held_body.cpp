@@ -14,9 +14,9 @@ namespace kerf {
 
 namespace {
 
-constexpr double stiffness = 2e5;         // [N/m] of bone on bone, for each octant [assumed]
-constexpr double near_contact = 0.3e-3;   // [m] farther away there is no channel
-constexpr double nearly = 20e-6;          // [m] behind the deepest, or half as deep: shares its channel
+constexpr double stiffness = 2e5;        // [N/m] of bone on bone, for each octant [assumed]
+constexpr double near_contact = 0.3e-3;  // [m] farther away there is no channel
+constexpr double nearly = 20e-6;         // [m] behind the deepest, or half as deep: shares its channel
 
 std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
     std::array<Vec3, 8> corners;
@@ -26,7 +26,8 @@ std::array<Vec3, 8> corners_of(Vec3 low, Vec3 high) noexcept {
 }
 
 /// Whether a box comes within `margin` of a body's; errs towards yes.
-bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners, double margin) noexcept {
+bool box_comes_near(const LiveBody& other, const std::array<Vec3, 8>& corners, const Pose& other_from_corners,
+                    double margin) noexcept {
     Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
     for (const Vec3 corner : corners) {
         const Vec3 p = other_from_corners * corner;
@@ -51,7 +52,12 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& vertices, std::size_t most, d
 
 }  // namespace
 
-HeldBody::HeldBody() : points_(most_points), octant_(most_points), asked_(most_points), octant_of_asked_(most_points), answers_(most_points) {}
+HeldBody::HeldBody()
+    : points_(most_points),
+      octant_(most_points),
+      asked_(most_points),
+      octant_of_asked_(most_points),
+      answers_(most_points) {}
 
 void HeldBody::take(Bodies bodies, std::size_t body, const Pose& world_from_tool) noexcept {
     body_ = body;
@@ -70,7 +76,8 @@ void HeldBody::find_points(Bodies bodies) {
     for (const auto& body : bodies) {
         if (!holds(body->id) || !body->is_present) continue;
         apart = std::max(apart, body->bone->grid().spacing);
-        for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices) surface.push_back(tool_from_[body->id] * p);
+        for (const Vec3 p : bone_surface(*body->bone, body->committed).vertices)
+            surface.push_back(tool_from_[body->id] * p);
     }
     const std::vector<Vec3> points = thinned(surface, most_points, apart);
     count_ = points.size();
@@ -83,7 +90,8 @@ void HeldBody::find_points(Bodies bodies) {
     const Vec3 middle = 0.5 * (low_ + high_);
     for (std::size_t i = 0; i < count_; ++i) {
         const Vec3 p = points_[i] = points[i];
-        octant_[i] = static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
+        octant_[i] =
+            static_cast<std::uint8_t>((p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0));
     }
 }
 
@@ -100,8 +108,9 @@ double HeldBody::largest_motion(const Pose& from, const Pose& to) const noexcept
 
 bool HeldBody::is_near_another(Bodies bodies, const Pose& world_from_tool, double margin) const noexcept {
     return count_ > 0 && std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) {
-        return !holds(other->id) && other->is_present && box_comes_near(*other, corners_of(low_, high_), other->body_from(world_from_tool), margin);
-    });
+               return !holds(other->id) && other->is_present &&
+                      box_comes_near(*other, corners_of(low_, high_), other->body_from(world_from_tool), margin);
+           });
 }
 
 std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, kerf_channel* channels) noexcept {
@@ -127,9 +136,11 @@ std::size_t HeldBody::add_contact(Bodies bodies, const Pose& world_from_tool, ke
         other->view.nearest(asked_.data(), static_cast<std::uint32_t>(asked), answers_.data());
         for (std::size_t i = 0; i < asked; ++i) {
             Touch& t = touch[octant_of_asked_[i]];
-            if (answers_[i].body >= 0 && answers_[i].normal != Vec3{}) t.deepest = std::max(t.deepest, -answers_[i].distance);
+            if (answers_[i].body >= 0 && answers_[i].normal != Vec3{})
+                t.deepest = std::max(t.deepest, -answers_[i].distance);
         }
-        // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would chatter.
+        // Points nearly as deep as the deepest share the channel: were it one point's, the choice between two would
+        // chatter.
         for (std::size_t i = 0; i < asked; ++i) {
             const kerf_surface_point& answer = answers_[i];
             Touch& t = touch[octant_of_asked_[i]];

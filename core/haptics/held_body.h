@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,8 +13,8 @@
 
 namespace kerf {
 
-/// What the tool holds: a body, and those it is fused to. They are rigid to the tool, and stopped by other bodies where points of
-/// their surface touch them.
+/// What the tool holds: a body, and those it is fused to. They are rigid to the tool, and stopped by other bodies where
+/// points of their surface touch them.
 class HeldBody {
 public:
     using Bodies = std::span<const std::unique_ptr<LiveBody>>;
@@ -32,7 +34,8 @@ public:
     /// Its shape has changed.   [haptic, nonblocking]
     void forget_points() noexcept { count_ = 0; }
 
-    /// Where it may touch: on its surface as it is committed, after `take` or a change of its shape.   [main] between ticks
+    /// Where it may touch: on its surface as it is committed, after `take` or a change of its shape.   [main] between
+    /// ticks
     void find_points(Bodies bodies);
     [[nodiscard]] bool lacks_points() const noexcept { return is_any() && count_ == 0; }
 
@@ -48,9 +51,9 @@ public:
 
 private:
     std::size_t body_ = 0;
-    std::uint32_t members_ = 0;  ///< a bit for each body
+    std::uint32_t members_ = 0;                  ///< a bit for each body
     std::array<Pose, most_bodies> tool_from_{};  ///< each member
-    std::vector<Vec3> points_;   ///< tool frame [m]; room for `most_points`, the first `count_` are in use
+    std::vector<Vec3> points_;  ///< tool frame [m]; room for `most_points`, the first `count_` are in use
     std::vector<std::uint8_t> octant_;
     std::size_t count_ = 0;
     Vec3 low_{}, high_{};  ///< a box around them

@@ -5,11 +5,11 @@
 
 namespace kerf {
 
-/// What of a tool and its handpiece resists being moved faster across its axis: without it a force that turns with the spindle throws
-/// the tool across its play in one tick.
+/// What of a tool and its handpiece resists being moved faster across its axis: without it a force that turns with the
+/// spindle throws the tool across its play in one tick.
 ///
-/// Along the axis, and about it, a tool has no mass: behind a shell its force is to end within ticks (resolutions R5), and half a
-/// kilogram swings on the coupling instead.
+/// Along the axis, and about it, a tool has no mass: behind a shell its force is to end within ticks (resolutions R5),
+/// and half a kilogram swings on the coupling instead.
 struct Inertia {
     double mass = 0.0;      ///< [kg]
     double centre_z = 0.0;  ///< [m] of the mass, on the axis
@@ -23,6 +23,8 @@ struct Inertia {
     return {px, py, 0.0, turning * rate[3] - of.centre_z * py, turning * rate[4] + of.centre_z * px, 0.0};
 }
 /// [J]
-[[nodiscard]] constexpr double kinetic_energy(const Inertia& of, const Vec6& rate) noexcept { return 0.5 * dot(momentum(of, rate), rate); }
+[[nodiscard]] constexpr double kinetic_energy(const Inertia& of, const Vec6& rate) noexcept {
+    return 0.5 * dot(momentum(of, rate), rate);
+}
 
 }  // namespace kerf

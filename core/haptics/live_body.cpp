@@ -2,12 +2,19 @@
 #include "core/haptics/live_body.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace kerf {
 
 LiveBody::LiveBody(std::uint16_t number, const Body& of_bone, CutField field, const ToolSolid& solid)
-    : id(number), bone(&of_bone), committed(std::move(field)), tracker(of_bone, solid, committed), view(of_bone, committed, tracker), group(number) {
+    : id(number),
+      bone(&of_bone),
+      committed(std::move(field)),
+      tracker(of_bone, solid, committed),
+      view(of_bone, committed, tracker),
+      group(number) {
     tracker.name(number);
     view.name(number);
     find_box();
@@ -39,17 +46,22 @@ void LiveBody::find_box() {
 }
 
 bool LiveBody::is_near_box(Vec3 box_low, Vec3 box_high, double margin) const noexcept {
-    const auto meets = [&](double l, double h, double bone_l, double bone_h) { return l - margin <= bone_h && h + margin >= bone_l; };
-    return meets(box_low.x, box_high.x, low.x, high.x) && meets(box_low.y, box_high.y, low.y, high.y) && meets(box_low.z, box_high.z, low.z, high.z);
+    const auto meets = [&](double l, double h, double bone_l, double bone_h) {
+        return l - margin <= bone_h && h + margin >= bone_l;
+    };
+    return meets(box_low.x, box_high.x, low.x, high.x) && meets(box_low.y, box_high.y, low.y, high.y) &&
+           meets(box_low.z, box_high.z, low.z, high.z);
 }
 
-std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut, const ToolSolid& solid) {
+std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut,
+                                    const ToolSolid& solid) {
     CutField field = cut;
     field.reserve(live_reserve);
     return std::make_unique<LiveBody>(number, of_bone, std::move(field), solid);
 }
 
-Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid, std::uint64_t through) {
+Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid,
+                     std::uint64_t through) {
     Adoption adoption;
     adoption.sequence = separation.sequence;
     adoption.tick = separation.tick;

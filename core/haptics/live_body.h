@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -23,7 +25,9 @@ struct LiveBody {
     void find_box();
     /// Whether a box (body frame) comes within `margin` [m] of that.   [haptic, nonblocking]
     [[nodiscard]] bool is_near_box(Vec3 box_low, Vec3 box_high, double margin) const noexcept;
-    [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept { return inverse(world_from_body) * world_from_tool; }
+    [[nodiscard]] Pose body_from(const Pose& world_from_tool) const noexcept {
+        return inverse(world_from_body) * world_from_tool;
+    }
 
     std::uint16_t id;
     const Body* bone;
@@ -31,27 +35,29 @@ struct LiveBody {
     CutTracker tracker;
     BoneView view;
     Pose world_from_body = identity_pose();
-    Vec3 low{}, high{};      ///< holds its bone, body frame [m]
-    std::uint16_t group;     ///< bodies of one group are rigid to each other; its first member's id
-    bool is_cuttable = true; ///< false: metal, which stops what would cut it
-    bool is_present = true;  ///< false: taken out of the scene
-    bool is_near = true;     ///< of the tool, in this tick
+    Vec3 low{}, high{};       ///< holds its bone, body frame [m]
+    std::uint16_t group;      ///< bodies of one group are rigid to each other; its first member's id
+    bool is_cuttable = true;  ///< false: metal, which stops what would cut it
+    bool is_present = true;   ///< false: taken out of the scene
+    bool is_near = true;      ///< of the tool, in this tick
 };
 
 /// Of bone with a cut, with room for what is cut next.   [main, worker]
-[[nodiscard]] std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut, const ToolSolid& solid);
+[[nodiscard]] std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut,
+                                                  const ToolSolid& solid);
 
-/// What the loop adopts when bone came apart: a new field for the parent and a body for each part, all made beforehand, so that
-/// taking them over neither allocates nor waits. What they replace goes back in their place.
+/// What the loop adopts when bone came apart: a new field for the parent and a body for each part, all made beforehand,
+/// so that taking them over neither allocates nor waits. What they replace goes back in their place.
 struct Adoption {
     std::uint64_t sequence = 0, tick = 0;  ///< of the record that parted the parent
     std::uint16_t parent = 0;
-    std::uint64_t through = 0;             ///< the parent's first record that the fields do not hold
-    std::unique_ptr<LiveBody> renewed;     ///< the parent, with less bone
+    std::uint64_t through = 0;          ///< the parent's first record that the fields do not hold
+    std::unique_ptr<LiveBody> renewed;  ///< the parent, with less bone
     std::vector<std::unique_ptr<LiveBody>> parts;
 };
 
 /// Fields that hold all of the parent's records before `through`.   [worker]
-[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid, std::uint64_t through);
+[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid,
+                                   std::uint64_t through);
 
 }  // namespace kerf

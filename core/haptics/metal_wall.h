@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-/// A body that cannot be cut stops what would cut it. One contact channel of the host's own, at the point of the cutting outline that
-/// is deepest in it. Returns false, and leaves the channel as it was, where there is none. Pre: its view is placed at the tool.
-/// [haptic, nonblocking]
+/// A body that cannot be cut stops what would cut it. One contact channel of the host's own, at the point of the
+/// cutting outline that is deepest in it. Returns false, and leaves the channel as it was, where there is none. Pre:
+/// its view is placed at the tool. [haptic, nonblocking]
 [[nodiscard]] bool metal_wall(const LiveBody& body, const ToolSolid& cutting, kerf_channel& channel) noexcept;
 
 }  // namespace kerf

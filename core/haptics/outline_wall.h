@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/field/bone_view.h"
 #include "core/field/tool_solid.h"
@@ -17,8 +19,8 @@ struct Entered {
     Vec3 into{};         ///< unit; zero: nothing is there
 };
 
-/// One channel at the point of a cutting outline that is deepest in what it may not enter. Returns false, and leaves the channel as
-/// it was, where none is deeper than `least`.
+/// One channel at the point of a cutting outline that is deepest in what it may not enter. Returns false, and leaves
+/// the channel as it was, where none is deeper than `least`.
 /// @param view     placed at the tool
 /// @param apart    [m] from ring to ring of the outline
 /// @param least    [m] negative: also what is so near
@@ -26,8 +28,9 @@ struct Entered {
 /// @param entered  (point, kerf_surface_point) -> Entered, tool frame
 /// [haptic, nonblocking]
 template <typename Concerns, typename Enters>
-[[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BoneView& view, double apart, double least, const Concerns& concerns,
-                                const Enters& entered, kerf_channel& channel) noexcept {
+[[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BoneView& view, double apart,
+                                double least, const Concerns& concerns, const Enters& entered,
+                                kerf_channel& channel) noexcept {
     constexpr double stiffness = 1e6;  // [N/m] of what is not to be entered, bone or metal [assumed]
     Entered deepest{least, {}};
     Vec3 at{};

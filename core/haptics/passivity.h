@@ -21,16 +21,16 @@ namespace kerf {
 class PassivityGuard {
 public:
     static constexpr double tolerance = 1e-4;  ///< [J]
-    /// `unseen` [J]: what a spring gives and takes within one count of the encoders, K Δ². A hand that flickers between two
-    /// counts is credited with it, or the balance would fall for ever under a hand that stands still.
+    /// `unseen` [J]: what a spring gives and takes within one count of the encoders, K Δ². A hand that flickers between
+    /// two counts is credited with it, or the balance would fall for ever under a hand that stands still.
     explicit PassivityGuard(double largest_damping, double unseen = 0.0, double count = 0.0)
         : largest_damping_(largest_damping), unseen_(unseen), count_(count) {}
 
     /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
     /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
     void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored) noexcept;
-    /// The coupling is anchored anew: what a fault gave while it faded is not taken back from a hand that is not to blame.
-    /// [haptic, nonblocking]
+    /// The coupling is anchored anew: what a fault gave while it faded is not taken back from a hand that is not to
+    /// blame. [haptic, nonblocking]
     void restart() noexcept { energy_ = 0.0; }
     /// The force on the hand that takes back what came out too much. [N]   [haptic, nonblocking]
     [[nodiscard]] Vec3 correction(double dt) noexcept;

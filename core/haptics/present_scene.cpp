@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/haptics/present_scene.h"
 
+#include <cstdint>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace kerf {
 
 bool Placing::is_same_as(const Placing& other) const noexcept {
     const Quat a = world_from_body.rotation, b = other.world_from_body.rotation;
-    return world_from_body.position == other.world_from_body.position && std::tie(a.w, a.x, a.y, a.z) == std::tie(b.w, b.x, b.y, b.z) &&
-           group == other.group && is_cuttable == other.is_cuttable && is_present == other.is_present;
+    return world_from_body.position == other.world_from_body.position &&
+           std::tie(a.w, a.x, a.y, a.z) == std::tie(b.w, b.x, b.y, b.z) && group == other.group &&
+           is_cuttable == other.is_cuttable && is_present == other.is_present;
 }
 
-PresentScene::PresentScene(const Body& body, std::vector<const ToolSolid*> cutting) : cutting_(std::move(cutting)), bone_(body, live_reserve) {}
+PresentScene::PresentScene(const Body& body, std::vector<const ToolSolid*> cutting)
+    : cutting_(std::move(cutting)), bone_(body, live_reserve) {}
 
 void PresentScene::apply(std::span<const CutRecord> records, const Placings& now) {
     if (!begun_) begun_ = moment(now);
     for (const CutRecord& record : records)
-        for (Separation& separation : bone_.apply(record, *cutting_[record.solid])) waiting_.push_back(std::move(separation));
+        for (Separation& separation : bone_.apply(record, *cutting_[record.solid]))
+            waiting_.push_back(std::move(separation));
 }
 
 void PresentScene::leave_bone() {
@@ -60,7 +65,8 @@ Restoration PresentScene::restoration(Turn turn) const {
     restoration.bodies.reserve(most_bodies);
     for (std::size_t id = 0; id < then.placings.count; ++id) {
         const PieceImage& piece = *then.bone.pieces[id];
-        restoration.bodies.push_back(live_body(static_cast<std::uint16_t>(id), *piece.bone, piece.cut, *cutting_.front()));
+        restoration.bodies.push_back(
+            live_body(static_cast<std::uint16_t>(id), *piece.bone, piece.cut, *cutting_.front()));
     }
     return restoration;
 }

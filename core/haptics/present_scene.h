@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,8 +32,8 @@ struct Placings {
 /// Which way in the history of cuts.
 enum class Turn { undo, redo };
 
-/// All bodies as they were at another time, made beforehand, so that taking them over neither allocates nor waits. What they
-/// replace goes back in their place.
+/// All bodies as they were at another time, made beforehand, so that taking them over neither allocates nor waits. What
+/// they replace goes back in their place.
 struct Restoration {
     Turn turn = Turn::undo;
     std::uint64_t records = 0;  ///< that had removed bone when it was made
@@ -68,8 +69,11 @@ public:
     [[nodiscard]] bool can(Turn turn) const noexcept { return !moments(turn).empty(); }
     /// What going there would bring. Pre: `can`, and not in a cut.   [worker]
     [[nodiscard]] Restoration restoration(Turn turn) const;
-    /// The loop's bodies for the first separation that waits, which hold all of the parent's records before `through`.   [worker]
-    [[nodiscard]] Adoption adoption(std::uint64_t through) const { return adoption_of(waiting_.front(), bone_, *cutting_.front(), through); }
+    /// The loop's bodies for the first separation that waits, which hold all of the parent's records before `through`.
+    /// [worker]
+    [[nodiscard]] Adoption adoption(std::uint64_t through) const {
+        return adoption_of(waiting_.front(), bone_, *cutting_.front(), through);
+    }
     /// Goes there: the bone to the bit, and what waits.   [worker] Pre: as above.
     void go(Turn turn, const Placings& now);
 
@@ -83,7 +87,9 @@ private:
     [[nodiscard]] Moment moment(const Placings& now) { return {bone_.image(), now, waiting_}; }
     [[nodiscard]] static double removed_in(const BoneImage& bone) noexcept;  ///< [m³]
     void keep(Moment before);
-    [[nodiscard]] const std::vector<Moment>& moments(Turn turn) const noexcept { return turn == Turn::undo ? undo_ : redo_; }
+    [[nodiscard]] const std::vector<Moment>& moments(Turn turn) const noexcept {
+        return turn == Turn::undo ? undo_ : redo_;
+    }
 
     std::vector<const ToolSolid*> cutting_;
     PresentBone bone_;

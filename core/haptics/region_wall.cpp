@@ -2,6 +2,7 @@
 #include "core/haptics/region_wall.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/haptics/outline_wall.h"
 
@@ -16,8 +17,11 @@ bool region_wall(const Body& body, const BoneView& view, const ToolSolid& cuttin
     if (region.contains(tip - around) && region.contains(tip + around)) return false;
 
     const auto beyond = [&](Vec3 point) { return region.distance_outside(body_from_tool * point); };
-    const auto leaves = [&](const std::array<Vec3, 8>& ring) { return std::any_of(ring.begin(), ring.end(), [&](Vec3 p) { return beyond(p) > 0.0; }); };
-    // Out of the bone leads the shorter of two ways: back over the region's face, or to the bone's own surface beyond it.
+    const auto leaves = [&](const std::array<Vec3, 8>& ring) {
+        return std::any_of(ring.begin(), ring.end(), [&](Vec3 p) { return beyond(p) > 0.0; });
+    };
+    // Out of the bone leads the shorter of two ways: back over the region's face, or to the bone's own surface beyond
+    // it.
     const auto entered = [&](Vec3 point, const kerf_surface_point& bone) -> Entered {
         const double over = beyond(point), below = -bone.distance;
         if (over <= 0.0 || below <= 0.0) return {};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "core/field/reach.h"
@@ -15,9 +17,10 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t free_margin = 128;    // bricks kept ready for one tick
-constexpr double fastest = 1.0;             // [m/s] of a tool that bone resists (B9)
-constexpr std::size_t closed_room = 2 * 16 * most_bodies, stamp_room = 2 * closed_room;  // records of a tick at their most
+constexpr std::size_t free_margin = 128;  // bricks kept ready for one tick
+constexpr double fastest = 1.0;           // [m/s] of a tool that bone resists (B9)
+constexpr std::size_t closed_room = 2 * 16 * most_bodies,
+                      stamp_room = 2 * closed_room;  // records of a tick at their most
 
 void add(const Vec6& v, double share, Vec6& sum) noexcept {
     for (std::size_t i = 0; i < 6; ++i) sum[i] += share * v[i];
@@ -37,7 +40,8 @@ Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, c
                        const Pose& start, double period)
     : Simulation(body, std::vector<Tool>{{std::move(setup), std::move(outline)}}, gains, start, period) {}
 
-Simulation::Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start, double period)
+Simulation::Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start,
+                       double period)
     : period_(period),
       spacing_(body.grid().spacing),
       tools_(std::move(tools)),
@@ -48,11 +52,13 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
       coupling_(gains, {0, 0, outline().grip_z}),
       guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
     bodies_.reserve(most_bodies);
-    bodies_.push_back(std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, live_reserve), outline().cutting));
+    bodies_.push_back(
+        std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, live_reserve), outline().cutting));
     closed_.reserve(closed_room);
     to_stamp_.reserve(stamp_room);
     std::size_t size = 0;
-    for (const Tool& tool : tools_) size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
+    for (const Tool& tool : tools_)
+        size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
     state_storage_ = std::make_unique<std::byte[]>(size);
     begin_with_tool();
 }
@@ -69,7 +75,9 @@ void Simulation::begin_with_tool() {
     force.begin(&in, state_);
     double back = 0.0;
     for (const auto& body : bodies_)
-        if (body->is_present) back = std::max(back, way_out_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_)).value_or(0.0));
+        if (body->is_present)
+            back = std::max(
+                back, way_out_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_)).value_or(0.0));
     if (back > 0.0) {
         world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
         coupling_.let_go(hand_.pose(), world_from_tool_);
@@ -109,7 +117,8 @@ bool Simulation::ask(double step) noexcept {
     channel_count_ = law_channel_count_ = law.count;
     is_at_region_wall_ = false;
     for (const LiveBody* body : view_.near())
-        if (region_wall(*body->bone, body->view, outline().cutting, body->body_from(world_from_tool_), channels_[channel_count_])) {
+        if (region_wall(*body->bone, body->view, outline().cutting, body->body_from(world_from_tool_),
+                        channels_[channel_count_])) {
             ++channel_count_;
             is_at_region_wall_ = true;
             break;
@@ -120,7 +129,9 @@ bool Simulation::ask(double step) noexcept {
             metal_channel_ = static_cast<int>(channel_count_++);
             break;
         }
-    if (held_.is_any()) channel_count_ += static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
+    if (held_.is_any())
+        channel_count_ +=
+            static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
     return true;
 }
 
@@ -182,7 +193,8 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     if (result.is_at_metal && !std::exchange(has_met_metal_, true)) result.add_event("haptics.met_metal");
     if (metal_channel_ < 0) has_met_metal_ = false;  // well away from it
     command(result);
-    if (!result.is_barred) coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_), gate_.gain());
+    if (!result.is_barred)
+        coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_), gate_.gain());
     result.is_coming_back = gate_.state() == ForceGate::State::opening;
     result.world_from_tool = world_from_tool_;
     ++tick_;
@@ -206,7 +218,8 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     };
     const double moved = motion_in(period_);
     const bool is_fast = moved > half_voxel && is_bone_in_reach(clamp_voxels * spacing_ + moved);
-    const bool is_behind = std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->tracker.is_behind(); });
+    const bool is_behind =
+        std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body->tracker.is_behind(); });
     if (is_fast && is_behind && !std::exchange(is_held_back_, true)) result.add_event("haptics.held_back");
     if (!is_behind) is_held_back_ = false;
     double step = period_;
@@ -306,8 +319,8 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
     if (hand_.take(sample, period_))
         guard_.observe(commanded_, make_vec6(hand_.pose().position - last_handle.position, {}), 0.0, 0.0);
     const Pose tool_from_next = inverse(world_from_tool_) * hand_.pose();
-    result.rate =
-        make_vec6((1.0 / period_) * tool_from_next.position, (1.0 / period_) * small_rotation_vector(tool_from_next.rotation));
+    result.rate = make_vec6((1.0 / period_) * tool_from_next.position,
+                            (1.0 / period_) * small_rotation_vector(tool_from_next.rotation));
 
     result.is_quarantined = !ask(period_);
     double lambda[most_channels] = {};
@@ -342,7 +355,8 @@ void Simulation::command_drive(std::size_t drive, double value) noexcept {
 
 // ---- what it leads to ---------------------------------------------------------------------------------------------
 
-void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& following, double step, TickResult& result) noexcept {
+void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& following, double step,
+                        TickResult& result) noexcept {
     last_rate_ = rate;
     kerf_advance advance{};
     advance.size = sizeof advance;
@@ -396,11 +410,14 @@ void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& foll
 
 void Simulation::do_as_told(const kerf_action& action, TickResult& result) noexcept {
     const kerf_force& law = *setup().force->force;
-    if (action.kind == KERF_ACTION_EVENT && action.value < law.event_count) result.add_event(law.events[action.value].id);
+    if (action.kind == KERF_ACTION_EVENT && action.value < law.event_count)
+        result.add_event(law.events[action.value].id);
     if (action.kind == KERF_ACTION_RELEASE) held_.let_go();
     if (action.kind != KERF_ACTION_HOLD || action.value >= bodies_.size() || !bodies_[action.value]->is_present) return;
-    if (bodies_.size() == 1) result.add_event("haptics.bone_is_whole");  // nobody takes the patient
-    else held_.take(bodies_, action.value, world_from_tool_);
+    if (bodies_.size() == 1)
+        result.add_event("haptics.bone_is_whole");  // nobody takes the patient
+    else
+        held_.take(bodies_, action.value, world_from_tool_);
 }
 
 void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
@@ -418,13 +435,16 @@ void Simulation::take_closed(CutTracker& tracker, int count) noexcept {
 bool Simulation::is_bone_in_reach(double margin) const noexcept {
     if (held_.is_any() && held_.is_near_another(bodies_, world_from_tool_, margin)) return true;
     return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) {
-        return body->is_present && !held_.holds(body->id) && is_in_reach_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_), margin);
+        return body->is_present && !held_.holds(body->id) &&
+               is_in_reach_of_bone(*body->bone, outline().whole, body->body_from(world_from_tool_), margin);
     });
 }
 
 void Simulation::after_tick() {
-    if (!to_stamp_.empty()) scene_.apply(to_stamp_, placings());
-    else if (is_clear_of_bone()) scene_.leave_bone();
+    if (!to_stamp_.empty())
+        scene_.apply(to_stamp_, placings());
+    else if (is_clear_of_bone())
+        scene_.leave_bone();
     present().reserve(free_margin);
     make_room();
     adopt_what_is_due(false);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,7 +64,8 @@ public:
     Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start,
                double period = dt);
     /// The same with several tools, the first of them in hand. Pre: at least one.   [main]
-    Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start, double period = dt);
+    Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start,
+               double period = dt);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
@@ -71,10 +73,10 @@ public:
     /// One millisecond.
     ///
     /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick is done in up to 16
-    /// equal parts, each with its own law and its part of the hand's way; beyond that, at more than 1 m/s, or while too much
-    /// that was cut waits to be committed (the event `haptics.held_back`), the tool is slower than the hand (R1, B9). A sample
-    /// that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force gate: the tool rests, the force
-    /// fades, and hand and tool go on from where they are.   [haptic, nonblocking]
+    /// equal parts, each with its own law and its part of the hand's way; beyond that, at more than 1 m/s, or while too
+    /// much that was cut waits to be committed (the event `haptics.held_back`), the tool is slower than the hand (R1,
+    /// B9). A sample that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force gate: the
+    /// tool rests, the force fades, and hand and tool go on from where they are.   [haptic, nonblocking]
     TickResult tick(const DeviceSample& sample) noexcept;
 
     /// `coupling: direct`: the tool is where the device says, the law is evaluated at the device's rate, and nothing
@@ -85,32 +87,37 @@ public:
     /// held at the end of it.   [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept;
 
-    /// Takes up another of the tools, where the hand is, with its law as at the beginning; drawn back along its axis if it lies in
-    /// bone there. What was held is let go. What the last tool cut is closed and committed before.   [main] between ticks
+    /// Takes up another of the tools, where the hand is, with its law as at the beginning; drawn back along its axis if
+    /// it lies in bone there. What was held is let go. What the last tool cut is closed and committed before.   [main]
+    /// between ticks
     void take_tool(std::size_t tool);
     [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
 
-    /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and, if pieces
-    /// are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks after the record that
-    /// parted it. It follows every tick; it may allocate.   [worker]
+    /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and,
+    /// if pieces are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks
+    /// after the record that parted it. It follows every tick; it may allocate.   [worker]
     void after_tick();
-    /// On the clock, where a worker does the rest of it: makes room for coming cuts. It may allocate.   [main] between ticks
+    /// On the clock, where a worker does the rest of it: makes room for coming cuts. It may allocate.   [main] between
+    /// ticks
     void make_room();
     /// Closes and commits everything: both fields of a body then hold the same bits.   [main]
     void finish();
 
-    /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to make them.
+    /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to
+    /// make them.
     static constexpr std::uint64_t adoption_delay = 20;
     /// Lock-step: bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
     void look_for_pieces(double crumb) { scene_.bone().look_for_pieces(crumb); }
-    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one, and no others.   [main]
+    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one, and no others.
+    /// [main]
     void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
-    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it lacks more than eight records
-    /// that remove bone: the worker is to bring it up to date. What was replaced comes back in it.
-    /// [haptic, nonblocking]
+    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it lacks more than eight
+    /// records that remove bone: the worker is to bring it up to date. What was replaced comes back in it. [haptic,
+    /// nonblocking]
     bool adopt(Adoption& adoption) noexcept;
-    /// The same with bodies as they were before a cut, or after it. False, and the bodies stay, where the tool touches bone or has
-    /// removed some since they were made. Unless it touches bone, open stretches are closed: `closed()`.   [haptic, nonblocking] between ticks
+    /// The same with bodies as they were before a cut, or after it. False, and the bodies stay, where the tool touches
+    /// bone or has removed some since they were made. Unless it touches bone, open stretches are closed: `closed()`.
+    /// [haptic, nonblocking] between ticks
     bool go_to(Restoration& restoration) noexcept;
     /// Whether the tool and what it holds touch no bone, cut or uncut.   [haptic, nonblocking]
     [[nodiscard]] bool is_clear_of_bone() const noexcept { return !is_bone_in_reach(0.0); }
@@ -120,18 +127,19 @@ public:
     /// What came apart since the last call and is adopted.   [main]
     [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
 
-    /// Lock-step: another body in the scene, which must outlive it; if it is not `cuttable`, it stops what would cut it. Not empty: why
-    /// it cannot be: there are sixteen, or its tissues are others.   [main] between ticks
+    /// Lock-step: another body in the scene, which must outlive it; if it is not `cuttable`, it stops what would cut
+    /// it. Not empty: why it cannot be: there are sixteen, or its tissues are others.   [main] between ticks
     std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable);
-    /// Lock-step: all that the cutting solid of one of the tools holds at a pose is gone from every body there.   [main] between ticks
+    /// Lock-step: all that the cutting solid of one of the tools holds at a pose is gone from every body there. [main]
+    /// between ticks
     void subtract(std::size_t tool, const Pose& world_from_tool);
-    /// Lock-step: the body that is held grows together with the piece nearest to it: a bridge of bone fills what is between them, and
-    /// they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
+    /// Lock-step: the body that is held grows together with the piece nearest to it: a bridge of bone fills what is
+    /// between them, and they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
     std::string fuse();
 
-    /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is all that is
-    /// removed from leaving the air to being clear of the bone again. `redo` does it again, until something else is cut. Not empty:
-    /// why it cannot be, and nothing has changed.   [main] between ticks
+    /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is
+    /// all that is removed from leaving the air to being clear of the bone again. `redo` does it again, until something
+    /// else is cut. Not empty: why it cannot be, and nothing has changed.   [main] between ticks
     std::string undo() { return turn_back(Turn::undo); }
     std::string redo() { return turn_back(Turn::redo); }
 
@@ -178,7 +186,8 @@ private:
     void rest(TickResult& result) noexcept;
     void report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept;
     void report_bone(const Vec6& bone_on_tool_in_tool, double share, TickResult& result) const noexcept;
-    void commit(const Vec6& rate, const double* lambda, const Vec6& following, double step, TickResult& result) noexcept;
+    void commit(const Vec6& rate, const double* lambda, const Vec6& following, double step,
+                TickResult& result) noexcept;
     void command(TickResult& result) noexcept;
 
     /// Whether any bone that can be felt comes within `margin` [m] of the tool.
@@ -209,7 +218,8 @@ private:
     kerf_channel channels_[most_channels]{};
     std::uint32_t channel_count_ = 0;      ///< of the plugin's law, the wall, and what a held body touches
     std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
-    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the same from anywhere, and here it is near
+    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
+                        ///< same from anywhere, and here it is near
     Vec6 law_wrench_{};
     double notes_[KERF_MAX_NOTES]{};
     bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;
@@ -226,12 +236,12 @@ private:
     double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
     bool is_drawn_back_ = false, is_held_back_ = false;
     std::uint64_t tick_ = 0;
-    int bricks_left_ = 0;              ///< that this tick may stamp yet
-    std::vector<CutRecord> closed_;    ///< of the last tick; has room
+    int bricks_left_ = 0;            ///< that this tick may stamp yet
+    std::vector<CutRecord> closed_;  ///< of the last tick; has room
     std::vector<CutRecord> to_stamp_;
-    std::uint64_t removing_ = 0;       ///< records closed so far that remove bone
+    std::uint64_t removing_ = 0;  ///< records closed so far that remove bone
     std::vector<Separation> separations_;
-    std::vector<std::unique_ptr<Body>> grown_;  ///< bridges
+    std::vector<std::unique_ptr<Body>> grown_;                  ///< bridges
     std::optional<std::vector<std::uint64_t>> adoption_ticks_;  ///< of those still to come; none: as soon as may be
 };
 

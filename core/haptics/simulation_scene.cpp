@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // What happens to a simulation between ticks: another tool, bodies that come, go and grow together, and undo.
-#include "core/haptics/simulation.h"
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/field/bridge.h"
+#include "core/haptics/simulation.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -40,7 +47,8 @@ Placings Simulation::placings() const noexcept {
     Placings placings;
     placings.count = bodies_.size();
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        placings.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable, bodies_[b]->is_present};
+        placings.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable,
+                          bodies_[b]->is_present};
     return placings;
 }
 
@@ -121,10 +129,12 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
         lacking[lacking_count++] = &record;
     }
 
-    // The last few records, which the parent's tracker still knows, are stamped here; the open stretch goes on in all parts.
+    // The last few records, which the parent's tracker still knows, are stamped here; the open stretch goes on in all
+    // parts.
     static_assert(CutTracker::recent_capacity > most_behind);
     const auto live_on = [&](LiveBody& body, std::uint64_t next_record) {
-        for (std::size_t i = 0; i < lacking_count; ++i) body.committed.stamp(*lacking[i], tools_[lacking[i]->solid].outline.cutting);
+        for (std::size_t i = 0; i < lacking_count; ++i)
+            body.committed.stamp(*lacking[i], tools_[lacking[i]->solid].outline.cutting);
         body.world_from_body = parent.world_from_body;
         body.is_present = parent.is_present;
         body.tracker.go_on_from(parent.tracker, next_record);
@@ -141,9 +151,7 @@ bool Simulation::adopt(Adoption& adoption) noexcept {
     return true;
 }
 
-void Simulation::look_around() noexcept {
-    view_.place(bodies_, outline().whole, world_from_tool_, held_);
-}
+void Simulation::look_around() noexcept { view_.place(bodies_, outline().whole, world_from_tool_, held_); }
 
 void Simulation::place_body(std::size_t body, const Pose& world_from_body) noexcept {
     LiveBody& moved = *bodies_[body];
@@ -195,7 +203,9 @@ void Simulation::subtract(std::size_t tool, const Pose& world_from_tool) {
 }
 
 std::string Simulation::why_no_more_bodies() const {
-    return present().count() < most_bodies ? std::string{} : "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
+    return present().count() < most_bodies
+               ? std::string{}
+               : "there are " + std::to_string(most_bodies) + " bodies already, which is the most there may be";
 }
 
 std::string Simulation::fuse() {
@@ -206,13 +216,15 @@ std::string Simulation::fuse() {
     std::uint16_t beyond = 0;  // the group of what it leads to
     for (const auto& other : bodies_) {
         if (held_.holds(other->id) || !other->is_present || !other->is_cuttable) continue;
-        auto bridge = bridge_between({held.bone, &exact(held.id)}, {other->bone, &exact(other->id)}, inverse(other->world_from_body) * held.world_from_body);
+        auto bridge = bridge_between({held.bone, &exact(held.id)}, {other->bone, &exact(other->id)},
+                                     inverse(other->world_from_body) * held.world_from_body);
         if (!bridge || (nearest && nearest->span <= bridge->span)) continue;
         nearest = std::move(bridge);
         beyond = other->group;
     }
     if (!nearest)
-        return "no other piece is near enough to what is held: within about " + std::to_string(static_cast<int>(2e3 * clamp_voxels * spacing_)) + " mm";
+        return "no other piece is near enough to what is held: within about " +
+               std::to_string(static_cast<int>(2e3 * clamp_voxels * spacing_)) + " mm";
     grown_.push_back(std::make_unique<Body>(std::move(nearest->bone)));
     const std::uint16_t group = held.group;
     if (std::string why_not = insert(*grown_.back(), held.world_from_body, true); !why_not.empty()) return why_not;

@@ -8,8 +8,8 @@ namespace kerf {
 
 namespace {
 
-/// Lower Cholesky factor of a symmetric positive definite matrix, with one over what belongs on its diagonal there. False where a
-/// pivot is not positive.
+/// Lower Cholesky factor of a symmetric positive definite matrix, with one over what belongs on its diagonal there.
+/// False where a pivot is not positive.
 bool factorise(Mat6& a) noexcept {
     for (std::size_t j = 0; j < 6; ++j) {
         for (std::size_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
@@ -161,8 +161,8 @@ Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
     return h;
 }
 
-/// The share of `step` at which the slope along it vanishes, and what is there if it was looked at last. The slope falls
-/// monotonically: bracket, then close in.
+/// The share of `step` at which the slope along it vanishes, and what is there if it was looked at last. The slope
+/// falls monotonically: bracket, then close in.
 struct Found {
     double share;
     bool is_last;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "core/haptics/channel.h"
@@ -20,7 +21,8 @@ struct CouplingBlock {
     double limit = 0.0;  ///< device limit / force scale [N] or [N·m], > 0
 };
 
-/// What one balance can hold: a plugin's law, the wall of the region, a body that cannot be cut, and what a held body touches.
+/// What one balance can hold: a plugin's law, the wall of the region, a body that cannot be cut, and what a held body
+/// touches.
 inline constexpr std::size_t most_held_channels = 8;
 inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 2 + most_held_channels;
 
@@ -42,16 +44,17 @@ struct Balance {
 };
 
 struct Motion {
-    Vec6 rate{};                                     ///< of the tool, tool frame [m/s, rad/s]
+    Vec6 rate{};                                 ///< of the tool, tool frame [m/s, rad/s]
     std::array<double, most_channels> lambda{};  ///< [N]
-    double release = 0.0;                            ///< [N] of the release damper
-    Vec3 force{}, torque{};                          ///< of the coupling on the tool; the force acts at the grip
+    double release = 0.0;                        ///< [N] of the release damper
+    Vec3 force{}, torque{};                      ///< of the coupling on the tool; the force acts at the grip
     int iterations = 0;
     double residual = 0.0;  ///< [–] relative
     bool has_converged = false;
 };
 
-inline constexpr int iteration_cap = 40;  ///< the 32 of resolutions R1 are enough without mass; with it one random law of 100 000 needs them all
+inline constexpr int iteration_cap =
+    40;  ///< the 32 of resolutions R1 are enough without mass; with it one random law of 100 000 needs them all
 
 /// Solves  Jᵀf(u) − (M/T)(u − u_prev) − Σ d λ(dᵀu) + following = 0.
 ///

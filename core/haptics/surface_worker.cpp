@@ -2,13 +2,15 @@
 #include "core/haptics/surface_worker.h"
 
 #include <chrono>
+#include <cstddef>
+#include <utility>
 
 namespace kerf {
 
 namespace {
-constexpr std::size_t queue_records = 4096;  // 4 s at 1 kHz
-constexpr std::size_t queue_margin = 64;      // kept free for what must not be lost
-constexpr auto poll_time = std::chrono::milliseconds(2);  // the loop wakes nobody: that would be a system call
+constexpr std::size_t queue_records = 4096;                   // 4 s at 1 kHz
+constexpr std::size_t queue_margin = 64;                      // kept free for what must not be lost
+constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop wakes nobody: that would be a system call
 constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
 }  // namespace
 
@@ -76,14 +78,16 @@ void SurfaceWorker::tell_cuts(const Simulation& simulation) noexcept {
         if (!std::exchange(has_cut, true)) tell_placings(simulation);
         (void)push(record);
     }
-    if (!has_cut && !is_told_clear_ && simulation.is_clear_of_bone()) is_told_clear_ = send({.kind = Message::Kind::clear_of_bone});
+    if (!has_cut && !is_told_clear_ && simulation.is_clear_of_bone())
+        is_told_clear_ = send({.kind = Message::Kind::clear_of_bone});
 }
 
 void SurfaceWorker::tell_placings(const Simulation& simulation) noexcept {
     const Placings now = simulation.placings();
     for (std::size_t b = 0; b < now.count; ++b) {
         if (b < told_.count && now.of[b].is_same_as(told_.of[b])) continue;
-        Message message{.kind = Message::Kind::placed, .count = static_cast<std::uint16_t>(now.count), .placing = now.of[b]};
+        Message message{
+            .kind = Message::Kind::placed, .count = static_cast<std::uint16_t>(now.count), .placing = now.of[b]};
         message.record.body = static_cast<std::uint16_t>(b);
         (void)send(message);
     }
@@ -175,9 +179,15 @@ void SurfaceWorker::take(const Message& message) {
             placings_.of[message.record.body] = message.placing;
             placings_.count = message.count;
             break;
-        case Message::Kind::clear_of_bone: scene_.leave_bone(); break;
-        case Message::Kind::undo: make_restoration(Turn::undo); break;
-        case Message::Kind::redo: make_restoration(Turn::redo); break;
+        case Message::Kind::clear_of_bone:
+            scene_.leave_bone();
+            break;
+        case Message::Kind::undo:
+            make_restoration(Turn::undo);
+            break;
+        case Message::Kind::redo:
+            make_restoration(Turn::redo);
+            break;
         case Message::Kind::adopted: {
             const Separation separation = scene_.take_adopted();
             for (const auto& part : separation.parts)
@@ -230,7 +240,8 @@ void SurfaceWorker::make_surface() {
     bool has_changed = last == nullptr || surface->patches.size() > bone.count();
     if (surface->patches.size() > bone.count()) {  // a cut was taken back
         patches_.erase(patches_.begin() + static_cast<std::ptrdiff_t>(bone.count()), patches_.end());
-        surface->patches.erase(surface->patches.begin() + static_cast<std::ptrdiff_t>(bone.count()), surface->patches.end());
+        surface->patches.erase(surface->patches.begin() + static_cast<std::ptrdiff_t>(bone.count()),
+                               surface->patches.end());
     }
     for (std::size_t body = 0; body < bone.count(); ++body) {
         const std::vector<std::size_t> changed = bone.take_changed(body);
@@ -239,7 +250,8 @@ void SurfaceWorker::make_surface() {
             patches_.emplace_back(*bone.piece(body).bone);
             surface->patches.emplace_back(bone.piece(body).bone->grid().brick_count());
         }
-        const auto published = is_new ? patches_[body].update_all(bone.cut(body)) : patches_[body].update(bone.cut(body), changed);
+        const auto published =
+            is_new ? patches_[body].update_all(bone.cut(body)) : patches_[body].update(bone.cut(body), changed);
         if (!published.empty()) surface->patches[body] = surface->patches[body].with(published);
         has_changed = has_changed || is_new || !published.empty();
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 
 namespace kerf {
@@ -25,7 +26,8 @@ namespace {
 std::string why_refused(const kerf_tool_shape& shape) {
     const char* end = std::find(std::begin(shape.refusal), std::end(shape.refusal), '\0');
     std::string words(shape.refusal, end);
-    std::replace_if(words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7f; }, ' ');
+    std::replace_if(
+        words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20u || c == 0x7f; }, ' ');
     return words.empty() ? "it refused them." : words;
 }
 
@@ -41,7 +43,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     shape.profile_capacity = capacity;
     shape.kind = KERF_SOLID_REVOLUTION;
     if (setup.tool->tool->shape(setup.tool_parameters.data(), &shape) != KERF_OK) {
-        error = std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
+        error =
+            std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
         return false;
     }
     bool is_sound = shape.profile_count >= 2 && shape.profile_count <= capacity && shape.cutting_count >= 2 &&
@@ -50,17 +53,18 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         is_sound = std::isfinite(points[i].z) && points[i].radius >= 0.0 && points[i].radius < 0.1 &&
                    (i == 0 || points[i].z < points[i - 1].z);
     if (!is_sound) {
-        error =
-            std::string("tool `") + setup.tool->id +
-            "` gives an outline that is no solid: list (z, radius) from the tip backwards, in metres.";
+        error = std::string("tool `") + setup.tool->id +
+                "` gives an outline that is no solid: list (z, radius) from the tip backwards, in metres.";
         return false;
     }
     out.grip_z = shape.grip_z;
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
-    const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 && shape.gyration > 0.0 && shape.gyration < 1.0;
+    const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
+                          shape.gyration > 0.0 && shape.gyration < 1.0;
     if (shape.mass != 0.0 && !has_mass) {
         error = std::string("tool `") + setup.tool->id +
-                "` has a mass that no hand holds: it needs 0 to 20 kg, centred within 1 m of the tip, with a radius of gyration above 0 mm.";
+                "` has a mass that no hand holds: it needs 0 to 20 kg, centred within 1 m of the tip, with a radius of "
+                "gyration above 0 mm.";
         return false;
     }
     if (shape.kind == KERF_SOLID_PRISM) {
@@ -71,7 +75,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         }
         if (!is_convex || !(shape.thickness > 0.0 && shape.thickness <= shape.kerf && shape.kerf < 0.1)) {
             error = std::string("tool `") + setup.tool->id +
-                    "` gives a prism that is no blade: it needs a convex outline, a thickness above 0 mm and a kerf from that to 100 mm.";
+                    "` gives a prism that is no blade: it needs a convex outline, a thickness above 0 mm and a kerf "
+                    "from that to 100 mm.";
             return false;
         }
         out.cutting = ToolSolid::prism({points, points + shape.cutting_count}, shape.kerf);

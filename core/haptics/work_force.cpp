@@ -2,6 +2,8 @@
 #include "core/haptics/work_force.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace kerf {
@@ -9,7 +11,8 @@ namespace kerf {
 namespace {
 
 /// No bone anywhere.
-void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+void sample_air(const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t,
+                kerf_bone_sample* out) {
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_bone_sample{};
         out[i].body = -1;
@@ -22,7 +25,8 @@ struct EndlessBone {
     double density;
 };
 
-void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+void sample_endless(const kerf_bone* bone, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t,
+                    kerf_bone_sample* out) {
     const auto* endless = reinterpret_cast<const EndlessBone*>(bone);
     for (std::uint32_t i = 0; i < count; ++i) {
         out[i] = kerf_bone_sample{};
@@ -74,8 +78,9 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     double largest = 0.0;
     for (std::size_t m = 0; m < body.materials.size(); ++m) {
         const EndlessBone endless{m, body.materials[m].density};
-        const kerf_bone_query query{sizeof(kerf_bone_query), tissues, 1.0, &sample_endless, &nearest_endless,
-                                    reinterpret_cast<const kerf_bone*>(&endless)};
+        const kerf_bone_query query{
+            sizeof(kerf_bone_query), tissues,          1.0,
+            &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
         const kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};

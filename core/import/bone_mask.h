@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -42,8 +43,8 @@ struct BoneMask {
 /// Leaves only the largest piece: what touches nothing was noise, or another bone. Returns how many there were.
 int keep_largest(BoneMask& mask);
 
-/// Leaves only the piece whose nearest voxel's centre is nearest to a place. Returns how far that one is [m]; nothing, and
-/// nothing changes, if there is no bone.
+/// Leaves only the piece whose nearest voxel's centre is nearest to a place. Returns how far that one is [m]; nothing,
+/// and nothing changes, if there is no bone.
 std::optional<double> keep_nearest(BoneMask& mask, Vec3 place);
 
 /// Every voxel within `radius` [m] of one that holds `value` holds it too. Growing and then shrinking closes gaps.

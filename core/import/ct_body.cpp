@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "core/import/bone_mask.h"
 #include "core/import/data_file.h"
@@ -61,13 +62,15 @@ std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment
         if (!is_named) kept.push_back({"", label, 0});
     }
     for (const std::string& name : ct.keep_named) {
-        const auto found = std::find_if(segments.begin(), segments.end(), [&](const Segment& s) { return s.name == name; });
+        const auto found =
+            std::find_if(segments.begin(), segments.end(), [&](const Segment& s) { return s.name == name; });
         if (found == segments.end()) {
             std::string known;
             for (const Segment& segment : segments) known += (known.empty() ? "`" : ", `") + segment.name + "`";
-            throw Refusal{"E0635", {"ct", "labels", "keep"}, "the segmentation has no structure `" + name + "`. " +
-                                       (known.empty() ? "It names none: write the label's number."
-                                                      : "It has " + known + ".")};
+            throw Refusal{"E0635",
+                          {"ct", "labels", "keep"},
+                          "the segmentation has no structure `" + name + "`. " +
+                              (known.empty() ? "It names none: write the label's number." : "It has " + known + ".")};
         }
         kept.push_back(*found);
     }
@@ -100,8 +103,10 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
     const double around = std::max({sources.labels.spacing(0), sources.labels.spacing(1), sources.labels.spacing(2)});
     const VoxelRange range = sources.labels.range(grown(mask.image.box(), around));
     if (range.voxels() == 0)
-        throw Refusal{"E0630", {"ct", "labels", "file"}, "the label map covers nothing of the region around the axes. "
-                               "Check that it belongs to this image."};
+        throw Refusal{"E0630",
+                      {"ct", "labels", "file"},
+                      "the label map covers nothing of the region around the axes. "
+                      "Check that it belongs to this image."};
     const std::vector<Segment> kept = kept_segments(ct, sources.segments);
     std::set<int> layers;
     for (const Segment& segment : kept) layers.insert(segment.layer);
@@ -113,11 +118,12 @@ bool mark_labels(BoneMask& mask, const CtSource& ct, const Sources& sources, std
         for_each_voxel(mask.image, [&](int i, int j, int k, std::size_t at) {
             const auto label = static_cast<int>(std::lround(nearest.at(i, j, k, at)));
             if (label == 0) return;
-            const bool is_kept = std::any_of(kept.begin(), kept.end(), [&](const Segment& s) {
-                return s.layer == layer && s.label == label;
-            });
-            if (is_kept) mask.is_bone[at] = 1;
-            else mask.is_other[at] = 1;
+            const bool is_kept = std::any_of(kept.begin(), kept.end(),
+                                             [&](const Segment& s) { return s.layer == layer && s.label == label; });
+            if (is_kept)
+                mask.is_bone[at] = 1;
+            else
+                mask.is_other[at] = 1;
         });
     }
     for (std::size_t at = 0; at < mask.is_bone.size(); ++at)
@@ -145,16 +151,20 @@ std::string keep_piece(BoneMask& mask, const Anatomy& anatomy, bool has_labels) 
     const auto landmark = std::find_if(anatomy.points.begin(), anatomy.points.end(),
                                        [&](const LandmarkPoint& p) { return p.id == ct.component_at; });
     if (landmark == anatomy.points.end())
-        throw Refusal{"E0634", {"ct", "keep", "component_at"}, "there is no landmark point `" + ct.component_at + "`, which `ct.keep` names. "
-                               "Add it under `landmarks.points`."};
+        throw Refusal{"E0634",
+                      {"ct", "keep", "component_at"},
+                      "there is no landmark point `" + ct.component_at +
+                          "`, which `ct.keep` names. "
+                          "Add it under `landmarks.points`."};
     const VoxelImage& image = mask.image;
     const double near =
         std::max(landmark->tolerance, 2.0 * std::max({image.spacing(0), image.spacing(1), image.spacing(2)}));
     const std::optional<double> way = keep_nearest(mask, landmark->at);
     if (way && *way > near)
-        throw Refusal{"E0634", {"landmarks", "points", ct.component_at}, "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
-                                   "`, must be within " + millimetres(near) +
-                                   " mm. Check the landmark, or `ct.threshold`."};
+        throw Refusal{"E0634",
+                      {"landmarks", "points", ct.component_at},
+                      "the nearest bone lies " + millimetres(*way) + " mm from `" + ct.component_at +
+                          "`, must be within " + millimetres(near) + " mm. Check the landmark, or `ct.threshold`."};
     return way ? "; the piece at " + ct.component_at + " is kept, " + std::to_string(mask.count()) + " voxels" : "";
 }
 
@@ -193,8 +203,11 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
         note += "; the grey values moved " + std::to_string(moved) + " over the border";
     }
     if (mask.count() == 0)
-        throw Refusal{"E0633", has_labels ? std::vector<std::string>{"ct", "labels", "keep"} : std::vector<std::string>{"ct", "threshold"}, std::string("no voxel around the axes is bone. ") +
-                                   (has_labels ? "Check `ct.labels.keep`." : "Lower `ct.threshold`.")};
+        throw Refusal{
+            "E0633",
+            has_labels ? std::vector<std::string>{"ct", "labels", "keep"} : std::vector<std::string>{"ct", "threshold"},
+            std::string("no voxel around the axes is bone. ") +
+                (has_labels ? "Check `ct.labels.keep`." : "Lower `ct.threshold`.")};
     notes.push_back(note + ". In the end " + std::to_string(mask.count()) + " are bone.");
     return mask;
 }
@@ -216,7 +229,8 @@ std::optional<double> entry_of(const LandmarkAxis& axis, const VoxelImage& dista
 
 std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& blank, const VoxelImage& distance) {
     const CtSource& ct = *anatomy.ct;
-    const double step = ct.intensity == CtSource::Intensity::hounsfield ? hounsfield_step : grey_step * std::abs(ct.threshold);
+    const double step =
+        ct.intensity == CtSource::Intensity::hounsfield ? hounsfield_step : grey_step * std::abs(ct.threshold);
     std::vector<std::string> ignored;
     const auto with = [&](double threshold) -> std::optional<VoxelImage> {
         try {
@@ -228,7 +242,8 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     const auto lower = with(ct.threshold - step), upper = with(ct.threshold + step);
     std::vector<BorderShift> shifts;
     for (const LandmarkAxis& axis : anatomy.axes) {
-        BorderShift shift{axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
+        BorderShift shift{
+            axis.id, step, ct.intensity == CtSource::Intensity::hounsfield ? "HU" : "grey levels", {}, {}};
         const auto entry = entry_of(axis, distance);
         const auto moved = [&](const std::optional<VoxelImage>& other) -> std::optional<double> {
             const auto there = other ? entry_of(axis, *other) : std::nullopt;
@@ -241,7 +256,8 @@ std::vector<BorderShift> border_shifts(const Anatomy& anatomy, const BoneMask& b
     return shifts;
 }
 
-void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes, Diagnostics& diagnostics) {
+void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<std::string>& notes,
+                  Diagnostics& diagnostics) {
     const CtSource& ct = *anatomy.ct;
     if (ct.intensity != CtSource::Intensity::hounsfield) {
         notes.push_back("The values are grey levels, not HU: the threshold holds for this scan alone.");
@@ -258,7 +274,8 @@ void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<st
     const auto bright = std::count_if(part.values.begin(), part.values.end(), [](float v) { return v >= metal; });
     const double volume = static_cast<double>(bright) * part.spacing(0) * part.spacing(1) * part.spacing(2);
     if (volume > least_metal)
-        warn(rounded(volume * 1e9, 0) + " mm3 around the axes are brighter than " + rounded(static_cast<double>(metal), 0) +
+        warn(rounded(volume * 1e9, 0) + " mm3 around the axes are brighter than " +
+             rounded(static_cast<double>(metal), 0) +
              " HU, as metal and its streaks are: bone near them may be too thick or missing.");
 }
 
@@ -268,8 +285,10 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
                            const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
-        throw Refusal{"E0632", {"ct", "image"}, "the image's axes are not at right angles, as after a tilted gantry. "
-                               "Resample the image onto a straight grid."};
+        throw Refusal{"E0632",
+                      {"ct", "image"},
+                      "the image's axes are not at right angles, as after a tilted gantry. "
+                      "Resample the image onto a straight grid."};
     CtBone bone;
     bone.region = planned_region(anatomy.axes, sources.scan.box());
     const VoxelGrid& scan = sources.scan;
@@ -277,15 +296,20 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
     const VoxelRange range = is_empty(bone.region) ? VoxelRange{} : scan.range(grown(bone.region, margin));
     if (range.voxels() == 0)
-        throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. "
-                               "Check that the axes are LPS, and the image is theirs."};
+        throw Refusal{"E0631",
+                      {"landmarks", "axes"},
+                      "the landmarks' axes lie outside the image. "
+                      "Check that the axes are LPS, and the image is theirs."};
     // Values, mask, distance and densities, with what they are made of meanwhile
     constexpr double bytes_per_voxel = 25.0;
     if (const double bytes = bytes_per_voxel * static_cast<double>(range.voxels()); bytes > most_bone_memory)
-        throw Refusal{"E0602", {"landmarks", "axes"},
-                      "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) + " million voxels, which take about " +
-                          rounded(bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
-                          "resample the image onto voxels " + rounded(std::cbrt(bytes / most_bone_memory) + 0.05, 1) + " times as long."};
+        throw Refusal{"E0602",
+                      {"landmarks", "axes"},
+                      "around the planned axes lie " + rounded(static_cast<double>(range.voxels()) * 1e-6, 0) +
+                          " million voxels, which take about " + rounded(bytes / most_bone_memory * 4.0, 1) +
+                          " GB of memory, must be at most 4 GB. Give axes that go no farther than what is planned, or "
+                          "resample the image onto voxels " +
+                          rounded(std::cbrt(bytes / most_bone_memory) + 0.05, 1) + " times as long."};
     const std::optional<VoxelImage> part = sources.read_scan(range);
     if (!part) return std::nullopt;
 
@@ -352,10 +376,12 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, const VoxelImage& ima
 
 std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics, const ImportOptions& options) {
     const CtSource& ct = *anatomy.ct;
-    const auto opened = [&](const std::string& written, const SeriesChoice& choice, const std::vector<std::string>& keys) {
+    const auto opened = [&](const std::string& written, const SeriesChoice& choice,
+                            const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
         auto scan = open_scan(found_data_file(written, anatomy.file), choice, options.progress, diagnostics);
-        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return scan;
     };
     const auto scan = opened(ct.image, {ct.series, ct.may_resample}, {"ct", "image"});
@@ -364,8 +390,8 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
     if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return std::nullopt;
     if (labels && labels->is_resampled()) {
         diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "labels", "file"}), "E0630",
-                                         "the label map is sheared, and labels cannot be mixed. Make the labels on "
-                                         "the image that `kerf import IMAGE -o straight.nrrd` writes."));
+                                       "the label map is sheared, and labels cannot be mixed. Make the labels on "
+                                       "the image that `kerf import IMAGE -o straight.nrrd` writes."));
         return std::nullopt;
     }
 
@@ -374,7 +400,8 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
     const auto read = [&](const Scan& from, const VoxelRange& range, int layer, const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
         auto image = from.read(range, layer, options.progress, diagnostics);
-        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return image;
     };
     sources.read_scan = [&](const VoxelRange& range) { return read(*scan, range, 0, {"ct", "image"}); };
@@ -393,7 +420,8 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
         if (one == nullptr) continue;
         const auto hash = one->hash();
         if (!hash) {
-            diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620", "a file of the scan could be read once, but not again. Try again."));
+            diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0620",
+                                           "a file of the scan could be read once, but not again. Try again."));
             return std::nullopt;
         }
         bone->report.file_hashes.push_back(*hash);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,10 @@ struct CtBone {
 
 /// Reads the files that `anatomy.ct` names, and of them only the region, and makes the bone.
 ///
-/// Mask: the labels to keep, or whatever reaches the threshold, of it the largest piece or the one at a landmark; closed and
-/// filled as told. Border: voxels beside the mask's border that the grey values put on its other side change sides (one voxel,
-/// never into another label); then as `distance_in_voxels` says. A label map on another grid gives each voxel its nearest label.
-/// Error: E062x, E063x, E066x, E067x.   Pre: `anatomy.ct`.   [main]
+/// Mask: the labels to keep, or whatever reaches the threshold, of it the largest piece or the one at a landmark;
+/// closed and filled as told. Border: voxels beside the mask's border that the grey values put on its other side change
+/// sides (one voxel, never into another label); then as `distance_in_voxels` says. A label map on another grid gives
+/// each voxel its nearest label. Error: E062x, E063x, E066x, E067x.   Pre: `anatomy.ct`.   [main]
 [[nodiscard]] std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnostics,
                                                  const ImportOptions& options = {});
 

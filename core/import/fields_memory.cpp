@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/field/grid.h"
@@ -16,9 +17,11 @@ constexpr double most_bricks = 16e6;   // of a grid: 64 MB of tables per field
 
 }  // namespace
 
-FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<std::function<double(Vec3)>>& borders, bool has_densities) {
+FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<std::function<double(Vec3)>>& borders,
+                           bool has_densities) {
     const double margin = margin_voxels * spacing;
-    const Vec3 low = bounds.low - margin * Vec3{1, 1, 1}, extent = bounds.high - bounds.low + 2.0 * margin * Vec3{1, 1, 1};
+    const Vec3 low = bounds.low - margin * Vec3{1, 1, 1},
+               extent = bounds.high - bounds.low + 2.0 * margin * Vec3{1, 1, 1};
     const double edge = brick_edge * spacing;
     FieldsMemory needed;
     needed.bricks = extent.x / edge * (extent.y / edge) * (extent.z / edge);
@@ -39,12 +42,14 @@ FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<
     }
     needed.cuttable = needed.bricks * inside / probes;
     const double samples = near * sizeof(std::int16_t) + (has_densities ? inside * sizeof(float) : 0.0);
-    needed.bytes = needed.bricks * (static_cast<double>(borders.size()) * sizeof(std::int32_t) + samples / probes * stored_samples);
+    needed.bytes = needed.bricks *
+                   (static_cast<double>(borders.size()) * sizeof(std::int32_t) + samples / probes * stored_samples);
     return needed;
 }
 
 double excess_of(const FieldsMemory& needed) noexcept {
-    return std::max({needed.bytes / most_bone_memory, needed.bricks / most_bricks, needed.cuttable / (0.97 * most_stored_bricks /* probes are a few per cent off */)});
+    return std::max({needed.bytes / most_bone_memory, needed.bricks / most_bricks,
+                     needed.cuttable / (0.97 * most_stored_bricks /* probes are a few per cent off */)});
 }
 
 }  // namespace kerf

@@ -18,13 +18,15 @@ struct FieldsMemory {
     double cuttable = 0.0;  ///< of them those that are not all air
 };
 
-/// About what fields over `bounds` [m] take at `spacing` [m]: the shares of bricks near a border and in bone are found by asking at scattered
-/// points. A few per cent off.   [any] pure, takes as long as 20 000 distances of each field
+/// About what fields over `bounds` [m] take at `spacing` [m]: the shares of bricks near a border and in bone are found
+/// by asking at scattered points. A few per cent off.   [any] pure, takes as long as 20 000 distances of each field
 /// @param borders         one signed distance for each field [m], the bone's own first
 /// @param has_densities   bone has a density for every sample
-[[nodiscard]] FieldsMemory fields_memory(const Box& bounds, double spacing, const std::vector<std::function<double(Vec3)>>& borders, bool has_densities);
+[[nodiscard]] FieldsMemory fields_memory(const Box& bounds, double spacing,
+                                         const std::vector<std::function<double(Vec3)>>& borders, bool has_densities);
 
-/// How many times too much that is: of memory, of bricks in a grid, or of bricks that can be cut. At most 1: it fits.   [any] pure
+/// How many times too much that is: of memory, of bricks in a grid, or of bricks that can be cut. At most 1: it fits.
+/// [any] pure
 [[nodiscard]] double excess_of(const FieldsMemory& needed) noexcept;
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 #include "core/import/import_report.h"
 
 #include <charconv>
+#include <cstddef>
 #include <fstream>
 
 #include "core/field/fnv1a.h"

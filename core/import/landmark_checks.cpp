@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 
 #include "core/import/import_report.h"
@@ -18,7 +19,8 @@ constexpr double most_points = 200'000.0;
 
 /// Where a landmark stands; one of a markups file has no line of its own.
 Reason named(const Anatomy& anatomy, const char* sort, const std::string& id, std::string message = {}) {
-    const Reason list = in_anatomy(anatomy, {"landmarks", sort}), own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
+    const Reason list = in_anatomy(anatomy, {"landmarks", sort}),
+                 own = in_anatomy(anatomy, {"landmarks", sort, id}, message);
     const bool has_own = own.place.line != list.place.line || own.place.column != list.place.column;
     return has_own ? own : in_anatomy(anatomy, {"landmarks", "markups"}, std::move(message));
 }
@@ -48,11 +50,12 @@ void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
     for (const auto& [id, right] : places) {
         const auto left = places.find(other_side(id));
         if (left == places.end() || left->second.at.x > right.at.x) continue;
-        Diagnostic swapped = error_at(named(anatomy, right.sort, id), "E0612",
-                                      "`" + left->first + "` lies at x " + millimetres(left->second.at.x) + " mm and `" + id + "` at x " +
-                                          millimetres(right.at.x) +
-                                          " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
-                                          "sign of every x and y.");
+        Diagnostic swapped = error_at(
+            named(anatomy, right.sort, id), "E0612",
+            "`" + left->first + "` lies at x " + millimetres(left->second.at.x) + " mm and `" + id + "` at x " +
+                millimetres(right.at.x) +
+                " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
+                "sign of every x and y.");
         swapped.reason = named(anatomy, left->second.sort, left->first, "the other one stands here.");
         diagnostics.push_back(std::move(swapped));
     }
@@ -75,20 +78,20 @@ void check_points(const Anatomy& anatomy, const Body& body, Diagnostics& diagnos
                              : point.lies == Lies::in_bone ? d <= point.tolerance
                                                            : d >= -point.tolerance;
         if (is_true) continue;
-        const char* must = point.lies == Lies::on_bone   ? "on it"
-                           : point.lies == Lies::in_bone ? "in it"
-                                                         : "outside it";
-        diagnostics.push_back(error_at(named(anatomy, "points", point.id), "E0613",
-            "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
-                millimetres(point.tolerance) +
-                " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
+        const char* must = point.lies == Lies::on_bone ? "on it" : point.lies == Lies::in_bone ? "in it" : "outside it";
+        diagnostics.push_back(
+            error_at(named(anatomy, "points", point.id), "E0613",
+                     "the point `" + point.id + "` lies " + where(place) + ", must lie " + must + " within " +
+                         millimetres(point.tolerance) +
+                         " mm. Check its coordinates (LPS, millimetres), `lies`, or how the bone is made."));
     }
 }
 
 }  // namespace
 
 PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
-    return {uncut_distance(body, locate(body, at)), clamp_voxels * body.grid().spacing, outside_region(body, at) == 0.0};
+    return {uncut_distance(body, locate(body, at)), clamp_voxels * body.grid().spacing,
+            outside_region(body, at) == 0.0};
 }
 
 double share_in_bone(const Body& body, const Zone& zone) {
@@ -97,10 +100,12 @@ double share_in_bone(const Body& body, const Zone& zone) {
     for (const Solid& solid : zone.solids) {
         const Box one = bounds_of(solid);
         box.low = {std::min(box.low.x, one.low.x), std::min(box.low.y, one.low.y), std::min(box.low.z, one.low.z)};
-        box.high = {std::max(box.high.x, one.high.x), std::max(box.high.y, one.high.y), std::max(box.high.z, one.high.z)};
+        box.high = {std::max(box.high.x, one.high.x), std::max(box.high.y, one.high.y),
+                    std::max(box.high.z, one.high.z)};
     }
     const Region& region = body.region;  // no need to look beyond
-    const Vec3 low{std::max(box.low.x, region.low.x), std::max(box.low.y, region.low.y), std::max(box.low.z, region.low.z)};
+    const Vec3 low{std::max(box.low.x, region.low.x), std::max(box.low.y, region.low.y),
+                   std::max(box.low.z, region.low.z)};
     const Vec3 high{std::min(box.high.x, region.high.x), std::min(box.high.y, region.high.y),
                     std::min(box.high.z, region.high.z)};
     const Vec3 extent = high - low;
@@ -121,9 +126,10 @@ void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diag
     check_points(anatomy, body, diagnostics);
     for (const Zone& zone : anatomy.zones)
         if (const double share = share_in_bone(body, zone); share > most_of_zone)
-            diagnostics.push_back(warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
-                rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
-                    "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
+            diagnostics.push_back(
+                warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
+                           rounded(100.0 * share, 0) + " % of the zone `" + zone.id +
+                               "` lies in bone. If it should be free, check its coordinates (LPS, millimetres)."));
 }
 
 }  // namespace kerf

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/import/ct_body.h"
 #include "core/import/fields_memory.h"
@@ -19,14 +23,16 @@ namespace kerf {
 
 namespace {
 
-constexpr double least_share = 0.80;             // of a planned axis in bone
-constexpr double least_wall_voxels = 3.0;        // what one distance field carries
-constexpr double finest_spacing = 0.05e-3;       // [m] that a procedure may ask for
+constexpr double least_share = 0.80;        // of a planned axis in bone
+constexpr double least_wall_voxels = 3.0;   // what one distance field carries
+constexpr double finest_spacing = 0.05e-3;  // [m] that a procedure may ask for
 
 using Distance = std::function<double(Vec3)>;  // body frame [m] → [m], negative inside
 
 /// Where the anatomy says what bone is.
-Reason bone_in(const Anatomy& anatomy) { return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"}); }
+Reason bone_in(const Anatomy& anatomy) {
+    return in_anatomy(anatomy, {anatomy.ct ? "ct" : anatomy.mesh ? "mesh" : "phantom"});
+}
 
 Box phantom_bounds(const PhantomSource& phantom) {
     Box bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
@@ -52,11 +58,12 @@ double distance_to_parts(const PhantomSource& phantom, bool subtract, Vec3 p) {
 /// Whether some parts are taken away, and nothing is added after them: bone is what was added without what was taken.
 bool is_taken_away_last(const PhantomSource& phantom) {
     return !phantom.parts.empty() && phantom.parts.back().subtract &&
-           std::is_partitioned(phantom.parts.begin(), phantom.parts.end(), [](const PhantomPart& p) { return !p.subtract; });
+           std::is_partitioned(phantom.parts.begin(), phantom.parts.end(),
+                               [](const PhantomPart& p) { return !p.subtract; });
 }
 
-/// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room opens
-/// to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
+/// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room
+/// opens to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
 bool has_thin_wall(const Grid& grid, const Distance& outer, const Distance& room) {
     constexpr double same_way = 0.8;  // [–] cosine
     const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
@@ -76,10 +83,13 @@ bool has_thin_wall(const Grid& grid, const Distance& outer, const Distance& room
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
                 const double half = 0.5 * brick_edge * grid.spacing;
-                const Vec3 centre = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
-                if (std::abs(outer(centre)) > in_brick + thin || std::abs(room(centre)) > in_brick + 2.0 * thin) continue;
+                const Vec3 centre =
+                    grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
+                if (std::abs(outer(centre)) > in_brick + thin || std::abs(room(centre)) > in_brick + 2.0 * thin)
+                    continue;
                 for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
-                    if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge, j * brick_edge + n / brick_edge % brick_edge,
+                    if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge,
+                                                        j * brick_edge + n / brick_edge % brick_edge,
                                                         k * brick_edge + n / (brick_edge * brick_edge))))
                         return true;
             }
@@ -111,60 +121,75 @@ ImportReport phantom_report(const Anatomy& anatomy) {
     return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}, {}};
 }
 
-/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate with air on both sides is
-/// refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all but a thousandth is to be carried.
-bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy, Diagnostics& diagnostics) {
+/// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate
+/// with air on both sides is refused. A spur, or two faces that touch, must not ask for the finest of all spacings: all
+/// but a thousandth is to be carried.
+bool check_thin_walls(const std::vector<WallSample>& walls, double spacing, const Anatomy& anatomy,
+                      Diagnostics& diagnostics) {
     const double needed = least_wall_voxels * spacing;
     const auto least = thinnest(walls);
     if (!least || least->thickness >= needed) return true;
-    const Reason file = anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
-    const std::string thin = "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
+    const Reason file =
+        anatomy.mesh ? in_anatomy(anatomy, {"mesh", "file"}) : in_anatomy(anatomy, {"phantom", "parts"});
+    const std::string thin =
+        "the bone is only " + rounded(least->thickness * 1e3, 2) + " mm thick at " + place_text(least->at);
     const double carried = thickness_at(walls, 1e-3);
     if (carried >= needed) {
-        diagnostics.push_back(warning_at(file, "W0658", thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
-                                                            " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
+        diagnostics.push_back(warning_at(
+            file, "W0658",
+            thin + ", on under 0.1 % of its surface here: too little for the " + rounded(needed * 1e3, 2) +
+                " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry. There it is felt too weakly."));
         return true;
     }
     const double fine_enough = std::floor(carried / least_wall_voxels * 1e5) * 1e-5;  // to 0.01 mm
     const bool can_be_carried = fine_enough >= finest_spacing;
-    Diagnostic plate = error_at(file, "E0655",
-                                thin + ", with air on both sides, and " + rounded(100.0 * share_under(walls, needed), 1) +
-                                    " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) + " mm that a spacing of " +
-                                    rounded(spacing * 1e3, 3) + " mm can carry." +
-                                    (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
+    Diagnostic plate =
+        error_at(file, "E0655",
+                 thin + ", with air on both sides, and " + rounded(100.0 * share_under(walls, needed), 1) +
+                     " % of its surface here is thinner than the " + rounded(needed * 1e3, 2) +
+                     " mm that a spacing of " + rounded(spacing * 1e3, 3) + " mm can carry." +
+                     (can_be_carried ? "" : " No spacing carries that. Make it thicker there, or plan where it is."));
     if (can_be_carried) plate.write = "accuracy: {spacing: " + rounded(fine_enough * 1e3, 2) + " mm}";
     diagnostics.push_back(std::move(plate));
     return false;
 }
 
-/// Refuses what would take more memory than a bone may, or more bricks than can be counted, and says which spacing would do.
-bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities, const Anatomy& anatomy,
-                  Diagnostics& diagnostics) {
+/// Refuses what would take more memory than a bone may, or more bricks than can be counted, and says which spacing
+/// would do.
+bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>& borders, bool has_densities,
+                  const Anatomy& anatomy, Diagnostics& diagnostics) {
     const FieldsMemory needed = fields_memory(bounds, spacing, borders, has_densities);
     if (excess_of(needed) <= 1.0) return true;
     double fits = spacing * std::max(1.0, std::cbrt(needed.bricks / 16e6));
-    while (excess_of(fields_memory(bounds, fits, borders, has_densities)) > 0.9 /* the estimate is a few per cent off */) fits *= 1.1;
+    while (excess_of(fields_memory(bounds, fits, borders, has_densities)) >
+           0.9 /* the estimate is a few per cent off */)
+        fits *= 1.1;
     const Vec3 extent = bounds.high - bounds.low;
     const bool is_memory = needed.bytes > most_bone_memory;
-    Diagnostic large = error_at(bone_in(anatomy), "E0602",
-                                "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " + rounded(extent.z * 1e3, 0) +
-                                    " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
-                                    (is_memory ? rounded(needed.bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
-                                               : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " + rounded(needed.cuttable * 1e-6, 1) +
-                                                     " million of them bone; must be at most 16 million, and 2.9 million.") +
-                                    " Use a coarser spacing, or a smaller bone: of a scan or a surface only what lies around the axes is kept.");
+    Diagnostic large = error_at(
+        bone_in(anatomy), "E0602",
+        "a bone of " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
+            rounded(extent.z * 1e3, 0) + " mm at a spacing of " + rounded(spacing * 1e3, 3) + " mm takes about " +
+            (is_memory ? rounded(needed.bytes / most_bone_memory * 4.0, 1) + " GB of memory, must be at most 4 GB."
+                       : rounded(needed.bricks * 1e-6, 1) + " million bricks of 8³ samples, " +
+                             rounded(needed.cuttable * 1e-6, 1) +
+                             " million of them bone; must be at most 16 million, and 2.9 million.") +
+            " Use a coarser spacing, or a smaller bone: of a scan or a surface only what lies around the axes is "
+            "kept.");
     large.write = "accuracy: {spacing: " + rounded(std::ceil(fits * 1e5) * 1e-2, 2) + " mm}";
     diagnostics.push_back(std::move(large));
     return false;
 }
 
-/// `distance`, and every hundredth of the way up the grid is told: who asks for it goes through the grid layer by layer, some twice.
+/// `distance`, and every hundredth of the way up the grid is told: who asks for it goes through the grid layer by
+/// layer, some twice.
 Distance told(const Distance& distance, const Grid& grid, const Progress& progress, const std::string& what) {
     if (!progress) return distance;
     const double low = grid.origin.z, height = grid.spacing * brick_edge * grid.bricks[2];
     return [&distance, &progress, what, low, height, told_of = -1](Vec3 p) mutable {
         const int hundredth = std::clamp(static_cast<int>(100.0 * (p.z - low) / height), 0, 100);
-        if (hundredth > told_of || hundredth + 50 < told_of /* begun anew */) progress(0.01 * (told_of = hundredth), what);
+        if (hundredth > told_of || hundredth + 50 < told_of /* begun anew */)
+            progress(0.01 * (told_of = hundredth), what);
         return distance(p);
     };
 }
@@ -201,8 +226,9 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
 
     const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
-        diagnostics.push_back(error_at(in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
-                                       "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
+        diagnostics.push_back(error_at(
+            in_anatomy(anatomy, {"phantom", "parts"}), "E0601",
+            "the phantom has no part that adds bone. Give `phantom.parts` at least one part without `subtract`."));
         return std::nullopt;
     }
     if (mesh && !check_thin_walls(mesh->walls, spacing, anatomy, diagnostics)) return std::nullopt;
@@ -223,33 +249,43 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         for (const SurfaceMesh& one : mesh->rooms) room_trees.emplace_back(one);
     const bool has_rooms = !room_trees.empty() || is_taken_away_last(anatomy.phantom);
     Distance outer, room;
-    if (ct) outer = in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
-    else if (mesh) outer = in_region(SignedDistance(*surface_tree));
-    else if (has_rooms) outer = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); };
-    else outer = [&](Vec3 p) { return distance_to(anatomy.phantom, p); };
+    if (ct)
+        outer = in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
+    else if (mesh)
+        outer = in_region(SignedDistance(*surface_tree));
+    else if (has_rooms)
+        outer = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); };
+    else
+        outer = [&](Vec3 p) { return distance_to(anatomy.phantom, p); };
     if (!room_trees.empty())
         room = in_region([each = std::vector<SignedDistance>(room_trees.begin(), room_trees.end())](Vec3 p) mutable {
             double nearest = HUGE_VAL;
             for (SignedDistance& distance : each) nearest = std::min(nearest, distance(p));
             return nearest;
         });
-    else if (has_rooms) room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
+    else if (has_rooms)
+        room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
 
     const Distance bone = !has_rooms ? outer : [&](Vec3 p) { return std::max(outer(p), -room(p)); };
     const Distance& depth = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
     std::vector<Distance> borders{bone};
     if (has_rooms) borders.push_back(room);
     for (const Tissue& tissue : anatomy.tissues)
-        if (&tissue != &anatomy.tissues.back()) borders.emplace_back([&depth, &tissue](Vec3 p) { return -depth(p) - tissue.thickness; });
+        if (&tissue != &anatomy.tissues.back())
+            borders.emplace_back([&depth, &tissue](Vec3 p) { return -depth(p) - tissue.thickness; });
     if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
 
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
-    const auto say = [&](const Distance& distance, const std::string& what) { return told(distance, grid, options.progress, what); };
+    const auto say = [&](const Distance& distance, const std::string& what) {
+        return told(distance, grid, options.progress, what);
+    };
     const std::string walls = "how thick its walls are", surface = "distances to its surface";
     const bool has_sheet = has_rooms && has_thin_wall(grid, say(outer, walls), room);
     const Distance& outside = has_sheet ? outer : bone;
-    if (!ct && !mesh && !check_thin_walls(phantom_walls(grid, say(outside, walls), (least_wall_voxels + 1.0) * spacing), spacing, anatomy, diagnostics))
+    if (!ct && !mesh &&
+        !check_thin_walls(phantom_walls(grid, say(outside, walls), (least_wall_voxels + 1.0) * spacing), spacing,
+                          anatomy, diagnostics))
         return std::nullopt;
     body.surface = LevelSet::build(grid, say(outside, surface));
     if (has_sheet) body.hollow = LevelSet::build(grid, say(room, surface));
@@ -276,8 +312,9 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     if (report) {
         *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
         if (has_sheet)
-            report->notes.push_back("Between the outside and a room in it the bone is thinner than three voxels: each side has a "
-                                    "field of its own. Under one voxel, volumes and the exported surface lose it.");
+            report->notes.push_back(
+                "Between the outside and a room in it the bone is thinner than three voxels: each side has a "
+                "field of its own. Under one voxel, volumes and the exported surface lose it.");
         note_tissues_and_axes(anatomy, body, *report);
     }
     return body;
@@ -303,12 +340,15 @@ AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
 void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics) {
     const auto at = [&] { return in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
     if (found.entry < 0.0)
-        diagnostics.push_back(error_at(at(), "E0610",
-                                       "the axis `" + axis.id + "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
+        diagnostics.push_back(
+            error_at(at(), "E0610",
+                     "the axis `" + axis.id +
+                         "` meets no bone. Check its points: LPS, millimetres, from outside into the bone."));
     else if (found.share < least_share)
-        diagnostics.push_back(error_at(at(), "E0611",
-                                       "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
-                                           " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
+        diagnostics.push_back(error_at(
+            at(), "E0611",
+            "the axis `" + axis.id + "` lies in bone for only " + rounded(100.0 * found.share, 0) +
+                " % of its length behind the entry, need 80 %. Check its points, or the tissues of the anatomy."));
 }
 
 }  // namespace kerf

@@ -10,10 +10,10 @@
 namespace kerf {
 
 /// The body an anatomy describes, sampled at `spacing` [m]. `report`, if given, gets what was done and decided on the
-/// way; `options.progress`, if given, is told often how far it is. Error (E06xx): no bone at all, a grid too large, a shell thinner than can be carried.   [main]
+/// way; `options.progress`, if given, is told often how far it is. Error (E06xx): no bone at all, a grid too large, a
+/// shell thinner than can be carried.   [main]
 [[nodiscard]] std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics,
-                                            ImportReport* report = nullptr,
-                                            const ImportOptions& options = {});
+                                            ImportReport* report = nullptr, const ImportOptions& options = {});
 
 /// Where an axis meets bone.
 struct AxisInBone {

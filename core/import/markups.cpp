@@ -5,8 +5,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/field/fnv1a.h"
@@ -78,8 +83,10 @@ private:
         return at;
     }
     void take_frame(const std::string& word) {
-        if (word == "LPS" || word == "1") is_ras_ = false;
-        else if (word == "RAS" || word == "0") is_ras_ = true;
+        if (word == "LPS" || word == "1")
+            is_ras_ = false;
+        else if (word == "RAS" || word == "0")
+            is_ras_ = true;
         else
             throw Refusal{"E0681", "the coordinate system is " + shown(word) +
                                        ", must be LPS or RAS. Export the markups from 3D Slicer again."};
@@ -215,8 +222,10 @@ void Reader::markup(const Json& markup) {
             if (!mm || (!status.empty() && status != "defined"))
                 throw Refusal{"E0682", "a point " + shown(one.is_object() ? text_of(one, "label") : "") +
                                            " has no place. Place it in 3D Slicer, or delete it."};
-            if (type == "Fiducial") point(text_of(one, "label"), *mm);
-            else places.push_back(place(*mm));
+            if (type == "Fiducial")
+                point(text_of(one, "label"), *mm);
+            else
+                places.push_back(place(*mm));
             if (first_label.empty()) first_label = text_of(one, "label");
         }
     if (type == "Fiducial") return;
@@ -256,9 +265,12 @@ void move_into(std::vector<Landmark>& all, std::vector<Landmark>& more, const An
 
 void add(const MarkupsFile& file, const std::string& path, const std::string& text, Anatomy& anatomy) {
     Reader reader(file);
-    if (path.ends_with(".fcsv")) reader.fcsv(text);
-    else if (path.ends_with(".json")) reader.json(text);
-    else throw Refusal{"E0680", "the file's ending names no markups. Use .mrk.json or .fcsv."};
+    if (path.ends_with(".fcsv"))
+        reader.fcsv(text);
+    else if (path.ends_with(".json"))
+        reader.json(text);
+    else
+        throw Refusal{"E0680", "the file's ending names no markups. Use .mrk.json or .fcsv."};
     Anatomy more = anatomy;
     move_into(more.points, reader.found.points, more);
     move_into(more.axes, reader.found.axes, more);
@@ -274,7 +286,9 @@ std::vector<std::uint64_t> add_markups(Anatomy& anatomy, Diagnostics& diagnostic
     for (const MarkupsFile& file : files) {
         const std::string path = found_data_file(file.file, anatomy.file);
         const std::size_t first = diagnostics.size();
-        const auto because_named = [&] { because_of(in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."), diagnostics, first); };
+        const auto because_named = [&] {
+            because_of(in_anatomy(anatomy, {"landmarks", "markups"}, "the file is named here."), diagnostics, first);
+        };
         const std::optional<std::string> text = read_text_file(path, diagnostics);
         if (!text) {
             because_named();

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 #include "core/import/data_file.h"
 #include "core/import/planned_region.h"
@@ -13,7 +17,7 @@
 namespace kerf {
 namespace {
 
-constexpr double coarse = 20e-6;    // [m] a step of the file's numbers that is worth a warning
+constexpr double coarse = 20e-6;     // [m] a step of the file's numbers that is worth a warning
 constexpr double fineness = 0.5e-3;  // [m] between places where walls are measured
 
 /// Metres and LPS.
@@ -30,7 +34,8 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 /// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
-bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const std::string& name, std::vector<std::string>& notes, Diagnostics& diagnostics) {
+bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const std::string& name, std::vector<std::string>& notes,
+                Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
     const auto warn = [&](const char* code, const std::string& message, const std::string& advice) {
         diagnostics.push_back(warning_about(name, code, message + " " + advice));
@@ -94,9 +99,10 @@ SurfaceMesh mesh_of(const TubeSolid& tube) {
 void note_walls(const MeshBone& bone, std::vector<std::string>& notes) {
     const auto least = thinnest(bone.walls);
     if (!least) return;
-    notes.push_back("Walls from face to face, straight inwards: thinnest " + millimetres(least->thickness, 2) + ", at " +
-                    place_text(least->at) + "; 1 % of the surface is under " + millimetres(thickness_at(bone.walls, 0.01), 2) +
-                    ", half under " + millimetres(thickness_at(bone.walls, 0.5), 2) + ".");
+    notes.push_back("Walls from face to face, straight inwards: thinnest " + millimetres(least->thickness, 2) +
+                    ", at " + place_text(least->at) + "; 1 % of the surface is under " +
+                    millimetres(thickness_at(bone.walls, 0.01), 2) + ", half under " +
+                    millimetres(thickness_at(bone.walls, 0.5), 2) + ".");
 }
 
 }  // namespace
@@ -116,13 +122,17 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
     const MeshSource& source = *anatomy.mesh;
     MeshBone bone;
     std::vector<std::string>& notes = bone.report.notes;
-    notes.push_back(std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
-                    (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
+    notes.push_back(
+        std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
+        (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
     const auto is_sound = [&](SurfaceFile& file, const std::string& written, const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
-        const std::string name = written.empty() ? anatomy.file : found_data_file(written, anatomy.file);  // without a document the surface itself
+        const std::string name = written.empty()
+                                     ? anatomy.file
+                                     : found_data_file(written, anatomy.file);  // without a document the surface itself
         const bool is_made = make_sound(file, anatomy, name, notes, diagnostics);
-        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return is_made;
     };
     if (!is_sound(surface, source.file, {"mesh", "file"})) return std::nullopt;
@@ -147,20 +157,23 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
         bone.is_part = true;
         if (is_empty(bone.region)) {
             Diagnostic apart = error_at(in_anatomy(anatomy, {"landmarks", "axes"}), "E0652",
-                                        "the landmarks' axes lie outside the surface, which goes from " + place_text(bounds.low) + " to " +
-                                            place_text(bounds.high) + ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
+                                        "the landmarks' axes lie outside the surface, which goes from " +
+                                            place_text(bounds.low) + " to " + place_text(bounds.high) +
+                                            ". Check that the axes are LPS, and `mesh.unit` and `mesh.frame`.");
             apart.reason = in_anatomy(anatomy, {"mesh", "file"}, "the surface is named here.");
             diagnostics.push_back(std::move(apart));
             return std::nullopt;
         }
         const Vec3 extent = bone.region.high - bone.region.low;
         notes.push_back("Of it " + rounded(extent.x * 1e3, 0) + " × " + rounded(extent.y * 1e3, 0) + " × " +
-                        rounded(extent.z * 1e3, 0) + " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
+                        rounded(extent.z * 1e3, 0) +
+                        " mm around the planned axes. Beyond, bone goes on and cannot be cut.");
     }
     bone.walls = measure_walls(bone.surface, TriangleTree(bone.surface), bone.region, fineness);
     note_walls(bone, notes);
     if (anatomy.tissues.size() == 1)
-        notes.push_back("A surface shows no tissues, and none is given a thickness: all of the bone is " + anatomy.tissues[0].id + ".");
+        notes.push_back("A surface shows no tissues, and none is given a thickness: all of the bone is " +
+                        anatomy.tissues[0].id + ".");
     return bone;
 }
 
@@ -174,13 +187,15 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diag
             diagnostics.push_back(error_about(file, "E0640", "the file could be read once, but not again. Try again."));
             surface.reset();
         }
-        if (diagnostics.size() > first) because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
+        if (diagnostics.size() > first)
+            because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return surface;
     };
     auto surface = read(anatomy.mesh->file, {"mesh", "file"});
     if (!surface) return std::nullopt;
     std::optional<SurfaceFile> canal;
-    if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file, {"mesh", "canal", "file"}))) return std::nullopt;
+    if (!anatomy.mesh->canal_file.empty() && !(canal = read(anatomy.mesh->canal_file, {"mesh", "canal", "file"})))
+        return std::nullopt;
     auto bone = make_mesh_bone(anatomy, std::move(*surface), canal ? &*canal : nullptr, diagnostics);
     if (bone) bone->report.file_hashes = std::move(files.file_hashes);
     return bone;

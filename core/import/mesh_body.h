@@ -22,11 +22,11 @@ namespace kerf {
 
 /// Closed surfaces, their faces looking outwards. Metres, LPS.
 struct MeshBone {
-    SurfaceMesh surface;            ///< the outside alone
+    SurfaceMesh surface;             ///< the outside alone
     std::vector<SurfaceMesh> rooms;  ///< in it without bone: cavities, canal; closed, facing out of the room
-    Box region{};                   ///< around the axes; without axes around the surface
-    bool is_part = false;           ///< what lies outside the region was not looked at
-    std::vector<WallSample> walls;  ///< of the outside, from face to face, in the region
+    Box region{};                    ///< around the axes; without axes around the surface
+    bool is_part = false;            ///< what lies outside the region was not looked at
+    std::vector<WallSample> walls;   ///< of the outside, from face to face, in the region
     ImportReport report;
 };
 
@@ -38,7 +38,7 @@ struct MeshBone {
 [[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diagnostics);
 
 /// The same for surfaces that are in memory, as their files hold them. `canal` may be null.   [main]
-[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
-                                                     Diagnostics& diagnostics);
+[[nodiscard]] std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface,
+                                                     const SurfaceFile* canal, Diagnostics& diagnostics);
 
 }  // namespace kerf

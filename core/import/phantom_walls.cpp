@@ -14,7 +14,8 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
     const double h = grid.spacing, finest = 0.02 * h;
     const auto way_out = [&](Vec3 p) {
         const double d = 0.05 * h;
-        return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}), distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
+        return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
+                               distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
                                distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
     };
     std::vector<WallSample> walls;
@@ -24,7 +25,8 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
         const Vec3 out = way_out(p), at = p - d * out;
         // Inside, nothing of the other side is nearer than the distance to it.
         double thickness = finest, depth = -distance(at - thickness * out);
-        for (; thickness < most && depth > 0.0; depth = -distance(at - thickness * out)) thickness += std::max(depth, finest);
+        for (; thickness < most && depth > 0.0; depth = -distance(at - thickness * out))
+            thickness += std::max(depth, finest);
         thickness += std::min(depth, 0.0);  // the last step went as far beyond
         if (thickness >= most) return walls.push_back({HUGE_VAL, h * h, at});
         if (dot(out, way_out(at - thickness * out)) < facing) walls.push_back({thickness, h * h, at});
@@ -36,7 +38,8 @@ std::vector<WallSample> phantom_walls(const Grid& grid, const std::function<doub
                 const int x = i * brick_edge, y = j * brick_edge, z = k * brick_edge;
                 if (std::abs(distance(grid.sample_position(x, y, z) + Vec3{half, half, half})) > in_brick + h) continue;
                 for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
-                    look_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge, z + n / (brick_edge * brick_edge)));
+                    look_at(grid.sample_position(x + n % brick_edge, y + n / brick_edge % brick_edge,
+                                                 z + n / (brick_edge * brick_edge)));
             }
     return walls;
 }

@@ -19,9 +19,9 @@ Box planned_region(const std::vector<LandmarkAxis>& axes, const Box& available) 
             box.high = {std::max(box.high.x, end.x), std::max(box.high.y, end.y), std::max(box.high.z, end.z)};
         }
     const auto [low, high] = grown(box, around_axes);
-    return {{std::max(low.x, available.low.x), std::max(low.y, available.low.y), std::max(low.z, available.low.z)},
-            {std::min(high.x, available.high.x), std::min(high.y, available.high.y),
-             std::min(high.z, available.high.z)}};
+    return {
+        {std::max(low.x, available.low.x), std::max(low.y, available.low.y), std::max(low.z, available.low.z)},
+        {std::min(high.x, available.high.x), std::min(high.y, available.high.y), std::min(high.z, available.high.z)}};
 }
 
 bool is_empty(const Box& box) noexcept {

@@ -8,8 +8,9 @@
 
 namespace kerf {
 
-/// The part of a bone that a procedure can touch: the box around the planned axes and 15 mm more on every side, as far as
-/// there is something to look at. Empty (`low` not below `high`): the axes lie outside of that, or there are none.   [any] pure.
+/// The part of a bone that a procedure can touch: the box around the planned axes and 15 mm more on every side, as far
+/// as there is something to look at. Empty (`low` not below `high`): the axes lie outside of that, or there are none.
+/// [any] pure.
 [[nodiscard]] Box planned_region(const std::vector<LandmarkAxis>& axes, const Box& available);
 
 [[nodiscard]] bool is_empty(const Box& box) noexcept;

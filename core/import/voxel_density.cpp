@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -13,7 +14,8 @@
 namespace kerf {
 namespace {
 
-/// Gives every voxel that is not `known` the mean of its known face_neighbours, layer by layer from the known ones outwards.
+/// Gives every voxel that is not `known` the mean of its known face_neighbours, layer by layer from the known ones
+/// outwards.
 void extend(VoxelImage& image, std::vector<std::uint8_t> known) {
     std::vector<std::array<int, 3>> front, next;
     const auto has_unknown_neighbour = [&](int i, int j, int k, const auto& visit) {

@@ -2,8 +2,12 @@
 #include "core/import/voxel_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "core/field/growing_distance.h"
 
@@ -20,8 +24,9 @@ double distance_to_plane(const std::array<double, 3>& ways) {
 /// Voxels on one side of a border, from the first beside it on.
 using Side = std::array<double, 5>;
 
-/// What is whole on one side: the mean of the next three, as far as the border beyond leaves them whole. Not the larger of them and the
-/// first: noise makes that larger than whole, and the border would lie towards the middle between two voxels. `way`: 1 for bone.
+/// What is whole on one side: the mean of the next three, as far as the border beyond leaves them whole. Not the larger
+/// of them and the first: noise makes that larger than whole, and the border would lie towards the middle between two
+/// voxels. `way`: 1 for bone.
 double whole_of(const Side& side, double threshold, double way) {
     const auto is_beyond = [&](double value) { return way * (value - threshold) < 0.0; };
     if (is_beyond(side[2])) return way * (side[0] - side[1]) > 0.0 ? side[0] : side[1];
@@ -33,7 +38,8 @@ double whole_of(const Side& side, double threshold, double way) {
 
 /// Where the border lies between the first voxel on this side and the first beyond, as a share of the way.
 double crossing(const Side& inner, const Side& outer, double threshold) {
-    constexpr double blurred = 0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
+    constexpr double blurred =
+        0.2;  // of all there is between bone and air: a border that takes so much in two voxels is not sharp
     const double here = inner[0], there = outer[0];
     const double share = (here - threshold) / (here - there);
     const double way = here > there ? 1.0 : -1.0;

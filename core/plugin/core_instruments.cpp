@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugin/core_instruments.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <span>
 
 #include "kerf/exact_math.hpp"
 #include "kerf/force.hpp"
@@ -18,12 +22,15 @@ using namespace literals;
 constexpr double jaw_radius = 1.5_mm, jaw_length = 40.0_mm, near_contact = 0.3_mm;
 
 constexpr kerf_param force_parameters[] = {
-    {"contact_stiffness", "Stiffness of bone where the jaws touch it.", dimension::force_per_length, "N/mm", 1.0_N_per_mm, 10000.0_N_per_mm, 200.0_N_per_mm, "assumed"},
-    {"bite", "The jaws hold bone that is no farther from their tip when they close.", dimension::length, "mm", 0.1_mm, 10.0_mm, 1.0_mm, "assumed"},
+    {"contact_stiffness", "Stiffness of bone where the jaws touch it.", dimension::force_per_length, "N/mm",
+     1.0_N_per_mm, 10000.0_N_per_mm, 200.0_N_per_mm, "assumed"},
+    {"bite", "The jaws hold bone that is no farther from their tip when they close.", dimension::length, "mm", 0.1_mm,
+     10.0_mm, 1.0_mm, "assumed"},
 };
 constexpr kerf_drive drives[] = {{"jaws", "0: open; 1: closed.", dimension::none, "", 0.0, 1.0, 0.0, 0.0}};
 
-/// The still jaws touch; closing, they hold what is at their tip. What is held is no obstacle to them: the core sees to that.
+/// The still jaws touch; closing, they hold what is at their tip. What is held is no obstacle to them: the core sees to
+/// that.
 struct Grasp {
     struct State {
         bool is_closed = false;
@@ -50,7 +57,9 @@ struct Grasp {
         const auto touch = [&](std::size_t first, std::size_t end, std::uint32_t id) {
             std::size_t deepest = first;
             for (std::size_t i = first; i < end; ++i)
-                if (surface[i].body >= 0 && (surface[deepest].body < 0 || surface[i].distance < surface[deepest].distance)) deepest = i;
+                if (surface[i].body >= 0 &&
+                    (surface[deepest].body < 0 || surface[i].distance < surface[deepest].distance))
+                    deepest = i;
             const kerf_surface_point& s = surface[deepest];
             if (s.body < 0 || s.distance > near_contact || s.normal == Vec3{}) return;
             kerf_channel* c = channels.add(KERF_CONTACT, id);
@@ -64,7 +73,8 @@ struct Grasp {
         touch(first_of_shaft, points.size(), 2);
     }
 
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance&, State& state, std::span<double>, Actions& actions) noexcept {
+    static void commit(const Tick& tick, const BoneQuery& bone, const Advance&, State& state, std::span<double>,
+                       Actions& actions) noexcept {
         const bool is_closed = closes(tick);
         if (is_closed == state.is_closed) return;
         state.is_closed = is_closed;
@@ -75,16 +85,23 @@ struct Grasp {
         const Vec3 tip{};
         kerf_surface_point nearest;
         bone.nearest({&tip, 1}, {&nearest, 1});
-        if (nearest.body >= 0 && nearest.distance <= tick.force[bite]) actions.hold(nearest.body);
-        else actions.event(closed_on_nothing);
+        if (nearest.body >= 0 && nearest.distance <= tick.force[bite])
+            actions.hold(nearest.body);
+        else
+            actions.event(closed_on_nothing);
     }
 };
 
-constexpr kerf_event events[] = {{"kerf.core.closed_on_nothing", "The jaws closed, and no bone was within their bite."}};
+constexpr kerf_event events[] = {
+    {"kerf.core.closed_on_nothing", "The jaws closed, and no bone was within their bite."}};
 static_assert(std::size(events) == Grasp::event_count);
 
 kerf_status shape(const double*, kerf_tool_shape* out) {
-    constexpr kerf_profile_point points[] = {{0.0, 0.0}, {-0.5 * jaw_radius, 0.85 * jaw_radius}, {-jaw_radius, jaw_radius}, {-jaw_length, jaw_radius}, {-80.0_mm, 4.0_mm}};
+    constexpr kerf_profile_point points[] = {{0.0, 0.0},
+                                             {-0.5 * jaw_radius, 0.85 * jaw_radius},
+                                             {-jaw_radius, jaw_radius},
+                                             {-jaw_length, jaw_radius},
+                                             {-80.0_mm, 4.0_mm}};
     if (out->profile_capacity < std::size(points)) return KERF_CAPACITY;
     std::copy(std::begin(points), std::end(points), out->profile);
     out->profile_count = std::size(points);
@@ -94,14 +111,26 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
 }
 
 constexpr kerf_tool forceps{sizeof(kerf_tool), drives, std::size(drives), &shape};
-constexpr kerf_force grasp{sizeof(kerf_force),       sizeof(Grasp::State), alignof(Grasp::State), nullptr, 0, events, Grasp::event_count, 5000, &ForceTable<Grasp>::begin,
-                           &ForceTable<Grasp>::resist, &ForceTable<Grasp>::commit};
+constexpr kerf_force grasp{sizeof(kerf_force),
+                           sizeof(Grasp::State),
+                           alignof(Grasp::State),
+                           nullptr,
+                           0,
+                           events,
+                           Grasp::event_count,
+                           5000,
+                           &ForceTable<Grasp>::begin,
+                           &ForceTable<Grasp>::resist,
+                           &ForceTable<Grasp>::commit};
 constexpr kerf_component components[] = {
-    {sizeof(kerf_component), KERF_KIND_TOOL, "forceps", "Forceps, closed and opened by hand, that hold a piece of bone.", nullptr, 0, 0, &forceps, nullptr, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "grasp", "Contact of the jaws; what they close on moves with them and is stopped by other bone.",
-     force_parameters, std::size(force_parameters), 0, nullptr, &grasp, nullptr},
+    {sizeof(kerf_component), KERF_KIND_TOOL, "forceps",
+     "Forceps, closed and opened by hand, that hold a piece of bone.", nullptr, 0, 0, &forceps, nullptr, nullptr},
+    {sizeof(kerf_component), KERF_KIND_FORCE, "grasp",
+     "Contact of the jaws; what they close on moves with them and is stopped by other bone.", force_parameters,
+     std::size(force_parameters), 0, nullptr, &grasp, nullptr},
 };
-constexpr kerf_entry entry{KERF_MAGIC, KERF_ABI_VERSION, sizeof(kerf_entry), std::size(components), KERF_LAYOUT_INIT, "kerf.core", KERF_CORE_VERSION, "Apache-2.0", __VERSION__, components};
+constexpr kerf_entry entry{KERF_MAGIC,  KERF_ABI_VERSION,  sizeof(kerf_entry), std::size(components), KERF_LAYOUT_INIT,
+                           "kerf.core", KERF_CORE_VERSION, "Apache-2.0",       __VERSION__,           components};
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/plugin/core_instruments.h"
 #include "core/plugin/loading_note.h"
@@ -22,16 +23,25 @@ struct LayoutField {
     std::uint32_t kerf_layout::*size;
 };
 constexpr LayoutField layout_fields[] = {
-    {"kerf_param", &kerf_layout::param},           {"kerf_drive", &kerf_layout::drive},
-    {"kerf_signal", &kerf_layout::signal},         {"kerf_event", &kerf_layout::event},
+    {"kerf_param", &kerf_layout::param},
+    {"kerf_drive", &kerf_layout::drive},
+    {"kerf_signal", &kerf_layout::signal},
+    {"kerf_event", &kerf_layout::event},
     {"kerf_solid", &kerf_layout::solid},
-    {"kerf_tool_shape", &kerf_layout::tool_shape}, {"kerf_tool", &kerf_layout::tool},
-    {"kerf_bone_sample", &kerf_layout::bone_sample}, {"kerf_surface_point", &kerf_layout::surface_point},
-    {"kerf_bone_query", &kerf_layout::bone_query}, {"kerf_channel", &kerf_layout::channel},
-    {"kerf_law", &kerf_layout::law},               {"kerf_tick_in", &kerf_layout::tick_in},
-    {"kerf_advance", &kerf_layout::advance},       {"kerf_action", &kerf_layout::action},
-    {"kerf_commit_out", &kerf_layout::commit_out}, {"kerf_force", &kerf_layout::force},
-    {"kerf_component", &kerf_layout::component},   {"kerf_feature", &kerf_layout::feature},
+    {"kerf_tool_shape", &kerf_layout::tool_shape},
+    {"kerf_tool", &kerf_layout::tool},
+    {"kerf_bone_sample", &kerf_layout::bone_sample},
+    {"kerf_surface_point", &kerf_layout::surface_point},
+    {"kerf_bone_query", &kerf_layout::bone_query},
+    {"kerf_channel", &kerf_layout::channel},
+    {"kerf_law", &kerf_layout::law},
+    {"kerf_tick_in", &kerf_layout::tick_in},
+    {"kerf_advance", &kerf_layout::advance},
+    {"kerf_action", &kerf_layout::action},
+    {"kerf_commit_out", &kerf_layout::commit_out},
+    {"kerf_force", &kerf_layout::force},
+    {"kerf_component", &kerf_layout::component},
+    {"kerf_feature", &kerf_layout::feature},
 };
 
 std::string differs(const std::string& path, const std::string& what, std::uint64_t got, std::uint64_t wanted) {
@@ -41,7 +51,9 @@ std::string differs(const std::string& path, const std::string& what, std::uint6
 
 /// Whether an event is told under its plugin's own name, so that nobody takes it for the core's or another plugin's.
 bool is_own_name(std::string_view event, std::string_view plugin) noexcept {
-    const auto is_under = [&](std::string_view name) { return event.size() > name.size() + 1 && event.starts_with(name) && event[name.size()] == '.'; };
+    const auto is_under = [&](std::string_view name) {
+        return event.size() > name.size() + 1 && event.starts_with(name) && event[name.size()] == '.';
+    };
     return is_under(plugin) || is_under(plugin.substr(plugin.rfind('.') + 1));
 }
 
@@ -53,18 +65,22 @@ std::string fault_of(const kerf_component& c, const std::string& plugin_id) {
     if (c.kind == KERF_KIND_TOOL && (c.tool == nullptr || c.tool->shape == nullptr)) return name + "has no tool table";
     if (c.kind == KERF_KIND_TOOL && c.tool->drive_count > KERF_MAX_DRIVES) return name + "has too many drives";
     for (std::uint32_t i = 0; c.kind == KERF_KIND_TOOL && i < c.tool->drive_count; ++i)
-        if (const kerf_drive& d = c.tool->drives[i]; !(d.least >= 0.0 && d.least <= std::max(std::abs(d.min), std::abs(d.max))))
-            return name + "drive `" + (d.id != nullptr ? d.id : "") + "` takes no bone at any value of its range: `least` is outside it";
+        if (const kerf_drive& d = c.tool->drives[i];
+            !(d.least >= 0.0 && d.least <= std::max(std::abs(d.min), std::abs(d.max))))
+            return name + "drive `" + (d.id != nullptr ? d.id : "") +
+                   "` takes no bone at any value of its range: `least` is outside it";
     if (c.kind == KERF_KIND_FORCE &&
         (c.force == nullptr || c.force->resist == nullptr || c.force->commit == nullptr || c.force->begin == nullptr))
         return name + "has no complete force table (begin, resist, commit)";
     if (c.kind == KERF_KIND_FORCE && c.force->signal_count > KERF_MAX_SIGNALS) return name + "has too many signals";
-    if (c.kind == KERF_KIND_FORCE && c.force->event_count > 0 && c.force->events == nullptr) return name + "has no table of its events";
+    if (c.kind == KERF_KIND_FORCE && c.force->event_count > 0 && c.force->events == nullptr)
+        return name + "has no table of its events";
     for (std::uint32_t i = 0; c.kind == KERF_KIND_FORCE && i < c.force->event_count; ++i) {
         const kerf_event& e = c.force->events[i];
         if (e.id == nullptr || e.help == nullptr) return name + "has an event without id or help";
         if (!is_own_name(e.id, plugin_id))
-            return name + "event `" + e.id + "` is not under its plugin's name: it needs `" + plugin_id.substr(plugin_id.rfind('.') + 1) + ".` before it";
+            return name + "event `" + e.id + "` is not under its plugin's name: it needs `" +
+                   plugin_id.substr(plugin_id.rfind('.') + 1) + ".` before it";
     }
     for (std::uint32_t i = 0; i < c.param_count; ++i) {
         const kerf_param& p = c.params[i];
@@ -76,7 +92,8 @@ std::string fault_of(const kerf_component& c, const std::string& plugin_id) {
     if (c.feature_count > 0 && c.features == nullptr) return name + "has no table of its features";
     for (std::uint32_t i = 0; i < c.feature_count; ++i) {
         const kerf_feature& f = c.features[i];
-        if (f.id == nullptr || f.help == nullptr || (f.kind != KERF_FEATURE_EFFECT && f.kind != KERF_FEATURE_RESOLUTION))
+        if (f.id == nullptr || f.help == nullptr ||
+            (f.kind != KERF_FEATURE_EFFECT && f.kind != KERF_FEATURE_RESOLUTION))
             return name + "has a feature without id, help or kind (effect 1, resolution 2)";
         if (f.param >= c.param_count || !(f.off >= c.params[f.param].min && f.off <= c.params[f.param].max))
             return name + "feature `" + f.id + "` sets no parameter, or one outside its range";
@@ -107,10 +124,12 @@ std::string refusal_of(const kerf_entry& entry, const std::string& path) {
         if (entry.layout.*field.size != wanted.*field.size)
             return differs(path, std::string("size of ") + field.name, entry.layout.*field.size, wanted.*field.size);
     const std::string name = "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): ";
-    if (entry.plugin_id == nullptr || entry.plugin_version == nullptr || entry.components == nullptr || entry.component_count == 0)
+    if (entry.plugin_id == nullptr || entry.plugin_version == nullptr || entry.components == nullptr ||
+        entry.component_count == 0)
         return name + "its entry names no id, version or components: fill in kerf_entry.";
     for (std::uint32_t i = 0; i < entry.component_count; ++i)
-        if (const std::string fault = fault_of(entry.components[i], entry.plugin_id); !fault.empty()) return name + fault + ": mend its table.";
+        if (const std::string fault = fault_of(entry.components[i], entry.plugin_id); !fault.empty())
+            return name + fault + ": mend its table.";
     return {};
 }
 
@@ -118,13 +137,17 @@ Plugin::~Plugin() { dlclose(handle_); }
 
 PluginLoad load_plugin(const std::string& path) {
     const auto refused = [&](const std::string& why) {
-        return PluginLoad{nullptr, "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): " + why};
+        return PluginLoad{nullptr,
+                          "plugin " + std::filesystem::path(path).filename().string() + " (" + path + "): " + why};
     };
     // Opening a pipe could keep us waiting for ever.
     std::error_code error;
     if (!std::filesystem::exists(path, error)) return refused("there is no such file.");
-    if (!std::filesystem::is_regular_file(path, error)) return refused("is not a file, so it is no Kerf plugin. Remove it from the folder.");
-    if (!is_shared_library(path)) return refused("is not a shared library, so it is no Kerf plugin. Remove it from the folder, or build it again.");
+    if (!std::filesystem::is_regular_file(path, error))
+        return refused("is not a file, so it is no Kerf plugin. Remove it from the folder.");
+    if (!is_shared_library(path))
+        return refused(
+            "is not a shared library, so it is no Kerf plugin. Remove it from the folder, or build it again.");
 
     const LoadingNote note(path);
     dlerror();
@@ -136,7 +159,8 @@ PluginLoad load_plugin(const std::string& path) {
         return refused("cannot be loaded: " + why + ". Build it again on this system, and against this Kerf.");
     }
     const auto* entry = static_cast<const kerf_entry*>(dlsym(handle, KERF_ENTRY_SYMBOL));
-    PluginLoad load = entry == nullptr ? refused("exports no `" KERF_ENTRY_SYMBOL "`, so it is no Kerf plugin. Remove it from the folder.")
+    PluginLoad load = entry == nullptr ? refused("exports no `" KERF_ENTRY_SYMBOL
+                                                 "`, so it is no Kerf plugin. Remove it from the folder.")
                                        : PluginLoad{nullptr, refusal_of(*entry, path)};
     if (!load.refusal.empty()) {
         dlclose(handle);
@@ -151,7 +175,8 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     info.id = c.id;
     info.kind = c.kind;
     info.help = c.help != nullptr ? c.help : "";
-    for (std::uint32_t i = 0; i < c.param_count; ++i) info.parameters.push_back(parameter_info(c.params[i], c.params[i].source));
+    for (std::uint32_t i = 0; i < c.param_count; ++i)
+        info.parameters.push_back(parameter_info(c.params[i], c.params[i].source));
     for (std::uint32_t i = 0; i < c.feature_count; ++i) {
         const kerf_feature& f = c.features[i];
         info.features.push_back({f.id, f.help, f.kind, f.param, f.off});
@@ -167,14 +192,16 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
             info.signals.push_back({s.id, s.help, s.dimension, s.display_unit});
         }
     if (c.kind == KERF_KIND_FORCE)
-        for (std::uint32_t i = 0; i < c.force->event_count; ++i) info.events.push_back({c.force->events[i].id, c.force->events[i].help});
+        for (std::uint32_t i = 0; i < c.force->event_count; ++i)
+            info.events.push_back({c.force->events[i].id, c.force->events[i].help});
     return info;
 }
 
 PluginRegistry::PluginRegistry() { list(core_instruments()); }
 
 void PluginRegistry::list(const kerf_entry& entry) {
-    for (std::uint32_t i = 0; i < entry.component_count; ++i) catalog_.push_back(describe(entry.plugin_id, entry.components[i]));
+    for (std::uint32_t i = 0; i < entry.component_count; ++i)
+        catalog_.push_back(describe(entry.plugin_id, entry.components[i]));
     entries_.push_back(&entry);
 }
 
@@ -193,7 +220,8 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
             }
             const std::string id = load.plugin->entry().plugin_id;
             if (id == core_instruments().plugin_id) {
-                refusals_.push_back("plugin " + file + ": calls itself " + id + ", which is Kerf's own. Give it another id.");
+                refusals_.push_back("plugin " + file + ": calls itself " + id +
+                                    ", which is Kerf's own. Give it another id.");
                 continue;
             }
             const auto twin = std::find_if(plugins_.begin(), plugins_.end(),
@@ -209,7 +237,8 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
     }
 }
 
-const kerf_component* PluginRegistry::find(const std::string& plugin, std::uint32_t kind, const std::string& id) const noexcept {
+const kerf_component* PluginRegistry::find(const std::string& plugin, std::uint32_t kind,
+                                           const std::string& id) const noexcept {
     for (const kerf_entry* entry : entries_) {
         if (plugin != entry->plugin_id) continue;
         for (std::uint32_t i = 0; i < entry->component_count; ++i) {

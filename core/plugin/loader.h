@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/plugin/component_info.h"
@@ -56,7 +58,8 @@ public:
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
     /// Core's own first.
     [[nodiscard]] const std::vector<const kerf_entry*>& entries() const noexcept { return entries_; }
-    [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind, const std::string& id) const noexcept;
+    [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
+                                             const std::string& id) const noexcept;
 
 private:
     void list(const kerf_entry& entry);

@@ -14,9 +14,19 @@
 namespace kerf {
 
 /// Implicit solids of a phantom. Distances are negative inside.
-struct BoxSolid { Vec3 centre{}; Vec3 size{}; };                 ///< axis-aligned [m]
-struct TubeSolid { Vec3 from{}, to{}; double radius = 0.0; };     ///< capped cylinder [m]
-struct EllipticTubeSolid { Vec3 from{}, to{}; double width = 0.0, height = 0.0; Vec3 up{0, 0, 1}; };  ///< full axes [m]
+struct BoxSolid {
+    Vec3 centre{};
+    Vec3 size{};
+};  ///< axis-aligned [m]
+struct TubeSolid {
+    Vec3 from{}, to{};
+    double radius = 0.0;
+};  ///< capped cylinder [m]
+struct EllipticTubeSolid {
+    Vec3 from{}, to{};
+    double width = 0.0, height = 0.0;
+    Vec3 up{0, 0, 1};
+};  ///< full axes [m]
 using Solid = std::variant<BoxSolid, TubeSolid, EllipticTubeSolid>;
 
 struct PhantomPart {
@@ -55,8 +65,9 @@ struct LandmarkPlane {
 /// A file of 3D Slicer's markups whose points, lines and planes are landmarks. Path as written, found like a scan.
 struct MarkupsFile {
     std::string file;
-    double tolerance = 0.0;                    ///< [m] of all that is in it
-    std::map<std::string, std::string> names;  ///< what the file calls one, and which id it gets; others keep their name
+    double tolerance = 0.0;  ///< [m] of all that is in it
+    std::map<std::string, std::string>
+        names;  ///< what the file calls one, and which id it gets; others keep their name
 };
 
 struct Zone {
@@ -64,7 +75,9 @@ struct Zone {
     std::vector<Solid> solids;  ///< their union
 };
 
-struct PhantomSource { std::vector<PhantomPart> parts; };
+struct PhantomSource {
+    std::vector<PhantomPart> parts;
+};
 
 /// Bone density from a voxel's value: at_zero + per_unit × value, never under the floor.
 struct DensityLine {
@@ -74,17 +87,19 @@ struct DensityLine {
     std::string source;
 };
 
-/// Bone out of a CT. Files and folders: paths as written, inside the document's folder or, failing that, inside KERF_DATA.
+/// Bone out of a CT. Files and folders: paths as written, inside the document's folder or, failing that, inside
+/// KERF_DATA.
 struct CtSource {
     enum class Intensity { hounsfield, grey };
-    std::string image;           ///< a file, or a folder with a DICOM series
-    std::string series;          ///< which one, as import offers it; empty: the only one
-    bool may_resample = false;   ///< across missing slices
+    std::string image;                            ///< a file, or a folder with a DICOM series
+    std::string series;                           ///< which one, as import offers it; empty: the only one
+    bool may_resample = false;                    ///< across missing slices
     Intensity intensity = Intensity::hounsfield;  ///< what the values are: cone-beam CT and others give grey levels
-    std::string labels;          ///< a label map or segmentation; empty: by threshold alone
-    std::vector<int> keep;       ///< the labels that are this bone,
-    std::vector<std::string> keep_named;  ///< or what the segmentation calls them
-    std::string component_at;    ///< a landmark point: of all pieces the one nearest to it; empty: the largest, or all labels
+    std::string labels;                           ///< a label map or segmentation; empty: by threshold alone
+    std::vector<int> keep;                        ///< the labels that are this bone,
+    std::vector<std::string> keep_named;          ///< or what the segmentation calls them
+    std::string
+        component_at;  ///< a landmark point: of all pieces the one nearest to it; empty: the largest, or all labels
     double threshold = 0.0;  ///< [HU or grey] the border of bone, between voxels; without labels also what is bone
     double closing = 0.0;    ///< [m] radius: narrower gaps in the mask are closed
     bool fill = false;       ///< cavities without a way out count as bone
@@ -98,9 +113,9 @@ enum class InnerPieces { unsaid, hollow, solid };
 /// Bone out of a closed surface. Files: paths as above.
 struct MeshSource {
     std::string file;
-    double unit = 1e-3;        ///< [m] one of its coordinates' 1
-    bool is_ras = false;       ///< x to the right and y to the front; else LPS
-    bool names_frame = false;  ///< said, not supposed
+    double unit = 1e-3;         ///< [m] one of its coordinates' 1
+    bool is_ras = false;        ///< x to the right and y to the front; else LPS
+    bool names_frame = false;   ///< said, not supposed
     double holes_up_to = 0.0;   ///< [m] across: such holes are closed
     double pieces_under = 0.0;  ///< [m³] smaller pieces are left out
     InnerPieces inner = InnerPieces::unsaid;
@@ -112,14 +127,14 @@ struct MeshSource {
 };
 
 struct Anatomy {
-    std::string file;   ///< stderr only
+    std::string file;  ///< stderr only
     std::string id, title;
     std::vector<std::string> within{};  ///< keys under which it stands in the document; none: the document is it
-    std::string text;   ///< the document itself
-    PhantomSource phantom;           ///< this,
-    std::optional<CtSource> ct;      ///< or that,
-    std::optional<MeshSource> mesh;  ///< or that
-    std::vector<Tissue> tissues;  ///< front to back; the last one is the base
+    std::string text;                   ///< the document itself
+    PhantomSource phantom;              ///< this,
+    std::optional<CtSource> ct;         ///< or that,
+    std::optional<MeshSource> mesh;     ///< or that
+    std::vector<Tissue> tissues;        ///< front to back; the last one is the base
     std::vector<LandmarkPoint> points;
     std::vector<LandmarkAxis> axes;
     std::vector<LandmarkPlane> planes;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/document.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <unordered_set>
-#include <utility>
-
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <unordered_set>
+#include <utility>
 
 #include "core/procedure/explain_syntax.h"
 #include "core/procedure/quantity.h"
@@ -67,7 +69,9 @@ public:
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ == 0) return;
-        report_.error(Code::several_documents, {at(mark), 1}, "A second document starts here; one file holds one. Remove it, or put it into a file of its own.");
+        report_.error(
+            Code::several_documents, {at(mark), 1},
+            "A second document starts here; one file holds one. Remove it, or put it into a file of its own.");
         throw StopReading{};
     }
     void OnDocumentEnd() override {}
@@ -120,10 +124,13 @@ private:
     std::size_t shown_size(std::size_t begin, std::string_view value) const noexcept {
         const std::string_view rest = std::string_view(document_.text()).substr(begin);
         if (rest.empty()) return 1;
-        if (rest[0] != '"' && rest[0] != '\'') return rest.starts_with(value) ? std::max<std::size_t>(1, value.size()) : 1;
+        if (rest[0] != '"' && rest[0] != '\'')
+            return rest.starts_with(value) ? std::max<std::size_t>(1, value.size()) : 1;
         for (std::size_t i = 1; i < rest.size() && rest[i] != '\n'; ++i) {
-            if (rest[0] == '"' && rest[i] == '\\') ++i;
-            else if (rest[i] == rest[0]) return i + 1;
+            if (rest[0] == '"' && rest[i] == '\\')
+                ++i;
+            else if (rest[i] == rest[0])
+                return i + 1;
         }
         return 1;
     }
@@ -131,8 +138,9 @@ private:
     void refuse_tag(std::size_t begin, const std::string& tag) {
         const bool is_written = begin < document_.text().size() && document_.text()[begin] == '!';
         if (!is_written && (tag.empty() || tag == "?" || tag == "!")) return;
-        report_.error(Code::tag, {begin, 1}, "Tags are not used here: what a value means follows from its key. "
-                                             "Remove the tag.");
+        report_.error(Code::tag, {begin, 1},
+                      "Tags are not used here: what a value means follows from its key. "
+                      "Remove the tag.");
     }
 
     void add_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
@@ -143,7 +151,8 @@ private:
         node.is_removal = is_tilde_;
         node.is_quoted = tag == "!";
         refuse_tag(node.span.begin, tag);
-        if (const auto unclosed = find_unclosed_quote(document_.text(), node.span.begin)) {  // else the rest of the file is its text
+        if (const auto unclosed =
+                find_unclosed_quote(document_.text(), node.span.begin)) {  // else the rest of the file is its text
             report_.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
             throw StopReading{};
         }
@@ -157,7 +166,8 @@ private:
         refuse_tag(opened.node.span.begin, tag);
         if (open_.size() >= deepest_level) {
             report_.error(Code::nested_too_deep, opened.node.span,
-                          "This is nested more than " + std::to_string(deepest_level) + " levels deep. Take some of the levels away.");
+                          "This is nested more than " + std::to_string(deepest_level) +
+                              " levels deep. Take some of the levels away.");
             throw StopReading{};
         }
         open_.push_back(std::move(opened));
@@ -192,7 +202,8 @@ private:
         const std::size_t comma = number.span.begin + number.span.size;
         const bool is_joined = key.span.begin == comma + 1 && document_.text()[comma] == ',';
         const std::size_t figures = number.text.starts_with('-') ? 1 : 0;
-        const bool is_whole = number.text.size() > figures && number.text.find_first_not_of("0123456789", figures) == std::string::npos;
+        const bool is_whole =
+            number.text.size() > figures && number.text.find_first_not_of("0123456789", figures) == std::string::npos;
         if (!is_joined || !is_whole || number.kind != Node::Kind::scalar) return false;
         number.span.size = key.span.begin + key.span.size - number.span.begin;
         if (number.is_refused) return true;  // the third of `1,2,3 mm`
@@ -200,8 +211,11 @@ private:
         const std::string_view rest = std::string_view(document_.text()).substr(key.span.begin + key.span.size);
         const bool is_row = rest.size() > 1 && rest[0] == ',' && rest[1] != ' ';
         const QuantityProblem problem =
-            is_row ? QuantityProblem{Code::not_three_numbers, number.key + " has commas between its numbers; put spaces there, as in `1 2 3 mm`.", {}}
-                   : decimal_comma(number.key, number.text, key.text);
+            is_row
+                ? QuantityProblem{Code::not_three_numbers,
+                                  number.key + " has commas between its numbers; put spaces there, as in `1 2 3 mm`.",
+                                  {}}
+                : decimal_comma(number.key, number.text, key.text);
         report_.error(problem.code, number.span, problem.message, problem.write);
         number.is_refused = true;
         return true;
@@ -220,7 +234,8 @@ private:
             if (const Node* first = report_.is_full() ? nullptr : parent.node.find(key.text))
                 reason = report_.because(first->key_span, "it stands here first.");
             report_.error(Code::duplicate_key, key.span,
-                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.", {}, std::move(reason));
+                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.", {},
+                          std::move(reason));
             return;
         }
         // yaml-cpp places an absent value at the next token, often on another line.
@@ -334,14 +349,16 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     if (shown_ == most_shown + 1) {
         level = Diagnostic::Level::error;
         code = Code::too_many_errors;
-        message = "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown. Mend these first.";
+        message =
+            "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown. Mend these first.";
         write.clear();
         reason.reset();
     }
     // What is missing may have been lost with the end of the file.
     if (code == Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
         is_end_told_ = true;
-        message += " The file ends in the middle of line " + std::to_string(document_.place({document_.text().size()}).line) + ": is it cut off?";
+        message += " The file ends in the middle of line " +
+                   std::to_string(document_.place({document_.text().size()}).line) + ": is it cut off?";
     }
     Diagnostic diagnostic;
     diagnostic.level = level;
@@ -368,7 +385,9 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
     if (!stream.is_open()) {
         const bool is_folder = std::filesystem::is_directory(file, failure);
         report_file(Code::file_unreadable, file,
-                    is_folder ? "This is a folder. Name a YAML file in it." : "This is not a file that can be read. Name a YAML file, and see that you may read it.", diagnostics);
+                    is_folder ? "This is a folder. Name a YAML file in it."
+                              : "This is not a file that can be read. Name a YAML file, and see that you may read it.",
+                    diagnostics);
         return std::nullopt;
     }
     const std::uintmax_t size = std::filesystem::file_size(file, failure);  // the largest number if it cannot be said
@@ -384,7 +403,8 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
 
 std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics) {
     if (text.size() > largest_file) {
-        report_file(Code::file_too_large, file, "The file is larger than 1 MB; no document needs that. Name a YAML file.", diagnostics);
+        report_file(Code::file_too_large, file,
+                    "The file is larger than 1 MB; no document needs that. Name a YAML file.", diagnostics);
         return std::nullopt;
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark would shift the first line
@@ -403,20 +423,24 @@ std::optional<Document> parse_document(const std::string& file, std::string text
         while (parser.HandleNextDocument(builder)) {
         }
         if (!builder.has_content()) {
-            report_file(Code::file_empty, file, "The file says nothing. Begin it with `apiVersion: kerf/v1`, as a file of `procedures/` does.", diagnostics);
+            report_file(Code::file_empty, file,
+                        "The file says nothing. Begin it with `apiVersion: kerf/v1`, as a file of `procedures/` does.",
+                        diagnostics);
             return std::nullopt;
         }
     } catch (const StopReading&) {
         return std::nullopt;
     } catch (const YAML::Exception& failure) {
-        const std::optional<Unclosed> unclosed = is_about_an_end(failure.msg) ? find_unclosed(document->text()) : std::nullopt;
+        const std::optional<Unclosed> unclosed =
+            is_about_an_end(failure.msg) ? find_unclosed(document->text()) : std::nullopt;
         if (unclosed) {
             report.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document->text()[unclosed->at]));
             return std::nullopt;
         }
         const std::size_t begin = document->line_begin(failure.mark.line);
         const std::size_t at = begin + static_cast<std::size_t>(std::max(0, failure.mark.column));
-        report.error(Code::syntax, {at, 1}, "This is not YAML: " + explain_syntax(failure.msg, document->source_line({at})) + ".");
+        report.error(Code::syntax, {at, 1},
+                     "This is not YAML: " + explain_syntax(failure.msg, document->source_line({at})) + ".");
         return std::nullopt;
     } catch (const std::exception& failure) {  // yaml-cpp on input that its authors did not think of
         report_file(Code::syntax, file, std::string("This is not YAML: ") + failure.what() + ".", diagnostics);

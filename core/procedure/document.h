@@ -25,7 +25,7 @@ struct TextSpan {
 struct Node {
     enum class Kind { scalar, map, list };
     Kind kind = Kind::scalar;
-    std::string text;            ///< of a scalar; empty for `~`, `null` and nothing
+    std::string text;  ///< of a scalar; empty for `~`, `null` and nothing
     TextSpan span;
     std::string key;             ///< in a map
     TextSpan key_span;           ///< in a map
@@ -44,7 +44,7 @@ public:
     const std::string& file() const noexcept { return file_; }
     const std::string& text() const noexcept { return text_; }
     SourcePlace place(TextSpan span) const;
-    std::string source_line(TextSpan span) const;  ///< empty when too long to show
+    std::string source_line(TextSpan span) const;     ///< empty when too long to show
     std::size_t line_begin(int line) const noexcept;  ///< of a line counted from 0
 
     /// Takes in another text, as one that changes this document. Returns its tree, whose places lead there from now on.
@@ -70,7 +70,8 @@ class Report {
 public:
     Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
 
-    void error(Code code, TextSpan span, std::string message, std::string write = {}, std::optional<Reason> reason = {});
+    void error(Code code, TextSpan span, std::string message, std::string write = {},
+               std::optional<Reason> reason = {});
     void warning(Code code, TextSpan span, std::string message, std::string write = {});
     Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
     bool has_error() const noexcept { return errors_ > 0; }
@@ -89,7 +90,8 @@ private:
     bool is_end_told_ = false;
 };
 
-/// A text that was read without complaint, once more: what is made of it keeps no places, its text still has them.   [main]
+/// A text that was read without complaint, once more: what is made of it keeps no places, its text still has them.
+/// [main]
 Document read_again(const std::string& file, const std::string& text);
 
 /// Reads a file of at most 1 MB as UTF-8 text. Empty when it cannot be read; says why.   [main]

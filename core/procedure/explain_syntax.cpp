@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -94,8 +95,10 @@ std::string explain_syntax(const std::string& complaint, std::string_view line) 
         {M::END_OF_MAP, "this line is indented like none above it. Indent it like the keys it belongs to"},
         {M::END_OF_SEQ, "this line is indented like none above it. Indent it like the items it belongs to"},
         {M::UNKNOWN_TOKEN, "this cannot stand here. Text that begins so needs quotation marks"},
-        {M::END_OF_MAP_FLOW, "this cannot stand between `{` and `}`. Put text that holds `: ` or `,` into quotation marks"},
-        {M::END_OF_SEQ_FLOW, "this cannot stand between `[` and `]`. Put text that holds `: ` or `,` into quotation marks"},
+        {M::END_OF_MAP_FLOW,
+         "this cannot stand between `{` and `}`. Put text that holds `: ` or `,` into quotation marks"},
+        {M::END_OF_SEQ_FLOW,
+         "this cannot stand between `[` and `]`. Put text that holds `: ` or `,` into quotation marks"},
         {M::FLOW_END, "this closes a `[` or `{` that was not opened. Remove it, or open it before"},
         {M::EOF_IN_SCALAR, "the file ends in the middle of a text in quotation marks"},
     }};

@@ -3,13 +3,19 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <system_error>
 #include <utility>
 
 namespace kerf {
 
 namespace {
-constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
-    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"}, {HandInput::Kind::remove, "remove"}, {HandInput::Kind::fuse, "fuse"}, {HandInput::Kind::subtract, "subtract"}};
+constexpr std::pair<HandInput::Kind, std::string_view> words[] = {{HandInput::Kind::undo, "undo"},
+                                                                  {HandInput::Kind::redo, "redo"},
+                                                                  {HandInput::Kind::remove, "remove"},
+                                                                  {HandInput::Kind::fuse, "fuse"},
+                                                                  {HandInput::Kind::subtract, "subtract"}};
 constexpr std::string_view insert = "insert:";
 }  // namespace
 

@@ -11,8 +11,8 @@ namespace kerf {
 struct HandInput {
     enum class Kind { drive, insert, undo, redo, remove, fuse, subtract };
     Kind kind = Kind::drive;
-    std::string id{};     ///< of a drive channel of the tool in hand, or of an implant
-    double value = 0.0;   ///< what it is set to [SI]
+    std::string id{};    ///< of a drive channel of the tool in hand, or of an implant
+    double value = 0.0;  ///< what it is set to [SI]
 };
 
 /// As it is recorded: `jaws 1`, `insert:plate`, `undo`. Reading it gives the same again, to the bit.   [any]

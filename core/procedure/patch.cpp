@@ -2,6 +2,9 @@
 #include "core/procedure/patch.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "core/procedure/read_map.h"
@@ -28,7 +31,8 @@ bool has_ids(const Node& node) {
 
 auto find_within(Node& node, std::string_view name) {
     return std::find_if(node.children.begin(), node.children.end(), [&](const Node& child) {
-        return node.kind == Node::Kind::map ? child.key == name : node.kind == Node::Kind::list && is_id_of(child, name);
+        return node.kind == Node::Kind::map ? child.key == name
+                                            : node.kind == Node::Kind::list && is_id_of(child, name);
     });
 }
 
@@ -36,8 +40,10 @@ std::vector<std::string> names_within(const Node& node) {
     std::vector<std::string> names;
     for (const Node& child : node.children) {
         const Node* id = node.kind == Node::Kind::map ? nullptr : child.find("id");
-        if (node.kind == Node::Kind::map) names.push_back(child.key);
-        else if (id) names.push_back(id->text);
+        if (node.kind == Node::Kind::map)
+            names.push_back(child.key);
+        else if (id)
+            names.push_back(id->text);
     }
     return names;
 }
@@ -56,11 +62,14 @@ private:
         if (change.is_refused) return;
         if (++changes_ > most_changes) {
             if (changes_ == most_changes + 1)
-                report_.error(Code::out_of_range, change.key_span, "This patch has more than " + std::to_string(most_changes) + " changes. Write a procedure of its own.");
+                report_.error(Code::out_of_range, change.key_span,
+                              "This patch has more than " + std::to_string(most_changes) +
+                                  " changes. Write a procedure of its own.");
             return;
         }
         if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= most_parts) {
-            report_.error(Code::nested_too_deep, change.key_span, "This path has more than " + std::to_string(most_parts) + " parts. Name something nearer.");
+            report_.error(Code::nested_too_deep, change.key_span,
+                          "This path has more than " + std::to_string(most_parts) + " parts. Name something nearer.");
             return;
         }
         if (target.kind == Node::Kind::scalar || (target.kind == Node::Kind::list && !has_ids(target))) {
@@ -74,14 +83,18 @@ private:
             end = end == 0 ? std::string_view::npos : path.rfind('.', end - 1);
             if (end != std::string_view::npos) found = find_within(target, path.substr(0, end));
         }
-        if (found == target.children.end()) add(target, change, path);
-        else if (end == path.size()) change_to(target, found, change);
-        else apply(*found, change, path.substr(end + 1));
+        if (found == target.children.end())
+            add(target, change, path);
+        else if (end == path.size())
+            change_to(target, found, change);
+        else
+            apply(*found, change, path.substr(end + 1));
     }
 
     void refuse_way_in(const Node& target, const Node& change) {
-        const std::string what = target.kind == Node::Kind::list ? "is a list whose items have no ids. Replace it as a whole."
-                                                                 : "is a single value, with nothing inside. End the path there.";
+        const std::string what = target.kind == Node::Kind::list
+                                     ? "is a list whose items have no ids. Replace it as a whole."
+                                     : "is a single value, with nothing inside. End the path there.";
         report_.error(Code::patch_nowhere, change.key_span, "What the path `" + change.key + "` leads into " + what, {},
                       report_.because(target.span, "it leads into this."));
     }
@@ -95,13 +108,15 @@ private:
             const std::size_t before = static_cast<std::size_t>(path.data() - change.key.data());
             const std::string rest = dot == std::string_view::npos ? "" : std::string(path.substr(dot));
             report_.error(Code::patch_nowhere, change.key_span,
-                          "No item has the id `" + name + "`; there is " + listed(known) + "." + or_choose(meant, "Name one of these."),
+                          "No item has the id `" + name + "`; there is " + listed(known) + "." +
+                              or_choose(meant, "Name one of these."),
                           meant.empty() ? "" : change.key.substr(0, before) + meant + rest + ":",
                           report_.because(target.span, "the list begins here."));
             return;
         }
         if (change.is_removal) {
-            report_.error(Code::nothing_to_remove, change.key_span, "There is no `" + std::string(path) + "` to remove." + or_choose("", "Remove this line."));
+            report_.error(Code::nothing_to_remove, change.key_span,
+                          "There is no `" + std::string(path) + "` to remove." + or_choose("", "Remove this line."));
             return;
         }
         Node added;
@@ -141,8 +156,10 @@ private:
         for (const Node& item : change.children) {
             if (changes_ > most_changes) return;
             const auto same = find_within(list, item.find("id")->text);
-            if (same != list.children.end()) apply(*same, item);
-            else list.children.push_back(item);
+            if (same != list.children.end())
+                apply(*same, item);
+            else
+                list.children.push_back(item);
             ++changes_;
         }
     }
@@ -155,7 +172,9 @@ private:
 // ---- as YAML
 
 bool is_plain(std::string_view text) {
-    if (text.empty() || text == "~" || text == "null" || text.front() == ' ' || text.back() == ' ' || text.back() == ':') return false;
+    if (text.empty() || text == "~" || text == "null" || text.front() == ' ' || text.back() == ' ' ||
+        text.back() == ':')
+        return false;
     if (std::string_view("!&*?{}[],#|>@`\"'%:").find(text.front()) != std::string_view::npos) return false;
     if (text.front() == '-' && (text.size() < 2 || text[1] == ' ' || text[1] == '-')) return false;
     if (text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
@@ -166,11 +185,16 @@ std::string scalar(const std::string& text) {
     if (is_plain(text)) return text;
     std::string quoted = "\"";
     for (const char c : text) {
-        if (c == '\n') quoted += "\\n";
-        else if (c == '\t') quoted += "\\t";
-        else if (c == '\r') quoted += "\\r";
-        else if (c == '"' || c == '\\') quoted.append(1, '\\').append(1, c);
-        else quoted += c;
+        if (c == '\n')
+            quoted += "\\n";
+        else if (c == '\t')
+            quoted += "\\t";
+        else if (c == '\r')
+            quoted += "\\r";
+        else if (c == '"' || c == '\\')
+            quoted.append(1, '\\').append(1, c);
+        else
+            quoted += c;
     }
     return quoted + "\"";
 }
@@ -216,7 +240,8 @@ private:
 
     void line(std::string shown, const Node& node) {
         if (is_annotated_) {
-            const auto width = static_cast<std::size_t>(std::count_if(shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+            const auto width = static_cast<std::size_t>(std::count_if(
+                shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
             shown.append(width < 58 ? 58 - width : 1, ' ');
             const SourcePlace place = document_.place(node.span);
             shown += "  # " + place.file + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
@@ -231,21 +256,28 @@ private:
 
 }  // namespace
 
-void apply_patch(Document& document, Node& target, const Node& patch, Report& report) { Patcher(document, report).apply(target, patch); }
+void apply_patch(Document& document, Node& target, const Node& patch, Report& report) {
+    Patcher(document, report).apply(target, patch);
+}
 
 void apply_setting(Document& document, const std::string& setting, Diagnostics& diagnostics) {
     const std::size_t equals = setting.find('=');
     const std::string path = setting.substr(0, equals);
-    std::optional<Document> text = parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1), diagnostics);
+    std::optional<Document> text =
+        parse_document("--set", path + ": " + setting.substr(std::min(equals, setting.size() - 1) + 1), diagnostics);
     if (!text) return;
     const Node change = document.add_source(std::move(*text));
     Report report(document, diagnostics);
     if (!is_kind(change, Node::Kind::map, "--set", report)) return;
     for (const Node& value : change.children)
         if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
-            report.error(Code::empty_value, value.key_span, "`--set " + value.key + "` has no value. Write one behind `=`, or `~` to remove it.");
-        else if (value.key != path) report.error(Code::patch_nowhere, value.key_span, "`--set` changes one value. Write `--set` once for each.");
-        else Patcher(document, report).apply(document.root, change);
+            report.error(Code::empty_value, value.key_span,
+                         "`--set " + value.key + "` has no value. Write one behind `=`, or `~` to remove it.");
+        else if (value.key != path)
+            report.error(Code::patch_nowhere, value.key_span,
+                         "`--set` changes one value. Write `--set` once for each.");
+        else
+            Patcher(document, report).apply(document.root, change);
 }
 
 std::string emitted(const Document& document, bool is_annotated) { return Emitter(document, is_annotated).text(); }

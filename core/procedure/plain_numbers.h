@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <clocale>
 #include <locale.h>
+
+#include <clocale>
 
 namespace kerf {
 
-/// While this lives, the C library writes and reads numbers on this thread with a decimal point, whatever the locale of the program: a library that
-/// is linked into it, or a program that Kerf is linked into, may have set one with a comma.   [any]
+/// While this lives, the C library writes and reads numbers on this thread with a decimal point, whatever the locale of
+/// the program: a library that is linked into it, or a program that Kerf is linked into, may have set one with a comma.
+/// [any]
 class PlainNumbers {
 public:
     PlainNumbers() : before_(uselocale(plain())) {}

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +24,9 @@ struct ParameterSetting {
 
 struct Instrument {
     std::string id;
-    std::string plugin;  ///< "kerf.drilling"
-    std::string tool;    ///< component id of kind tool
-    std::string force;   ///< component id of kind force
+    std::string plugin;                    ///< "kerf.drilling"
+    std::string tool;                      ///< component id of kind tool
+    std::string force;                     ///< component id of kind force
     std::vector<double> tool_parameters;   ///< SI, declared order, defaults filled in
     std::vector<double> force_parameters;  ///< SI, declared order, defaults filled in
     std::vector<double> drives;            ///< SI, declared order, defaults filled in
@@ -36,32 +37,36 @@ struct Bound {
     std::optional<double> at_least, at_most;
 };
 
-/// A solid of metal that a hand brings into the scene: where the tool is then, in the tool's frame (z along its axis, the tip at 0).
+/// A solid of metal that a hand brings into the scene: where the tool is then, in the tool's frame (z along its axis,
+/// the tip at 0).
 struct Implant {
     std::string id;
     MeshSource mesh;
 };
 
 struct Goal {
-    /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]), "separated" (the bone has
-    /// come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to) or "moved" (how far
-    /// that body's bone has been moved, at the entry [m]).
+    /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]), "separated" (the bone
+    /// has come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to) or
+    /// "moved" (how far that body's bone has been moved, at the entry [m]).
     std::string quantity;
-    Bound bound;           ///< of "depth" and "moved"
+    Bound bound;  ///< of "depth" and "moved"
     SourcePlace place;
 };
 
 struct Limit {
-    /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside) or "thrust" [N]. When it
-    /// has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m].
+    /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside) or
+    /// "thrust" [N]. When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness"
+    /// [m].
     std::string quantity;
-    std::string zone;      ///< for "clearance"
+    std::string zone;  ///< for "clearance"
     Bound bound;
-    std::string reason;    ///< the sentence a trainee reads when it is broken
+    std::string reason;  ///< the sentence a trainee reads when it is broken
     SourcePlace place;
 
     /// Measured on the wall of the cut, in the step's plane.
-    [[nodiscard]] bool is_of_wall() const noexcept { return quantity == "plane_angle" || quantity == "plane_offset" || quantity == "flatness"; }
+    [[nodiscard]] bool is_of_wall() const noexcept {
+        return quantity == "plane_angle" || quantity == "plane_offset" || quantity == "flatness";
+    }
     /// How rehearsals and results call it.
     [[nodiscard]] const std::string& name() const noexcept { return zone.empty() ? quantity : zone; }
 };
@@ -72,22 +77,24 @@ struct Step {
     std::string axis;        ///< name of the landmark axis
     std::vector<Goal> goals;
     std::vector<Limit> limits;
-    std::string plane{};     ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
+    std::string
+        plane{};  ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
 
     /// Whether anything is to be reached in bone, and not only with a piece of it.
     [[nodiscard]] bool cuts() const noexcept {
-        return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return goal.quantity != "held" && goal.quantity != "moved"; });
+        return std::any_of(goals.begin(), goals.end(),
+                           [](const Goal& goal) { return goal.quantity != "held" && goal.quantity != "moved"; });
     }
 };
 
 /// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt.
 struct Waypoint {
-    double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
+    double depth = 0.0;   ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
     double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
-    double medial_angle = 0.0;  ///< [rad] the whole way, from the axis towards `midline`, about the planned entry
-    double aside = 0.0;   ///< [m] sideways in the step's plane, along the tool's x
-    double tilt = 0.0;    ///< [rad] about the axis, out of the step's plane
-    std::size_t step = 0; ///< whose frame
+    double medial_angle = 0.0;        ///< [rad] the whole way, from the axis towards `midline`, about the planned entry
+    double aside = 0.0;               ///< [m] sideways in the step's plane, along the tool's x
+    double tilt = 0.0;                ///< [rad] about the axis, out of the step's plane
+    std::size_t step = 0;             ///< whose frame
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
 };
 
@@ -117,27 +124,29 @@ struct Budget {
 };
 
 /// The same procedure with a few values changed.
-struct Variant { std::string id, title; };
+struct Variant {
+    std::string id, title;
+};
 
 class Document;
 
 struct Procedure {
-    std::string file;          ///< as the user typed it; stderr only, never written to a result
+    std::string file;  ///< as the user typed it; stderr only, never written to a result
     std::string id, title, version, status;
     std::vector<std::string> authors;
-    std::string text;          ///< the document itself, for the session; with changes applied: what came of it
+    std::string text;  ///< the document itself, for the session; with changes applied: what came of it
     std::shared_ptr<const Document> document;  ///< where everything stands in it; null for one that was never read
-    std::string variant;       ///< id of the one that was chosen; empty: none
+    std::string variant;                       ///< id of the one that was chosen; empty: none
     std::vector<Variant> variants;
     std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
     std::string anatomy_file;  ///< resolved against the document's folder
     double spacing = 0.25e-3;  ///< [m] of the cut field
     Accuracy accuracy;
     Budget budget;
-    std::string device;        ///< name of the device record the simulated hand holds
-    bool is_direct = false;    ///< `coupling: direct`: the device's own rate goes into the law, as the papers do
+    std::string device;      ///< name of the device record the simulated hand holds
+    bool is_direct = false;  ///< `coupling: direct`: the device's own rate goes into the law, as the papers do
     std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent
-    double time_limit = 120.0; ///< [s] simulated
+    double time_limit = 120.0;          ///< [s] simulated
     std::vector<Instrument> instruments;
     std::vector<Implant> implants;
     std::vector<Step> steps;

@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <system_error>
 
 #include "kerf/units.hpp"
 
@@ -58,7 +60,8 @@ constexpr std::array symbols{
 constexpr std::size_t most_factors = 6;  // no unit needs more; a long text is not searched in vain
 
 std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\n')) text.remove_prefix(1);
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\n'))
+        text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\n')) text.remove_suffix(1);
     return text;
 }
@@ -101,7 +104,8 @@ std::string quoted(std::string_view text) {
 
 std::string number_text(double value) {
     char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value, std::chars_format::general, 10).ptr;
+    const auto end =
+        std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value, std::chars_format::general, 10).ptr;
     return std::string(text, end);
 }
 
@@ -121,8 +125,10 @@ double example_of(const QuantityNeed& need) {
 }
 
 QuantityProblem not_a_number(std::string_view text, const std::string& name, const QuantityNeed& need) {
-    QuantityProblem problem{Code::not_a_number, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ". Write one, as in `" +
-                                                    quantity_text(example_of(need), need.unit) + "`.", {}};
+    QuantityProblem problem{Code::not_a_number,
+                            name + " is " + quoted(text) + ", must be " + what_is_needed(need) +
+                                ". Write one, as in `" + quantity_text(example_of(need), need.unit) + "`.",
+                            {}};
 
     // "3,2 mm" is how half of the world writes it.
     std::string with_point(text.substr(0, 40));
@@ -145,17 +151,22 @@ Parsed<double> factor_of(std::string_view unit_text, std::string_view number, st
     }
     const std::optional<Unit> unit = parse_unit(unit_text);
     if (!unit)
-        return {std::nullopt, {Code::unknown_unit, name + " has an unknown unit " + quoted(unit_text) + ", must be " +
-                                                       what_is_needed(need) + ".", as_needed}};
+        return {std::nullopt,
+                {Code::unknown_unit,
+                 name + " has an unknown unit " + quoted(unit_text) + ", must be " + what_is_needed(need) + ".",
+                 as_needed}};
     // "Push with ten kilograms" is what people say; ten newtons are not what they mean.
     double mass_value = 0.0;
     if (unit->dimension == dimension::mass && need.dimension == dimension::force &&
         std::from_chars(number.data(), number.data() + number.size(), mass_value).ec == std::errc{})
-        return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", a mass, must be " + what_is_needed(need) + ".",
-                               quantity_text(std::round(mass_value * unit->factor * 9.80665), "N")}};
+        return {
+            std::nullopt,
+            {Code::wrong_dimension, name + " is " + quoted(text) + ", a mass, must be " + what_is_needed(need) + ".",
+             quantity_text(std::round(mass_value * unit->factor * 9.80665), "N")}};
     if (!(unit->dimension == need.dimension))
-        return {std::nullopt, {Code::wrong_dimension, name + " is " + quoted(text) + ", must be " +
-                                                          what_is_needed(need) + ".", as_needed}};
+        return {std::nullopt,
+                {Code::wrong_dimension, name + " is " + quoted(text) + ", must be " + what_is_needed(need) + ".",
+                 as_needed}};
     return {unit->factor, {}};
 }
 
@@ -180,17 +191,21 @@ bool is_short(double value, const std::string& unit) {
     return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }) <= 7;
 }
 
-/// The range in the unit the value was written in; empty for the one of `need`, which it is too where the other has no short number for an end.
+/// The range in the unit the value was written in; empty for the one of `need`, which it is too where the other has no
+/// short number for an end.
 QuantityProblem out_of_range(double value, std::string_view unit, const std::string& name, const QuantityNeed& need) {
     const std::string written_in(unit.empty() ? std::string_view(need.unit) : unit);
-    const std::string shown_in = is_short(need.min, written_in) && is_short(need.max, written_in) ? written_in : need.unit;
-    const std::string message = name + " is " + quantity_text(value, written_in) + ", must be " + quantity_text(need.min, shown_in) +
-                                " … " + quantity_text(need.max, shown_in) + ".";
+    const std::string shown_in =
+        is_short(need.min, written_in) && is_short(need.max, written_in) ? written_in : need.unit;
+    const std::string message = name + " is " + quantity_text(value, written_in) + ", must be " +
+                                quantity_text(need.min, shown_in) + " … " + quantity_text(need.max, shown_in) + ".";
     // The end of a range in another unit may round to just outside of it.
     const double meant = likely_meant(value, need);
     const std::string write = quantity_text(meant, shown_in);
-    const std::optional<double> read_again = parse_quantity(write, name, {need.dimension, need.unit, -HUGE_VAL, HUGE_VAL}).value;
-    return {Code::out_of_range, message, read_again && in_range(*read_again, need) ? write : quantity_text(meant, need.unit)};
+    const std::optional<double> read_again =
+        parse_quantity(write, name, {need.dimension, need.unit, -HUGE_VAL, HUGE_VAL}).value;
+    return {Code::out_of_range, message,
+            read_again && in_range(*read_again, need) ? write : quantity_text(meant, need.unit)};
 }
 
 /// "1, 2, 3 mm" and "0,5 0 0 mm" as they would be read; empty if commas are not what is wrong.
@@ -242,7 +257,8 @@ std::optional<Unit> parse_unit(std::string_view text) {
         const std::size_t end = text.find_first_of("/* ");
         std::string_view factor = text.substr(0, end);
         const int power = take_power(factor);
-        const auto symbol = std::find_if(symbols.begin(), symbols.end(), [&](const Symbol& s) { return s.name == factor; });
+        const auto symbol =
+            std::find_if(symbols.begin(), symbols.end(), [&](const Symbol& s) { return s.name == factor; });
         if (symbol == symbols.end()) return std::nullopt;
         for (int i = 0; i < power; ++i) {
             numerator *= is_divided ? symbol->denominator : symbol->numerator;
@@ -278,7 +294,8 @@ std::string quantity_pattern(const QuantityNeed& need) {
 
 std::string vector_pattern(const QuantityNeed& need) {
     const std::string number = number_pattern, unit = "(" + unit_pattern(need.dimension) + ")";
-    return "^\\s*" + number + "\\s+" + number + "\\s+" + number + "\\s*" + unit + (need.unit.empty() ? "?" : "") + "\\s*$";
+    return "^\\s*" + number + "\\s+" + number + "\\s+" + number + "\\s*" + unit + (need.unit.empty() ? "?" : "") +
+           "\\s*$";
 }
 
 std::string quantity_text(double value, std::string_view unit) {
@@ -320,16 +337,24 @@ Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const 
         const bool is_apart = &component == &number.back() || trimmed(rest).size() < rest.size();
         if (!taken || !is_apart || rest.starts_with(',')) {
             const std::string meant = without_commas(text, name, need);
-            const std::string example = need.unit.empty() ? ", as in `0 0 1`." : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`.";
-            return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers" + example +
-                                                                (meant.empty() ? " Write it so." : ""), meant}};
+            const std::string example = need.unit.empty()
+                                            ? ", as in `0 0 1`."
+                                            : " and one unit, as in `" + with_unit("1 2 3", need.unit) + "`.";
+            return {std::nullopt,
+                    {Code::not_three_numbers,
+                     name + " is " + quoted(text) + ", must be three numbers" + example +
+                         (meant.empty() ? " Write it so." : ""),
+                     meant}};
         }
         component = *taken;
     }
     const std::string_view number_part = text.substr(0, text.size() - rest.size());
     rest = trimmed(rest);
     if (std::string_view more = rest; take_number(more) && !parse_unit(rest))
-        return {std::nullopt, {Code::not_three_numbers, name + " is " + quoted(text) + ", must be three numbers, not more. Remove the rest.", {}}};
+        return {std::nullopt,
+                {Code::not_three_numbers,
+                 name + " is " + quoted(text) + ", must be three numbers, not more. Remove the rest.",
+                 {}}};
     const Parsed<double> factor = factor_of(rest, number_part, text, name, need);
     if (!factor.value) return {std::nullopt, factor.problem};
     for (double& component : number) {

@@ -48,11 +48,12 @@ Parsed<double> parse_quantity(std::string_view text, const std::string& name, co
 /// Reads three numbers and one unit, "3.0 193.0 -60.5 mm"; no unit for a direction, "0 0 1".   [any]
 Parsed<Vec3> parse_vector(std::string_view text, const std::string& name, const QuantityNeed& need);
 
-/// What to say of `3,2 mm`, with the digits before the comma and all that follows it. `1,000` may be meant either way.   [any]
+/// What to say of `3,2 mm`, with the digits before the comma and all that follows it. `1,000` may be meant either way.
+/// [any]
 QuantityProblem decimal_comma(const std::string& name, const std::string& before, const std::string& behind);
 
-/// A regular expression (ECMA 262) for the texts that `parse_quantity` does not refuse for their form or unit. Of units made of
-/// several it sees only that they are units.   [any]
+/// A regular expression (ECMA 262) for the texts that `parse_quantity` does not refuse for their form or unit. Of units
+/// made of several it sees only that they are units.   [any]
 std::string quantity_pattern(const QuantityNeed& need);
 
 /// The same for `parse_vector`.   [any]

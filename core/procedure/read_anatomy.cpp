@@ -24,7 +24,8 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name, Report& repo
     ends.from = *from;
     ends.to = *to;
     if (length(*to - *from) < shortest)
-        report.error(Code::degenerate, map.span(), name + " goes from a point to the same point. Move one of its ends.");
+        report.error(Code::degenerate, map.span(),
+                     name + " goes from a point to the same point. Move one of its ends.");
 }
 
 Solid read_box(const Node& node, const std::string& name, Report& report) {
@@ -55,7 +56,8 @@ Solid read_elliptic_tube(const Node& node, const std::string& name, Report& repo
         tube.up = read_vector(*up, map.name_of("up"), map.need_of("up"), report).value_or(tube.up);
         const Vec3 along = normalized(tube.to - tube.from);
         if (length(cross(along, normalized(tube.up))) < 1e-3 && length(along) > 0.0)
-            report.error(Code::degenerate, up->span, map.name_of("up") + " must point across the tube, not along it. Turn it.");
+            report.error(Code::degenerate, up->span,
+                         map.name_of("up") + " must point across the tube, not along it. Turn it.");
     }
     map.finish();
     return tube;
@@ -84,7 +86,8 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
         if (const Node* subtract = map.find("subtract")) {
             part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
             if (part.subtract && parts.empty())
-                report.error(Code::degenerate, subtract->span, "The first part has nothing to be taken away from. Put it behind what it is taken from.");
+                report.error(Code::degenerate, subtract->span,
+                             "The first part has nothing to be taken away from. Put it behind what it is taken from.");
         }
         map.finish();
         parts.push_back(std::move(part));
@@ -143,7 +146,6 @@ void read_repair(const Node& node, MeshSource& mesh, Report& report) {
     map.finish();
 }
 
-
 /// `has_density_line`: the density of the base comes from the CT.
 std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report& report) {
     std::vector<Tissue> tissues;
@@ -161,11 +163,14 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
         const bool is_base = &item == &items.back();
         const bool has_own_density = !(is_base && has_density_line);
         const Node* density = has_own_density ? map.required("density") : map.find("density");
-        if (has_own_density) map.quantity("density", tissue.density);
+        if (has_own_density)
+            map.quantity("density", tissue.density);
         else if (density)
-            report.error(Code::degenerate, density->key_span, "`ct.density` gives the last tissue its density. Remove one.");
+            report.error(Code::degenerate, density->key_span,
+                         "`ct.density` gives the last tissue its density. Remove one.");
         const Node* thickness = is_base ? map.find("thickness") : map.required("thickness");
-        if (!is_base) map.quantity("thickness", tissue.thickness);
+        if (!is_base)
+            map.quantity("thickness", tissue.thickness);
         else if (thickness)
             report.error(Code::degenerate, thickness->key_span,
                          "The last tissue fills what the others leave; it has no thickness. Remove it.");
@@ -242,7 +247,8 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         if (const auto normal = plane.vector("normal")) {
             landmark.normal = normalized(*normal);
             if (!(length(*normal) > 1e-6))
-                report.error(Code::degenerate, plane.span(), item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
+                report.error(Code::degenerate, plane.span(),
+                             item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
         }
         landmark.tolerance = plane.quantity("tolerance");
         plane.finish();
@@ -325,8 +331,10 @@ MeshSource read_mesh(const Node& node, const std::string& where, Report& report)
     if (const Node* canal = map.find("canal")) {
         MapReader room(*canal, shapes::canal, where + ".canal", report);
         if (const Node* found = room.one_of()) {
-            if (found->key == "file") mesh.canal_file = read_data_path(found, where + ".canal.file", report);
-            else mesh.canal = std::get<TubeSolid>(read_tube(*found, where + ".canal.tube", report));
+            if (found->key == "file")
+                mesh.canal_file = read_data_path(found, where + ".canal.file", report);
+            else
+                mesh.canal = std::get<TubeSolid>(read_tube(*found, where + ".canal.tube", report));
         }
         room.finish();
     }

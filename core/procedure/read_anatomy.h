@@ -20,8 +20,8 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
 /// `mesh:`, the surface that bone or an implant is made of. `where` is how messages call it.   [main]
 [[nodiscard]] MeshSource read_mesh(const Node& node, const std::string& where, Report& report);
 
-/// Where something stands in an anatomy: the last of `keys`, each within the one before, that it has; of a single value the value, else the key.
-/// Without any of them the file as a whole.   [main]
+/// Where something stands in an anatomy: the last of `keys`, each within the one before, that it has; of a single value
+/// the value, else the key. Without any of them the file as a whole.   [main]
 [[nodiscard]] Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message = {});
 
 }  // namespace kerf

@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <string>
 
-/// What can be wrong with a document; what each code means for people stands in codes.cpp. The number is the code a person sees: 412 is `E0412`, as a warning `W0412`.
-/// Numbers are never reused, so that a search for one finds its meaning.
+/// What can be wrong with a document; what each code means for people stands in codes.cpp. The number is the code a
+/// person sees: 412 is `E0412`, as a warning `W0412`. Numbers are never reused, so that a search for one finds its
+/// meaning.
 namespace kerf {
 
 enum class Code {
@@ -25,12 +26,12 @@ enum class Code {
 
     // Its structure
     wrong_api_version = 201,
-    wrong_kind = 202,      ///< an anatomy where a procedure is needed, or the other way round
+    wrong_kind = 202,  ///< an anatomy where a procedure is needed, or the other way round
     unknown_key = 203,
     missing_key = 204,
-    wrong_shape = 205,     ///< a list where a map is needed, and the like
-    empty_value = 206,     ///< a key with nothing behind it, or an empty list
-    unknown_word = 207,    ///< not one of the few words allowed here
+    wrong_shape = 205,   ///< a list where a map is needed, and the like
+    empty_value = 206,   ///< a key with nothing behind it, or an empty list
+    unknown_word = 207,  ///< not one of the few words allowed here
     duplicate_id = 208,
     malformed_word = 209,  ///< an id or a version in a wrong form
     path_outside = 210,    ///< absolute, or leaving the document's folder
@@ -51,8 +52,8 @@ enum class Code {
     unknown_limit = 309,        ///< a rehearsal expects a limit to break that no step has
     unused_instrument = 310,    ///< warning
     unknown_variant = 311,
-    unknown_step = 312,         ///< a waypoint is seen from a step that there is not
-    unknown_implant = 313,      ///< a waypoint brings in what there is not
+    unknown_step = 312,     ///< a waypoint is seen from a step that there is not
+    unknown_implant = 313,  ///< a waypoint brings in what there is not
 
     // Its numbers
     not_a_number = 401,
@@ -60,11 +61,11 @@ enum class Code {
     unknown_unit = 403,
     wrong_dimension = 404,
     not_three_numbers = 405,
-    empty_bound = 406,  ///< neither at_least nor at_most, or at_least above at_most
-    degenerate = 407,   ///< a solid or axis without extent, a shell that is not one
+    empty_bound = 406,    ///< neither at_least nor at_most, or at_least above at_most
+    degenerate = 407,     ///< a solid or axis without extent, a shell that is not one
     contradiction = 408,  ///< a goal beyond a limit of its step, or two limits or goals that nothing keeps
     out_of_range = 412,
-    too_fine = 413,     ///< the bone would take too much memory
+    too_fine = 413,  ///< the bone would take too much memory
 
     // What the procedure needs of the anatomy
     missing_landmark = 501,
@@ -82,13 +83,13 @@ enum class Code {
 
     // What it asks of a run
     unknown_device = 701,
-    too_many_tools = 702,    ///< more instruments than a run can lay out
-    impossible_tool = 703,   ///< the plugin refuses these parameters
-    no_way = 704,            ///< a rehearsal with fewer than two waypoints
+    too_many_tools = 702,   ///< more instruments than a run can lay out
+    impossible_tool = 703,  ///< the plugin refuses these parameters
+    no_way = 704,           ///< a rehearsal with fewer than two waypoints
     starts_in_bone = 705,
-    narrow_kerf = 706,       ///< under two voxels
+    narrow_kerf = 706,  ///< under two voxels
     blade_beyond_region = 707,
-    narrow_hole = 708,       ///< under four voxels
+    narrow_hole = 708,  ///< under four voxels
     hand_held_by_friction = 709,
     waypoint_beyond_region = 710,
     too_slow_to_cut = 711,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 
@@ -23,7 +25,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
         std::swap(before, last);
         std::swap(last, row);
@@ -33,9 +36,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 const char* kind_name(Node::Kind kind) {
     switch (kind) {
-        case Node::Kind::map: return "a map of keys";
-        case Node::Kind::list: return "a list";
-        case Node::Kind::scalar: break;
+        case Node::Kind::map:
+            return "a map of keys";
+        case Node::Kind::list:
+            return "a list";
+        case Node::Kind::scalar:
+            break;
     }
     return "a single value";
 }
@@ -43,9 +49,12 @@ const char* kind_name(Node::Kind kind) {
 /// How to turn a value into one of this kind.
 const char* way_to(Node::Kind kind) {
     switch (kind) {
-        case Node::Kind::map: return "Write `key: value`, a line for each.";
-        case Node::Kind::list: return "Put `[` and `]` around it, or `- ` before each item.";
-        case Node::Kind::scalar: break;
+        case Node::Kind::map:
+            return "Write `key: value`, a line for each.";
+        case Node::Kind::list:
+            return "Put `[` and `]` around it, or `- ` before each item.";
+        case Node::Kind::scalar:
+            break;
     }
     return "Write a single value.";
 }
@@ -55,8 +64,10 @@ std::string id_of(std::string_view text) {
     std::string id;
     for (const char c : text.substr(0, 64)) {
         const bool is_alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty())) id += c;
-        else if (!id.empty() && id.back() != '-') id += '-';
+        if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty()))
+            id += c;
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
     }
     while (!id.empty() && id.back() == '-') id.pop_back();
     return id;
@@ -95,7 +106,9 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     return best;
 }
 
-std::string or_choose(const std::string& meant, const std::string& advice) { return meant.empty() ? " " + advice : std::string(); }
+std::string or_choose(const std::string& meant, const std::string& advice) {
+    return meant.empty() ? " " + advice : std::string();
+}
 
 std::string listed(const std::vector<std::string>& words) {
     constexpr std::size_t most = 8;
@@ -111,11 +124,13 @@ std::string listed(const std::vector<std::string>& words) {
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
     if (node.is_refused) return false;
     if (is_absent(node)) {
-        report.error(Code::empty_value, node.span, name + " is empty, must be " + kind_name(kind) + ". Fill it, or remove it.");
+        report.error(Code::empty_value, node.span,
+                     name + " is empty, must be " + kind_name(kind) + ". Fill it, or remove it.");
         return false;
     }
     if (node.kind == kind) return true;
-    report.error(Code::wrong_shape, node.span, name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ". " + way_to(kind));
+    report.error(Code::wrong_shape, node.span,
+                 name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ". " + way_to(kind));
     return false;
 }
 
@@ -140,10 +155,13 @@ std::optional<bool> read_yes_no(const Node& node, const std::string& name, Repor
     const std::optional<std::string> text = read_text(node, name, report);
     if (!text) return std::nullopt;
     if (*text == "true" || *text == "false") return *text == "true";
-    const bool is_yes = *text == "yes" || *text == "on" || *text == "y" || *text == "True" || *text == "TRUE" || *text == "1";
-    const bool is_no = *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
+    const bool is_yes =
+        *text == "yes" || *text == "on" || *text == "y" || *text == "True" || *text == "TRUE" || *text == "1";
+    const bool is_no =
+        *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
     const std::string meant = is_yes ? "true" : is_no ? "false" : "";
-    report.error(Code::unknown_word, node.span, name + " must be `true` or `false`." + or_choose(meant, "Write one of the two."), meant);
+    report.error(Code::unknown_word, node.span,
+                 name + " must be `true` or `false`." + or_choose(meant, "Write one of the two."), meant);
     return std::nullopt;
 }
 
@@ -153,15 +171,17 @@ std::optional<double> read_quantity(const Node& node, const std::string& name, c
     if (!text) return std::nullopt;
     Parsed<double> parsed = parse_quantity(*text, name, need);
     if (parsed.problem.code != Code::out_of_range) declared.reset();
-    if (!parsed.value) report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write, std::move(declared));
+    if (!parsed.value)
+        report.error(parsed.problem.code, node.span, parsed.problem.message, parsed.problem.write, std::move(declared));
     return parsed.value;
 }
 
 std::optional<Vec3> read_vector(const Node& node, const std::string& name, const QuantityNeed& need, Report& report) {
     if (node.kind == Node::Kind::list) {
         if (node.children.size() != 3) {
-            report.error(Code::not_three_numbers, node.span, name + " has " + std::to_string(node.children.size()) +
-                                                                 " values, must have three. Write one for x, y and z each.");
+            report.error(Code::not_three_numbers, node.span,
+                         name + " has " + std::to_string(node.children.size()) +
+                             " values, must have three. Write one for x, y and z each.");
             return std::nullopt;
         }
         std::array<std::optional<double>, 3> values;
@@ -182,14 +202,17 @@ std::string read_path(const Node& node, const std::string& name, const std::stri
     const std::filesystem::path path = std::filesystem::path(*text).lexically_normal();
     const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
     if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
-    report.error(Code::path_outside, node.span, name + " must be a path inside " + where + ", with `/` between folders. Put the file there, and write its path from there.");
+    report.error(Code::path_outside, node.span,
+                 name + " must be a path inside " + where +
+                     ", with `/` between folders. Put the file there, and write its path from there.");
     return {};
 }
 
 const std::vector<Node>& read_list(const Node& node, const std::string& name, Report& report) {
     static const std::vector<Node> none;
     if (!is_kind(node, Node::Kind::list, name, report)) return none;
-    if (node.children.empty()) report.error(Code::empty_value, node.span, name + " is an empty list. Put an item into it, or remove it.");
+    if (node.children.empty())
+        report.error(Code::empty_value, node.span, name + " is an empty list. Put an item into it, or remove it.");
     return node.children;
 }
 
@@ -220,7 +243,8 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
     bool is_right = document.is_map();
     if (const Node* node = document.required("apiVersion"))
         if (const auto text = read_text(*node, "apiVersion", report); text && *text != api_version) {
-            report.error(Code::wrong_api_version, node->span, "This is not a version that this Kerf reads.", api_version);
+            report.error(Code::wrong_api_version, node->span, "This is not a version that this Kerf reads.",
+                         api_version);
             is_right = false;
         }
     if (const Node* node = document.required("kind"))
@@ -228,8 +252,8 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
             // Only a slip of the pen is mended here; another document needs another file.
             const std::string meant = closest(*text, {kind}, report);
             report.error(Code::wrong_kind, node->span,
-                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind + " is needed here." +
-                             or_choose(meant, "Name another file."),
+                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind +
+                             " is needed here." + or_choose(meant, "Name another file."),
                          meant);
             is_right = false;
         }
@@ -264,8 +288,9 @@ const Node* MapReader::find(const std::string& key) {
 const Node* MapReader::required(const std::string& key) {
     const Node* found = ask(key);
     if (!found && is_map_)
-        report_.error(Code::missing_key, span_, (name_.empty() ? "The document" : name_) + " needs `" + key + ":`. Add it, as in `" + key + ": " +
-                                                   shape_of(key).example + "`.");
+        report_.error(Code::missing_key, span_,
+                      (name_.empty() ? "The document" : name_) + " needs `" + key + ":`. Add it, as in `" + key + ": " +
+                          shape_of(key).example + "`.");
     return found;
 }
 
@@ -290,7 +315,8 @@ std::string MapReader::word(const std::string& key) {
     const std::vector<std::string>& words = shape_of(key).value.words;
     if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
     const std::string meant = closest(word, words, report_);
-    report_.error(Code::unknown_word, found->span, name_of(key) + " must be " + listed(words) + "." + or_choose(meant), meant);
+    report_.error(Code::unknown_word, found->span, name_of(key) + " must be " + listed(words) + "." + or_choose(meant),
+                  meant);
     return {};
 }
 
@@ -306,7 +332,8 @@ double MapReader::quantity(const std::string& key) {
 }
 
 void MapReader::quantity(const std::string& key, double& value) {
-    if (const Node* found = find(key)) value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
+    if (const Node* found = find(key))
+        value = read_quantity(*found, name_of(key), need_of(key), report_).value_or(value);
 }
 
 void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names) {
@@ -322,8 +349,10 @@ void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::v
         }
         const std::optional<double> value = read_quantity(item, name, need, report_);
         if (!value) continue;
-        if (*value == std::floor(*value)) numbers.push_back(static_cast<int>(*value));
-        else report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
+        if (*value == std::floor(*value))
+            numbers.push_back(static_cast<int>(*value));
+        else
+            report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
     }
 }
 
@@ -341,14 +370,16 @@ const Node* MapReader::one_of() {
         const Node* candidate = ask(key.name);
         if (candidate && found) {
             report_.error(Code::one_of, candidate->key_span,
-                          (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name + "`; it can have one. Remove one of them.", {},
-                          report_.because(found->key_span, "the other one is here."));
+                          (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name +
+                              "`; it can have one. Remove one of them.",
+                          {}, report_.because(found->key_span, "the other one is here."));
         } else if (candidate) {
             found = candidate;
         }
     }
     if (!found && is_map_)
-        report_.error(Code::one_of, span_, (name_.empty() ? "The document" : name_) + " needs " + listed(keys) + ". Add one of them.");
+        report_.error(Code::one_of, span_,
+                      (name_.empty() ? "The document" : name_) + " needs " + listed(keys) + ". Add one of them.");
     return found;
 }
 
@@ -366,7 +397,8 @@ void MapReader::finish() {
         report_.error(Code::unknown_key, child.key_span,
                       "`" + child.key.substr(0, longest_word) + "` is not a key of " +
                           (name_.empty() ? "the document" : name_) +
-                          (known.empty() ? "; it has none." : "; it knows " + listed(known) + ".") + or_choose(meant, "Remove it."),
+                          (known.empty() ? "; it has none." : "; it knows " + listed(known) + ".") +
+                          or_choose(meant, "Remove it."),
                       meant.empty() ? "" : meant + ":");
     }
 }

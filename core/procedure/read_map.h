@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +18,7 @@ namespace kerf {
 /// The candidate that `word` was probably meant to be; empty if none is near, or if the report is full and nobody will
 /// see it.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
-std::string closest(std::string_view word, const std::vector<std::string>& candidates);   // [any]
+std::string closest(std::string_view word, const std::vector<std::string>& candidates);  // [any]
 
 /// What to add to a message that lists what there is: empty if `meant` says already what to write.   [any]
 std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");
@@ -64,8 +64,8 @@ private:
     std::map<std::string, TextSpan> ids_;
 };
 
-/// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Asking for a key that
-/// the shape lacks, or finishing without having asked for all, is an error of the programmer.
+/// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Asking for a key
+/// that the shape lacks, or finishing without having asked for all, is an error of the programmer.
 class MapReader {
 public:
     /// `name` is what messages call the map. A node that is no map is reported, and read as an empty map.
@@ -78,9 +78,9 @@ public:
     std::string text(const std::string& key);
     std::string id(const std::string& key);
     std::vector<std::string> ids(const std::string& key);  ///< a list, none twice
-    std::string word(const std::string& key);  ///< one of the shape's words
+    std::string word(const std::string& key);              ///< one of the shape's words
     bool yes_no(const std::string& key);
-    double quantity(const std::string& key);   ///< the least that is allowed when absent or wrong
+    double quantity(const std::string& key);  ///< the least that is allowed when absent or wrong
     void quantity(const std::string& key, double& value);
     /// A list of labels: numbers, and what is none as names.
     void labels(const std::string& key, std::vector<int>& numbers, std::vector<std::string>& names);

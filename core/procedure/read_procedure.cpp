@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <set>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -33,8 +35,10 @@ bool is_version(std::string_view text) {
     char before = '.';
     for (const char c : text) {
         if (c == '.' && before == '.') return false;
-        if (c == '.') ++dots;
-        else if (c < '0' || c > '9') return false;
+        if (c == '.')
+            ++dots;
+        else if (c < '0' || c > '9')
+            return false;
         before = c;
     }
     return dots == 2 && before != '.' && text.size() <= 32;
@@ -118,7 +122,8 @@ public:
         for (double& value : set.drives) value = std::nan("");
         read_drives(node, *tool, set);
         for (std::size_t i = 0; i < set.drives.size(); ++i)
-            if (std::isfinite(set.drives[i])) inputs.push_back({HandInput::Kind::drive, tool->drives[i].id, set.drives[i]});
+            if (std::isfinite(set.drives[i]))
+                inputs.push_back({HandInput::Kind::drive, tool->drives[i].id, set.drives[i]});
         return inputs;
     }
 
@@ -162,10 +167,11 @@ private:
             known.push_back(component.id);
         }
         const std::string meant = closest(id, known, report_);
-        report_.error(is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
-                      plugin + " has no such " + (is_tool ? "tool" : "force") +
-                          (known.empty() ? ". Choose another plugin." : "; it has " + listed(known) + "." + or_choose(meant)),
-                      meant);
+        report_.error(
+            is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
+            plugin + " has no such " + (is_tool ? "tool" : "force") +
+                (known.empty() ? ". Choose another plugin." : "; it has " + listed(known) + "." + or_choose(meant)),
+            meant);
         return nullptr;
     }
 
@@ -178,14 +184,19 @@ private:
         const QuantityNeed need{found->dimension, found->display_unit, found->min, found->max};
         SourcePlace where;
         where.file = component.plugin + "/" + component.id;
-        Reason declared{std::move(where), found->id + " is declared there from " + quantity_text(need.min, need.unit) +
-                            " to " + quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) + " if not given.", {}};
-        if (const std::optional<double> value = read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
+        Reason declared{std::move(where),
+                        found->id + " is declared there from " + quantity_text(need.min, need.unit) + " to " +
+                            quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) +
+                            " if not given.",
+                        {}};
+        if (const std::optional<double> value =
+                read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
             values[static_cast<std::size_t>(found - parameters.begin())] = *value;
         return true;
     }
 
-    void read_parameters(const Node& node, const ComponentInfo& tool, const ComponentInfo& force, Instrument& instrument) {
+    void read_parameters(const Node& node, const ComponentInfo& tool, const ComponentInfo& force,
+                         Instrument& instrument) {
         if (!is_kind(node, Node::Kind::map, instrument.id + ".parameters", report_)) return;
         std::vector<std::string> known = ids_of(tool.parameters);
         for (const std::string& id : ids_of(force.parameters))
@@ -196,10 +207,11 @@ private:
             const bool is_of_force = set(child, instrument.id, force, force.parameters, instrument.force_parameters);
             if (is_of_tool || is_of_force) continue;
             const std::string meant = suggestion(child.key, known);
-            report_.error(Code::unknown_parameter, child.key_span,
-                          "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
-                              (known.empty() ? ". Remove it." : "; they have " + listed(known) + "." + or_choose(meant)),
-                          meant);
+            report_.error(
+                Code::unknown_parameter, child.key_span,
+                "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
+                    (known.empty() ? ". Remove it." : "; they have " + listed(known) + "." + or_choose(meant)),
+                meant);
         }
     }
 
@@ -211,9 +223,11 @@ private:
                 warn_if_too_slow(child, tool, instrument);
             } else {
                 const std::string meant = suggestion(child.key, known);
-                report_.error(Code::unknown_drive, child.key_span,
-                              tool.id + " has no such drive" + (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
-                              meant);
+                report_.error(
+                    Code::unknown_drive, child.key_span,
+                    tool.id + " has no such drive" +
+                        (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
+                    meant);
             }
     }
 
@@ -224,7 +238,9 @@ private:
             if (drive.id != node.key || !(value > 0.0 && value < drive.least)) continue;
             const std::string least = quantity_text(drive.least, drive.display_unit);
             report_.warning(Code::too_slow_to_cut, node.span,
-                            "Under " + least + " " + tool.id + " does not cut: it rubs, and is pushed in by force alone. Write " + least + " or more, or 0 to switch it off.");
+                            "Under " + least + " " + tool.id +
+                                " does not cut: it rubs, and is pushed in by force alone. Write " + least +
+                                " or more, or 0 to switch it off.");
         }
     }
 
@@ -252,7 +268,8 @@ void read_bound_values(MapReader& map, const Shape& shape, const std::string& na
     if (!is_bounded && map.is_map())
         report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`. Add one.");
     if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
-        report.error(Code::empty_bound, map.span(), name + " has `at_least` above `at_most`: nothing can fulfil it. Exchange the two.");
+        report.error(Code::empty_bound, map.span(),
+                     name + " has `at_least` above `at_most`: nothing can fulfil it. Exchange the two.");
 }
 
 Goal read_goal(const Node& item, const Document& document, Report& report) {
@@ -267,7 +284,8 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
             report.error(Code::empty_bound, quantity->find("at_most")->span,
                          "By this goal `depth` must be at most " + quantity->find("at_most")->text +
-                             ", but a goal's depth is the deepest that the tip has been in bone: nothing fulfils it. Remove it: a step ends with the tool "
+                             ", but a goal's depth is the deepest that the tip has been in bone: nothing fulfils it. "
+                             "Remove it: a step ends with the tool "
                              "outside again.");
         bound.finish();
     }
@@ -281,17 +299,21 @@ void refuse_undeclared(Code code, const Node& name, const std::string& what, con
     const std::string list = what + "s", meant = closest(name.text, declared, report);
     const Node* needs = document.root.find("needs");
     const Node* place = needs ? needs->find(list) : nullptr;
-    report.error(code, name.span, "This " + what + " is not listed under needs." + list + "." + or_choose(meant, "Add it there."), meant,
-                 place ? std::optional(report.because(place->key_span, "what the procedure needs is listed here.")) : std::nullopt);
+    report.error(code, name.span,
+                 "This " + what + " is not listed under needs." + list + "." + or_choose(meant, "Add it there."), meant,
+                 place ? std::optional(report.because(place->key_span, "what the procedure needs is listed here."))
+                       : std::nullopt);
 }
 
-void refuse_instrument(const Node& name, const std::vector<std::string>& instruments, const Document& document, Report& report) {
+void refuse_instrument(const Node& name, const std::vector<std::string>& instruments, const Document& document,
+                       Report& report) {
     const std::string meant = closest(name.text, instruments, report);
     const Node* place = document.root.find("instruments");
-    report.error(Code::unknown_instrument, name.span,
-                 instruments.empty() ? "There are no instruments. Add one under `instruments:`."
-                                     : "There is no such instrument; there is " + listed(instruments) + "." + or_choose(meant), meant,
-                 place ? std::optional(report.because(place->key_span, "the instruments stand here.")) : std::nullopt);
+    report.error(
+        Code::unknown_instrument, name.span,
+        instruments.empty() ? "There are no instruments. Add one under `instruments:`."
+                            : "There is no such instrument; there is " + listed(instruments) + "." + or_choose(meant),
+        meant, place ? std::optional(report.because(place->key_span, "the instruments stand here.")) : std::nullopt);
 }
 
 Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
@@ -340,13 +362,16 @@ void refuse_goals_apart(const std::vector<PlacedBound>& bounds, Report& report) 
         for (std::size_t earlier = 0; earlier < later; ++earlier) {
             const PlacedBound &first = bounds[earlier], &then = bounds[later];
             if (!first.is_goal || !then.is_goal || first.name != "depth" || then.name != "depth") continue;
-            if (!first.bound->at_least || !then.bound->at_most || *first.bound->at_least <= *then.bound->at_most) continue;
+            if (!first.bound->at_least || !then.bound->at_most || *first.bound->at_least <= *then.bound->at_most)
+                continue;
             const Node *least = first.node->find("at_least"), *most = then.node->find("at_most");
             if (!least || !most) continue;
-            report.error(Code::contradiction, most->span,
-                         "By this goal `depth` must be at most " + most->text + ", and by an earlier one at least " + least->text +
-                             "; a depth is the deepest that the tip has been, so nothing fulfils both. Change one of the two.",
-                         {}, report.because(least->span, "the earlier goal stands here."));
+            report.error(
+                Code::contradiction, most->span,
+                "By this goal `depth` must be at most " + most->text + ", and by an earlier one at least " +
+                    least->text +
+                    "; a depth is the deepest that the tip has been, so nothing fulfils both. Change one of the two.",
+                {}, report.because(least->span, "the earlier goal stands here."));
         }
 }
 
@@ -359,21 +384,29 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
     const auto refuse = [&](const PlacedBound& one, const char* end, const PlacedBound& limit, const char* other_end) {
         const Node *value = one.node->find(end), *limit_value = limit.node->find(other_end);
         if (!value || !limit_value) return;
-        const auto words = [](const Node& bound, const char* key) { return std::string(key == std::string_view("at_least") ? "at least " : "at most ") + bound.text; };
-        const std::string got = quoted_id(one.name) + " must be " + words(*value, end), allowed = words(*limit_value, other_end);
-        report.error(Code::contradiction, value->span,
-                     one.is_goal ? "By this goal " + got + ", and by a limit of the same step " + allowed +
-                                       ": whoever reaches the goal breaks the limit. Write a goal within the limit, or move the limit."
-                                 : "By this limit " + got + ", and by another of the same step " + allowed + ": nothing keeps both. Change one of the two.",
-                     {}, report.because(limit_value->span, "the limit stands here."));
+        const auto words = [](const Node& bound, const char* key) {
+            return std::string(key == std::string_view("at_least") ? "at least " : "at most ") + bound.text;
+        };
+        const std::string got = quoted_id(one.name) + " must be " + words(*value, end),
+                          allowed = words(*limit_value, other_end);
+        report.error(
+            Code::contradiction, value->span,
+            one.is_goal
+                ? "By this goal " + got + ", and by a limit of the same step " + allowed +
+                      ": whoever reaches the goal breaks the limit. Write a goal within the limit, or move the limit."
+                : "By this limit " + got + ", and by another of the same step " + allowed +
+                      ": nothing keeps both. Change one of the two.",
+            {}, report.because(limit_value->span, "the limit stands here."));
     };
     for (std::size_t l = 0; l < bounds.size(); ++l) {
         const PlacedBound& limit = bounds[l];
         for (std::size_t b = 0; b < bounds.size() && !limit.is_goal; ++b) {
             const PlacedBound& one = bounds[b];
             if (one.name != limit.name || (!one.is_goal && b <= l)) continue;
-            if (one.bound->at_least && limit.bound->at_most && *one.bound->at_least > *limit.bound->at_most) refuse(one, "at_least", limit, "at_most");
-            if (one.bound->at_most && limit.bound->at_least && *one.bound->at_most < *limit.bound->at_least) refuse(one, "at_most", limit, "at_least");
+            if (one.bound->at_least && limit.bound->at_most && *one.bound->at_least > *limit.bound->at_most)
+                refuse(one, "at_least", limit, "at_most");
+            if (one.bound->at_most && limit.bound->at_least && *one.bound->at_most < *limit.bound->at_least)
+                refuse(one, "at_most", limit, "at_least");
         }
     }
 }
@@ -392,15 +425,18 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
     if (const Node* axis = map.find("axis")) {
         step.axis = read_id(*axis, "axis", report).value_or("");
         if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
-            refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document, report);
+            refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document,
+                              report);
     }
     if (const Node* plane = map.find("plane")) {
         step.plane = read_id(*plane, "plane", report).value_or("");
         if (!step.plane.empty() && !contains(procedure.needs_landmarks, step.plane))
-            refuse_undeclared(Code::undeclared_landmark, *plane, "landmark", procedure.needs_landmarks, document, report);
+            refuse_undeclared(Code::undeclared_landmark, *plane, "landmark", procedure.needs_landmarks, document,
+                              report);
     }
     if (const Node* goals = map.find("goals"))
-        for (const Node& goal : read_list(*goals, "goals", report)) step.goals.push_back(read_goal(goal, document, report));
+        for (const Node& goal : read_list(*goals, "goals", report))
+            step.goals.push_back(read_goal(goal, document, report));
     if (const Node* limits = map.find("limits"))
         for (const Node& limit : read_list(*limits, "limits", report))
             step.limits.push_back(read_limit(limit, procedure, document, report));
@@ -445,14 +481,16 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
     if (!text) return;
     rehearsal.expect = *text;
     if (*text != "pass")
-        report.error(Code::unknown_word, node.span, "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
+        report.error(Code::unknown_word, node.span,
+                     "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
 }
 
 void refuse_step(const Node& name, const std::vector<Step>& steps, Report& report) {
     std::vector<std::string> known;
     for (const Step& step : steps) known.push_back(step.id);
     const std::string meant = closest(name.text, known, report);
-    report.error(Code::unknown_step, name.span, "There is no such step; there is " + listed(known) + "." + or_choose(meant), meant);
+    report.error(Code::unknown_step, name.span,
+                 "There is no such step; there is " + listed(known) + "." + or_choose(meant), meant);
 }
 
 void refuse_implant(const Node& name, const std::vector<Implant>& implants, Report& report) {
@@ -460,12 +498,14 @@ void refuse_implant(const Node& name, const std::vector<Implant>& implants, Repo
     for (const Implant& implant : implants) known.push_back(implant.id);
     const std::string meant = closest(name.text, known, report);
     report.error(Code::unknown_implant, name.span,
-                 known.empty() ? "There are no implants. Add one under `implants:`." : "There is no such implant; there is " + listed(known) + "." + or_choose(meant),
+                 known.empty() ? "There are no implants. Add one under `implants:`."
+                               : "There is no such implant; there is " + listed(known) + "." + or_choose(meant),
                  meant);
 }
 
 /// `step` is that of the waypoint before.
-Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, InstrumentReader& instruments, Report& report) {
+Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, InstrumentReader& instruments,
+                       Report& report) {
     const std::vector<Step>& steps = procedure.steps;
     MapReader waypoint(point, shapes::waypoint, "waypoint", report);
     Waypoint at;
@@ -473,8 +513,10 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     if (const Node* name = waypoint.find("step"))
         if (const std::string id = read_id(*name, "waypoint.step", report).value_or(""); !id.empty()) {
             const auto found = std::find_if(steps.begin(), steps.end(), [&](const Step& s) { return s.id == id; });
-            if (found != steps.end()) at.step = static_cast<std::size_t>(found - steps.begin());
-            else if (!steps.empty()) refuse_step(*name, steps, report);
+            if (found != steps.end())
+                at.step = static_cast<std::size_t>(found - steps.begin());
+            else if (!steps.empty())
+                refuse_step(*name, steps, report);
         }
     at.depth = waypoint.quantity("depth");
     waypoint.quantity("medial", at.medial);
@@ -489,7 +531,8 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     if (const Node* implant = waypoint.find("insert"))
         if (const std::string id = read_id(*implant, "waypoint.insert", report).value_or(""); !id.empty()) {
             at.inputs.push_back({HandInput::Kind::insert, id});
-            if (std::none_of(procedure.implants.begin(), procedure.implants.end(), [&](const Implant& i) { return i.id == id; }))
+            if (std::none_of(procedure.implants.begin(), procedure.implants.end(),
+                             [&](const Implant& i) { return i.id == id; }))
                 refuse_implant(*implant, procedure.implants, report);
         }
     if (const auto input = hand_input(waypoint.word("do"))) at.inputs.push_back(*input);
@@ -497,7 +540,8 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     return at;
 }
 
-Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const Procedure& procedure, InstrumentReader& instruments, Report& report) {
+Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const Procedure& procedure,
+                         InstrumentReader& instruments, Report& report) {
     MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
@@ -513,7 +557,8 @@ Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limit
     }
     if (const Node* path = map.find("path"))
         for (const Node& point : read_list(*path, "path", report))
-            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step, procedure, instruments, report));
+            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step,
+                                                   procedure, instruments, report));
     map.finish();
     return rehearsal;
 }
@@ -531,7 +576,8 @@ void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Rep
     for (const Step& step : steps) used.insert(step.instrument);
     for (const Node& child : instruments.children)
         if (!used.contains(child.key))
-            report.warning(Code::unused_instrument, child.key_span, "No step uses this instrument. Remove it, or name it in a step.");
+            report.warning(Code::unused_instrument, child.key_span,
+                           "No step uses this instrument. Remove it, or name it in a step.");
 }
 
 /// The patches themselves are looked at where one is applied.
@@ -540,8 +586,8 @@ std::vector<Variant> read_variants(const Node& node, Report& report) {
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
     if (node.children.size() > most_variants)  // each is read and checked like a procedure
         report.error(Code::out_of_range, node.children[most_variants].key_span,
-                     "There are " + std::to_string(node.children.size()) + " variants, must be at most " + std::to_string(most_variants) +
-                         ". Move some into a procedure of their own.");
+                     "There are " + std::to_string(node.children.size()) + " variants, must be at most " +
+                         std::to_string(most_variants) + ". Move some into a procedure of their own.");
     for (const Node& child : node.children) {
         Node key;
         key.text = child.key;
@@ -570,7 +616,9 @@ void apply(const ProcedureChanges& changes, Document& document, Diagnostics& fou
             const std::string meant = closest(changes.variant, known);
             report.error(Code::unknown_variant, variants ? variants->key_span : TextSpan{},
                          "There is no variant `" + changes.variant + "`" +
-                             (known.empty() ? "; this procedure has none. Run it without." : "; there is " + listed(known) + "." + or_choose(meant)), meant);
+                             (known.empty() ? "; this procedure has none. Run it without."
+                                            : "; there is " + listed(known) + "." + or_choose(meant)),
+                         meant);
         } else if (patch && patch->kind == Node::Kind::map) {
             const Node changed = *patch;  // the tree it stands in changes
             apply_patch(document, document.root, changed, report);
@@ -585,7 +633,8 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     procedure.text = document.text();
     if (const Node* node = map.find("metadata")) read_metadata(*node, procedure, report);
     if (const Node* node = map.find("needs")) read_needs(*node, procedure, report);
-    if (const Node* node = map.find("anatomy")) procedure.anatomy_file = read_anatomy_file(*node, document.file(), report);
+    if (const Node* node = map.find("anatomy"))
+        procedure.anatomy_file = read_anatomy_file(*node, document.file(), report);
     if (const Node* node = map.find("accuracy")) {
         MapReader accuracy(*node, shapes::accuracy, "accuracy", report);
         accuracy.quantity("spacing", procedure.spacing);
@@ -604,7 +653,8 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
         procedure.device = haptics.id("device");
         procedure.is_direct = haptics.word("coupling") == "direct";
         if (const Node* force_scale = haptics.find("force_scale"))
-            procedure.force_scale = read_quantity(*force_scale, "haptics.force_scale", haptics.need_of("force_scale"), report);
+            procedure.force_scale =
+                read_quantity(*force_scale, "haptics.force_scale", haptics.need_of("force_scale"), report);
         haptics.finish();
     }
     map.quantity("time_limit", procedure.time_limit);
@@ -613,32 +663,37 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     const Node* instruments = map.find("instruments");
     InstrumentReader reader(catalog, report);
     if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
-        if (instruments->children.empty()) report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
+        if (instruments->children.empty())
+            report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
         for (const Node& child : instruments->children) {
             procedure.instruments.push_back(reader.read(child));
             instrument_ids.push_back(child.key);
         }
     }
-    if (const Node* implants = map.find("implants"); implants && is_kind(*implants, Node::Kind::map, "implants", report))
+    if (const Node* implants = map.find("implants");
+        implants && is_kind(*implants, Node::Kind::map, "implants", report))
         for (const Node& child : implants->children) {
             Node key;
             key.text = child.key;
             key.span = child.key_span;
             read_id(key, "An implant's name", report);
             MapReader implant(child, shapes::implant, child.key, report);
-            if (const Node* mesh = implant.find("mesh")) procedure.implants.push_back({child.key, read_mesh(*mesh, child.key + ".mesh", report)});
+            if (const Node* mesh = implant.find("mesh"))
+                procedure.implants.push_back({child.key, read_mesh(*mesh, child.key + ".mesh", report)});
             implant.finish();
         }
     const Node* steps = map.find("steps");
     UniqueIds step_ids, rehearsal_ids;
     if (steps)
         for (const Node& item : read_list(*steps, "steps", report))
-            add_unique(read_step(item, procedure, instrument_ids, document, report), item, step_ids, procedure.steps, report);
+            add_unique(read_step(item, procedure, instrument_ids, document, report), item, step_ids, procedure.steps,
+                       report);
     if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
     if (const Node* node = map.find("rehearsals")) {
         const std::vector<std::string> limits = limit_names(procedure.steps);
         for (const Node& item : read_list(*node, "rehearsals", report))
-            add_unique(read_rehearsal(item, limits, procedure, reader, report), item, rehearsal_ids, procedure.rehearsals, report);
+            add_unique(read_rehearsal(item, limits, procedure, reader, report), item, rehearsal_ids,
+                       procedure.rehearsals, report);
     }
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
@@ -662,10 +717,14 @@ void check_names(const std::vector<std::string>& needed, const std::vector<std::
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (contains(present, needed[i])) continue;
         const std::string meant = closest(needed[i], present, report);
-        report.error(code, span_of_item(list, i), "The anatomy has no " + what + " " + quoted_id(needed[i]) +
-                                                      (present.empty() ? "." : "; it has " + listed(present) + ".") +
-                                                      or_choose(meant, "Add it there, or choose another anatomy."),
-                     meant, report.is_full() ? std::nullopt : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
+        report.error(code, span_of_item(list, i),
+                     "The anatomy has no " + what + " " + quoted_id(needed[i]) +
+                         (present.empty() ? "." : "; it has " + listed(present) + ".") +
+                         or_choose(meant, "Add it there, or choose another anatomy."),
+                     meant,
+                     report.is_full()
+                         ? std::nullopt
+                         : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
     }
 }
 
@@ -675,33 +734,43 @@ const T& find_by_id(const std::vector<T>& things, const std::string& id) {
 }
 
 /// A blade that is fed along the axis would leave the plane.
-void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpan span, const Anatomy& anatomy, Report& report) {
+void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpan span, const Anatomy& anatomy,
+                   Report& report) {
     using namespace literals;
     constexpr double most_angle = 3.0_deg;
     const double angle = std::asin(std::clamp(std::abs(dot(normalized(axis.to - axis.from), plane.normal)), 0.0, 1.0));
-    const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)), most_off = axis.tolerance + plane.tolerance;
-    const auto rounded = [](double value, double step, const char* unit) { return quantity_text(std::round(value / step) * step, unit); };
+    const double off = std::abs(dot(0.5 * (axis.from + axis.to) - plane.at, plane.normal)),
+                 most_off = axis.tolerance + plane.tolerance;
+    const auto rounded = [](double value, double step, const char* unit) {
+        return quantity_text(std::round(value / step) * step, unit);
+    };
     const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis stands here.");
     if (angle > most_angle)
         report.error(Code::axis_off_plane, span,
-                     "The axis " + quoted_id(axis.id) + " leads out of the plane " + quoted_id(plane.id) + " by " + rounded(angle, 0.1_deg, "deg") +
-                         ", must be at most 3 deg: a blade fed along it would bind. Turn one of the two.", {}, here);
+                     "The axis " + quoted_id(axis.id) + " leads out of the plane " + quoted_id(plane.id) + " by " +
+                         rounded(angle, 0.1_deg, "deg") +
+                         ", must be at most 3 deg: a blade fed along it would bind. Turn one of the two.",
+                     {}, here);
     else if (off > most_off + 1e-9)
         report.error(Code::axis_off_plane, span,
-                     "The axis " + quoted_id(axis.id) + " runs " + rounded(off, 0.1_mm, "mm") + " beside the plane " + quoted_id(plane.id) +
-                         ", must be at most " + rounded(most_off, 0.1_mm, "mm") + ", their tolerances together. Move one of the two.", {}, here);
+                     "The axis " + quoted_id(axis.id) + " runs " + rounded(off, 0.1_mm, "mm") + " beside the plane " +
+                         quoted_id(plane.id) + ", must be at most " + rounded(most_off, 0.1_mm, "mm") +
+                         ", their tolerances together. Move one of the two.",
+                     {}, here);
 }
 
 /// What is measured in the plane of a step needs one. `step` may be null.
 void refuse_without_plane(const Node& what, const std::string& step_id, const Node* step, Report& report) {
     report.error(Code::needs_plane, what.key_span,
                  quoted_id(what.key) + " is measured in the plane of the step, and the step " + quoted_id(step_id) +
-                     " names none. Give it a `plane:`, or remove " + quoted_id(what.key) + ".", {},
-                 step ? std::optional(report.because(step->span, "the step stands here.")) : std::nullopt);
+                     " names none. Give it a `plane:`, or remove " + quoted_id(what.key) + ".",
+                 {}, step ? std::optional(report.because(step->span, "the step stands here.")) : std::nullopt);
 }
 
 void check_planes(const Procedure& procedure, const Document& document, Report& report) {
-    const auto item = [](const Node* list, std::size_t i) { return list && i < list->children.size() ? &list->children[i] : nullptr; };
+    const auto item = [](const Node* list, std::size_t i) {
+        return list && i < list->children.size() ? &list->children[i] : nullptr;
+    };
     const Node* steps = document.root.find("steps");
     const Node* rehearsals = document.root.find("rehearsals");
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
@@ -711,7 +780,8 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             const Limit& limit = procedure.steps[s].limits[l];
             const Node* written = item(limits, l);
             const Node* node = written ? written->find(limit.quantity) : nullptr;
-            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty()) refuse_without_plane(*node, procedure.steps[s].id, step, report);
+            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty())
+                refuse_without_plane(*node, procedure.steps[s].id, step, report);
         }
     }
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
@@ -722,7 +792,8 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             const Node* waypoint = item(path, w);
             if (!waypoint || !procedure.steps[s].plane.empty()) continue;
             for (const char* key : {"aside", "tilt"})
-                if (const Node* node = waypoint->find(key)) refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
+                if (const Node* node = waypoint->find(key))
+                    refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
         }
     }
 }
@@ -740,7 +811,8 @@ void check_pieces(const Procedure& procedure, const Document& document, Report& 
             const Node* goal = goals && g < goals->children.size() ? goals->children[g].find(quantity) : nullptr;
             report.error(Code::needs_piece, goal ? goal->key_span : TextSpan{},
                          "The step " + quoted_id(procedure.steps[s].id) +
-                             " takes a piece, and until then the bone is whole: no step before it has the goal `separated`. Add it to the step that parts the bone.");
+                             " takes a piece, and until then the bone is whole: no step before it has the goal "
+                             "`separated`. Add it to the step that parts the bone.");
             return;
         }
 }
@@ -775,7 +847,8 @@ std::optional<Procedure> read_procedure_text(const std::string& file, std::strin
 }
 
 std::shared_ptr<const Document> document_of(const Procedure& procedure) {
-    return procedure.document ? procedure.document : std::make_shared<const Document>(read_again(procedure.file, procedure.text));
+    return procedure.document ? procedure.document
+                              : std::make_shared<const Document>(read_again(procedure.file, procedure.text));
 }
 
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
@@ -792,7 +865,8 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     for (const auto* some : {&axes, &points, &planes}) landmarks.insert(landmarks.end(), some->begin(), some->end());
     append_ids(anatomy.zones, zones);
     append_ids(anatomy.tissues, tissues);
-    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy, report);
+    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy,
+                report);
     check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", anatomy, report);
     check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
 
@@ -802,12 +876,16 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         const std::string& plane = procedure.steps[i].plane;
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
-        if (const bool is_point = contains(points, axis); (is_point || contains(planes, axis)) && !contains(axes, axis)) {
+        if (const bool is_point = contains(points, axis);
+            (is_point || contains(planes, axis)) && !contains(axes, axis)) {
             const std::string meant = closest(axis, axes, report);
             report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                         "The landmark " + quoted_id(axis) + " is a " + (is_point ? "point" : "plane") + " of the anatomy; a step follows an axis." +
+                         "The landmark " + quoted_id(axis) + " is a " + (is_point ? "point" : "plane") +
+                             " of the anatomy; a step follows an axis." +
                              or_choose(meant, "Name an axis, or give the anatomy one."),
-                         meant, in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis}, is_point ? "it is a point here." : "it is a plane here."));
+                         meant,
+                         in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis},
+                                    is_point ? "it is a point here." : "it is a plane here."));
         }
         if (plane.empty() || !contains(landmarks, plane)) continue;
         const Node* plane_node = step ? step->find("plane") : nullptr;
@@ -815,11 +893,15 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
             const bool is_point = contains(points, plane);
             const std::string meant = closest(plane, planes, report);
             report.error(Code::not_a_plane, plane_node ? plane_node->span : TextSpan{},
-                         "The landmark " + quoted_id(plane) + " is " + (is_point ? "a point" : "an axis") + " of the anatomy; a blade lies in a plane." +
+                         "The landmark " + quoted_id(plane) + " is " + (is_point ? "a point" : "an axis") +
+                             " of the anatomy; a blade lies in a plane." +
                              or_choose(meant, "Name a plane, or give the anatomy one."),
-                         meant, in_anatomy(anatomy, {"landmarks", is_point ? "points" : "axes", plane}, is_point ? "it is a point here." : "it is an axis here."));
+                         meant,
+                         in_anatomy(anatomy, {"landmarks", is_point ? "points" : "axes", plane},
+                                    is_point ? "it is a point here." : "it is an axis here."));
         } else if (contains(axes, axis)) {
-            check_lies_in(find_by_id(anatomy.axes, axis), find_by_id(anatomy.planes, plane), plane_node ? plane_node->span : TextSpan{}, anatomy, report);
+            check_lies_in(find_by_id(anatomy.axes, axis), find_by_id(anatomy.planes, plane),
+                          plane_node ? plane_node->span : TextSpan{}, anatomy, report);
         }
     }
 
@@ -830,12 +912,16 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     const Node* rehearsals = document.root.find("rehearsals");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const std::vector<Waypoint>& path = procedure.rehearsals[i].path;
-        const auto shifted = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.medial != 0.0 || w.medial_angle != 0.0; });
+        const auto shifted = std::find_if(path.begin(), path.end(),
+                                          [](const Waypoint& w) { return w.medial != 0.0 || w.medial_angle != 0.0; });
         if (shifted == path.end()) continue;
-        const Node* node = rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
+        const Node* node =
+            rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
         report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
                      "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`. Add it "
-                     "there, or remove `" + std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.", {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
+                     "there, or remove `" +
+                         std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.",
+                     {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
     }
 }
 

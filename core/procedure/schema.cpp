@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "core/procedure/quantity.h"
 #include "core/procedure/shapes.h"
@@ -34,8 +35,10 @@ Json quantity_schema(const QuantityNeed& need) {
 }
 
 Json vector_schema(const QuantityNeed& need) {
-    const std::string wanted = need.unit.empty() ? "three numbers, as in `0 0 1`." : "three numbers and their unit, as in `1 2 3 " + need.unit + "`.";
-    const Json in_one{{"type", "string"}, {"pattern", vector_pattern(need)}, {"patternErrorMessage", "Must be " + wanted}};
+    const std::string wanted = need.unit.empty() ? "three numbers, as in `0 0 1`."
+                                                 : "three numbers and their unit, as in `1 2 3 " + need.unit + "`.";
+    const Json in_one{
+        {"type", "string"}, {"pattern", vector_pattern(need)}, {"patternErrorMessage", "Must be " + wanted}};
     const Json listed{{"type", "array"}, {"items", quantity_schema(need)}, {"minItems", 3}, {"maxItems", 3}};
     return {{"anyOf", {in_one, listed}}};
 }
@@ -43,8 +46,9 @@ Json vector_schema(const QuantityNeed& need) {
 /// An example of a single value as an editor would write it; nothing for maps and lists.
 Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
-    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed && kind != Kind::parameters &&
-                           kind != Kind::drives && kind != Kind::patch && !key.example.starts_with('{');
+    const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed &&
+                           kind != Kind::parameters && kind != Kind::drives && kind != Kind::patch &&
+                           !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
     const bool is_plain = kind == Kind::quantity && key.value.need.unit.empty();
@@ -57,7 +61,9 @@ public:
     explicit SchemaWriter(const ComponentCatalog& catalog) : catalog_(catalog) {}
 
     Json document(const Shape& shape, const std::string& comment) {
-        Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"$comment", comment}, {"title", "Kerf " + shape.id}};
+        Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                    {"$comment", comment},
+                    {"title", "Kerf " + shape.id}};
         schema.update(of_map(shape));
         schema["definitions"] = std::move(definitions_);
         return schema;
@@ -87,7 +93,10 @@ private:
         add_group(Presence::one_of, "oneOf");
         add_group(Presence::any_of, "anyOf");
 
-        Json schema{{"description", shape.help}, {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+        Json schema{{"description", shape.help},
+                    {"type", "object"},
+                    {"properties", std::move(properties)},
+                    {"additionalProperties", false}};
         if (!required.empty()) schema["required"] = std::move(required);
         if (&shape == &shapes::instrument) add_components(schema["properties"], groups);
         if (!groups.empty()) schema["allOf"] = std::move(groups);
@@ -97,35 +106,56 @@ private:
     Json of_key(const KeyShape& key) {
         Json schema = of_value(key.value);
         if (schema.contains("$ref")) schema = {{"allOf", {schema}}};  // what stands beside a $ref is not looked at
-        schema["description"] = key.help + (key.value.kind == Kind::quantity ? " " + range_text(key.value.need) + "." : "");
-        if (const Json example = example_of(key); !example.is_null()) schema["examples"] = {example};
-        else schema["description"].get_ref<std::string&>() += " As in `" + key.example + "`.";
+        schema["description"] =
+            key.help + (key.value.kind == Kind::quantity ? " " + range_text(key.value.need) + "." : "");
+        if (const Json example = example_of(key); !example.is_null())
+            schema["examples"] = {example};
+        else
+            schema["description"].get_ref<std::string&>() += " As in `" + key.example + "`.";
         return schema;
     }
 
     Json of_value(const ValueShape& value) {
         switch (value.kind) {
-            case Kind::text: return {{"type", scalar_types}};
-            case Kind::id: return {{"type", scalar_types}, {"pattern", id_pattern}};
-            case Kind::version: return {{"type", "string"}, {"pattern", R"(^[0-9]+\.[0-9]+\.[0-9]+$)"}};
-            case Kind::path: return {{"type", "string"}, {"pattern", path_pattern}};
-            case Kind::yes_no: return {{"enum", {true, false, "true", "false"}}};
+            case Kind::text:
+                return {{"type", scalar_types}};
+            case Kind::id:
+                return {{"type", scalar_types}, {"pattern", id_pattern}};
+            case Kind::version:
+                return {{"type", "string"}, {"pattern", R"(^[0-9]+\.[0-9]+\.[0-9]+$)"}};
+            case Kind::path:
+                return {{"type", "string"}, {"pattern", path_pattern}};
+            case Kind::yes_no:
+                return {{"enum", {true, false, "true", "false"}}};
             case Kind::word: {
                 const Json words{{"enum", value.words}};
                 return value.shape ? Json{{"anyOf", {words, reference(*value.shape)}}} : words;
             }
-            case Kind::quantity: return quantity_schema(value.need);
-            case Kind::label: return {{"type", {"number", "string"}}, {"multipleOf", 1}, {"minimum", value.need.min}, {"maximum", value.need.max}};
-            case Kind::vector: return vector_schema(value.need);
-            case Kind::map: return reference(*value.shape);
-            case Kind::list: return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};
+            case Kind::quantity:
+                return quantity_schema(value.need);
+            case Kind::label:
+                return {{"type", {"number", "string"}},
+                        {"multipleOf", 1},
+                        {"minimum", value.need.min},
+                        {"maximum", value.need.max}};
+            case Kind::vector:
+                return vector_schema(value.need);
+            case Kind::map:
+                return reference(*value.shape);
+            case Kind::list:
+                return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};
             case Kind::named:
-                return {{"type", "object"}, {"propertyNames", {{"pattern", id_pattern}}}, {"additionalProperties", of_value(value.item.front())}};
+                return {{"type", "object"},
+                        {"propertyNames", {{"pattern", id_pattern}}},
+                        {"additionalProperties", of_value(value.item.front())}};
             case Kind::renamed:
-                return {{"type", "object"}, {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
-            case Kind::drives: return any_drives();
+                return {{"type", "object"},
+                        {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
+            case Kind::drives:
+                return any_drives();
             case Kind::parameters:
-            case Kind::patch: break;
+            case Kind::patch:
+                break;
         }
         return {{"type", "object"}};
     }
@@ -140,10 +170,12 @@ private:
         Json properties = Json::object();
         for (const auto* table : tables)
             for (const ParameterInfo& p : *table) {
-                if (properties.contains(p.id)) continue;  // tool and force may share one; the reader holds it against both
+                if (properties.contains(p.id))
+                    continue;  // tool and force may share one; the reader holds it against both
                 const QuantityNeed need{p.dimension, p.display_unit, p.min, p.max};
                 Json schema = quantity_schema(need);
-                schema["description"] = p.help + " " + range_text(need) + "." + (p.source.empty() ? "" : " Source: " + p.source);
+                schema["description"] =
+                    p.help + " " + range_text(need) + "." + (p.source.empty() ? "" : " Source: " + p.source);
                 schema["default"] = need.unit.empty() ? Json(p.def) : Json(quantity_text(p.def, need.unit));
                 properties[p.id] = std::move(schema);
             }
@@ -185,11 +217,13 @@ private:
             for (const ComponentInfo& tool : catalog_) {
                 if (tool.plugin != plugin || tool.kind != KERF_KIND_TOOL) continue;
                 tools.push_back(tool.id);
-                rules.push_back(when({{"plugin", plugin}, {"tool", tool.id}}, {{"drives", component_values({&tool.drives})}}));
+                rules.push_back(
+                    when({{"plugin", plugin}, {"tool", tool.id}}, {{"drives", component_values({&tool.drives})}}));
                 for (const ComponentInfo& force : catalog_)
                     if (force.plugin == plugin && force.kind == KERF_KIND_FORCE)
-                        rules.push_back(when({{"plugin", plugin}, {"tool", tool.id}, {"force", force.id}},
-                                             {{"parameters", component_values({&tool.parameters, &force.parameters})}}));
+                        rules.push_back(
+                            when({{"plugin", plugin}, {"tool", tool.id}, {"force", force.id}},
+                                 {{"parameters", component_values({&tool.parameters, &force.parameters})}}));
             }
             for (const ComponentInfo& force : catalog_)
                 if (force.plugin == plugin && force.kind == KERF_KIND_FORCE) forces.push_back(force.id);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/procedure/shapes.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/procedure/procedure.h"
 #include "kerf/units.hpp"
@@ -20,7 +22,9 @@ ValueShape version() { return of_kind(Kind::version); }
 ValueShape path() { return of_kind(Kind::path); }
 ValueShape yes_no() { return of_kind(Kind::yes_no); }
 ValueShape word(std::vector<std::string> words) { return {.kind = Kind::word, .words = std::move(words)}; }
-ValueShape word_or(std::string word, const Shape& shape) { return {.kind = Kind::word, .words = {std::move(word)}, .shape = &shape}; }
+ValueShape word_or(std::string word, const Shape& shape) {
+    return {.kind = Kind::word, .words = {std::move(word)}, .shape = &shape};
+}
 ValueShape map(const Shape& shape) { return {.kind = Kind::map, .shape = &shape}; }
 ValueShape list(ValueShape item) { return {.kind = Kind::list, .item = {std::move(item)}}; }
 ValueShape named(ValueShape item) { return {.kind = Kind::named, .item = {std::move(item)}}; }
@@ -46,316 +50,497 @@ const char* const api_version_help = "The version of the format.";
 
 }  // namespace
 
-// ---- procedures: innermost first, since a shape names those within it ------------------------------------------------
+// ---- procedures: innermost first, since a shape names those within it
+// ------------------------------------------------
 
-const Shape metadata{"metadata", "What the procedure is called, and how far it may be relied on.", {
-    {required, "id", id(), "The name that files and results use.", "pilot-hole"},
-    {required, "title", text(), "The name that people read.", "Pilot hole for a pedicle screw"},
-    {required, "version", version(), "Raised whenever the procedure changes.", "0.1.0"},
-    {required, "status", word({"draft", "piloted", "validated"}), "How far it was tried with people.", "draft"},
-    {optional, "authors", list(text()), "Who wrote it.", "[The Kerf authors]"},
-}};
+const Shape metadata{
+    "metadata",
+    "What the procedure is called, and how far it may be relied on.",
+    {
+        {required, "id", id(), "The name that files and results use.", "pilot-hole"},
+        {required, "title", text(), "The name that people read.", "Pilot hole for a pedicle screw"},
+        {required, "version", version(), "Raised whenever the procedure changes.", "0.1.0"},
+        {required, "status", word({"draft", "piloted", "validated"}), "How far it was tried with people.", "draft"},
+        {optional, "authors", list(text()), "Who wrote it.", "[The Kerf authors]"},
+    }};
 
-const Shape needs{"needs", "What the anatomy must have, by name: no coordinates stand in a procedure.", {
-    {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
-    {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
-    {optional, "tissues", list(id()), "Tissues that the bone must be made of.", "[cortical, cancellous]"},
-}};
+const Shape needs{
+    "needs",
+    "What the anatomy must have, by name: no coordinates stand in a procedure.",
+    {
+        {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
+        {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
+        {optional, "tissues", list(id()), "Tissues that the bone must be made of.", "[cortical, cancellous]"},
+    }};
 
-const Shape accuracy{"accuracy", "How true the simulation is asked to be.", {
-    {optional, "spacing", length(0.05_mm, 2.0_mm), "Between the samples of the bone's distance field.", "0.25 mm"},
-    {optional, "force", quantity(dimension::none, "%", 0.001, 0.5), "How far a force, and where there is one a torque, may be off what the finest field gives, for `kerf plan`.", "7 %"},
-    {optional, "volume", quantity(dimension::none, "%", 0.0005, 0.5), "How far the removed volume may be off, for `kerf plan`.", "2 %"},
-}};
+const Shape accuracy{
+    "accuracy",
+    "How true the simulation is asked to be.",
+    {
+        {optional, "spacing", length(0.05_mm, 2.0_mm), "Between the samples of the bone's distance field.", "0.25 mm"},
+        {optional, "force", quantity(dimension::none, "%", 0.001, 0.5),
+         "How far a force, and where there is one a torque, may be off what the finest field gives, for `kerf plan`.",
+         "7 %"},
+        {optional, "volume", quantity(dimension::none, "%", 0.0005, 0.5),
+         "How far the removed volume may be off, for `kerf plan`.", "2 %"},
+    }};
 
-const Shape budget{"budget", "What the simulation may cost.", {
-    {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms), "Of the processor, in 999 ticks of 1000: `kerf plan` looks for what keeps it.", "300 us"},
-}};
+const Shape budget{"budget",
+                   "What the simulation may cost.",
+                   {
+                       {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms),
+                        "Of the processor, in 999 ticks of 1000: `kerf plan` looks for what keeps it.", "300 us"},
+                   }};
 
-const Shape haptics{"haptics", "What the hand holds, and how the tool hangs on it.", {
-    {required, "device", id(), "Whose inertia, friction and greatest force the simulation takes.", "touch"},
-    {optional, "coupling", word({"solved", "direct"}), "`solved`, or `direct` to see how the papers' way fails.", "solved"},
-    {optional, "force_scale", number(1e-4, 10.0), "Device newton per bone newton; made to fit the device if not given.", "1/50"},
-}};
+const Shape haptics{
+    "haptics",
+    "What the hand holds, and how the tool hangs on it.",
+    {
+        {required, "device", id(), "Whose inertia, friction and greatest force the simulation takes.", "touch"},
+        {optional, "coupling", word({"solved", "direct"}), "`solved`, or `direct` to see how the papers' way fails.",
+         "solved"},
+        {optional, "force_scale", number(1e-4, 10.0),
+         "Device newton per bone newton; made to fit the device if not given.", "1/50"},
+    }};
 
-const Shape instrument{"instrument", "A tool and the law of its force, from a plugin.", {
-    {required, "plugin", id(), "Where both come from; `kerf list` names them.", "example.drilling"},
-    {required, "tool", id(), "Its tool.", "twist_drill"},
-    {required, "force", id(), "Its law of force.", "drill_cutting"},
-    {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` tells them.", "{diameter: 3.2 mm}"},
-    {optional, "drives", of_kind(Kind::drives), "What motors do.", "{spindle_speed: 1000 rpm}"},
-}};
+const Shape instrument{
+    "instrument",
+    "A tool and the law of its force, from a plugin.",
+    {
+        {required, "plugin", id(), "Where both come from; `kerf list` names them.", "example.drilling"},
+        {required, "tool", id(), "Its tool.", "twist_drill"},
+        {required, "force", id(), "Its law of force.", "drill_cutting"},
+        {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` tells them.",
+         "{diameter: 3.2 mm}"},
+        {optional, "drives", of_kind(Kind::drives), "What motors do.", "{spindle_speed: 1000 rpm}"},
+    }};
 
 const Shape entry_goal{"entry_goal", "The tool has met bone for the first time.", {}};
 
-const Shape depth_bound{"depth_bound", "Depth of the tip along the step's axis, from where the axis meets bone.", {
-    {any_of, "at_least", depth(), "As deep as this.", "30 mm"},
-    {any_of, "at_most", depth(), "No deeper than this.", "38 mm"},
-}};
+const Shape depth_bound{"depth_bound",
+                        "Depth of the tip along the step's axis, from where the axis meets bone.",
+                        {
+                            {any_of, "at_least", depth(), "As deep as this.", "30 mm"},
+                            {any_of, "at_most", depth(), "No deeper than this.", "38 mm"},
+                        }};
 
-const Shape clearance_bound{"clearance_bound", "Distance of what cuts to a zone, negative inside.", {
-    {required, "zone", id(), "One of `needs.zones`.", "canal"},
-    {any_of, "at_least", length(-50.0_mm, 50.0_mm), "No nearer than this.", "0 mm"},
-    {any_of, "at_most", length(-50.0_mm, 50.0_mm), "No farther than this.", "20 mm"},
-}};
+const Shape clearance_bound{"clearance_bound",
+                            "Distance of what cuts to a zone, negative inside.",
+                            {
+                                {required, "zone", id(), "One of `needs.zones`.", "canal"},
+                                {any_of, "at_least", length(-50.0_mm, 50.0_mm), "No nearer than this.", "0 mm"},
+                                {any_of, "at_most", length(-50.0_mm, 50.0_mm), "No farther than this.", "20 mm"},
+                            }};
 
 const Shape separated_goal{"separated_goal", "The bone has come apart, in this step or before.", {}};
 
 const Shape held_goal{"held_goal", "The tool holds the piece that the step's axis leads into.", {}};
 
-const Shape moved_bound{"moved_bound", "How far that piece is from where it was, where the axis meets it.", {
-    {required, "at_least", length(0.1_mm, 500.0_mm), "As far as this.", "60 mm"},
-}};
+const Shape moved_bound{"moved_bound",
+                        "How far that piece is from where it was, where the axis meets it.",
+                        {
+                            {required, "at_least", length(0.1_mm, 500.0_mm), "As far as this.", "60 mm"},
+                        }};
 
-const Shape thrust_bound{"thrust_bound", "Of the bone on the tool, against its feed.", {
-    {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
-}};
+const Shape thrust_bound{
+    "thrust_bound",
+    "Of the bone on the tool, against its feed.",
+    {
+        {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
+    }};
 
-const Shape angle_bound{"angle_bound", "Between the wall that the cut left and the step's plane.", {
-    {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 45.0_deg), "No more than this.", "3 deg"},
-}};
+const Shape angle_bound{
+    "angle_bound",
+    "Between the wall that the cut left and the step's plane.",
+    {
+        {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 45.0_deg), "No more than this.", "3 deg"},
+    }};
 
-const Shape offset_bound{"offset_bound", "Of the wall that the cut left from where a blade in the step's plane would leave it, to either side.", {
-    {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
-}};
+const Shape offset_bound{
+    "offset_bound",
+    "Of the wall that the cut left from where a blade in the step's plane would leave it, to either side.",
+    {
+        {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
+    }};
 
-const Shape flatness_bound{"flatness_bound", "Between two parallel planes that hold the wall that the cut left.", {
-    {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
-}};
+const Shape flatness_bound{"flatness_bound",
+                           "Between two parallel planes that hold the wall that the cut left.",
+                           {
+                               {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
+                           }};
 
-const Shape goal{"goal", "What must be reached; goals are met in their order.", {
-    {one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
-    {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
-    {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
-    {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
-    {one_of, "moved", map(moved_bound), "The piece is away from where it was.", "{at_least: 60 mm}"},
-}};
+const Shape goal{"goal",
+                 "What must be reached; goals are met in their order.",
+                 {
+                     {one_of, "entry", map(entry_goal), "The tool has met bone.", "{}"},
+                     {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
+                     {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
+                     {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
+                     {one_of, "moved", map(moved_bound), "The piece is away from where it was.", "{at_least: 60 mm}"},
+                 }};
 
-const Shape limit{"limit", "What must not happen meanwhile.", {
-    {one_of, "clearance", map(clearance_bound), "How near what cuts may come to a zone.", "{zone: canal, at_least: 0 mm}"},
-    {one_of, "depth", map(depth_bound), "How deep the tip may be.", "{at_most: 38 mm}"},
-    {one_of, "thrust", map(thrust_bound), "How hard the running tool may be pushed.", "{at_most: 60 N}"},
-    {one_of, "plane_angle", map(angle_bound), "How far the cut may be tilted out of the step's plane, measured on its wall when the step has ended.", "{at_most: 3 deg}"},
-    {one_of, "plane_offset", map(offset_bound), "How far it may lie beside the plane, measured likewise.", "{at_most: 1 mm}"},
-    {one_of, "flatness", map(flatness_bound), "How uneven it may be, measured likewise.", "{at_most: 0.5 mm}"},
-    {required, "reason", text(), "The sentence that a trainee reads when it happens.", "The hole is deeper than planned."},
-}};
+const Shape limit{
+    "limit",
+    "What must not happen meanwhile.",
+    {
+        {one_of, "clearance", map(clearance_bound), "How near what cuts may come to a zone.",
+         "{zone: canal, at_least: 0 mm}"},
+        {one_of, "depth", map(depth_bound), "How deep the tip may be.", "{at_most: 38 mm}"},
+        {one_of, "thrust", map(thrust_bound), "How hard the running tool may be pushed.", "{at_most: 60 N}"},
+        {one_of, "plane_angle", map(angle_bound),
+         "How far the cut may be tilted out of the step's plane, measured on its wall when the step has ended.",
+         "{at_most: 3 deg}"},
+        {one_of, "plane_offset", map(offset_bound), "How far it may lie beside the plane, measured likewise.",
+         "{at_most: 1 mm}"},
+        {one_of, "flatness", map(flatness_bound), "How uneven it may be, measured likewise.", "{at_most: 0.5 mm}"},
+        {required, "reason", text(), "The sentence that a trainee reads when it happens.",
+         "The hole is deeper than planned."},
+    }};
 
-const Shape step{"step", "One thing to do.", {
-    {required, "id", id(), "The name that results use.", "drill"},
-    {required, "title", text(), "What to do, for the trainee.", "Drill the pilot hole"},
-    {required, "instrument", id(), "One of `instruments`.", "pilot"},
-    {required, "axis", id(), "One of `needs.landmarks`; the tool should follow it.", "right_pedicle"},
-    {optional, "plane", id(), "One of `needs.landmarks`; the flat side of a blade should lie in it, its y along the plane's normal.", "resection"},
-    {required, "goals", list(map(goal)), "What must be reached, in this order.", "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
-    {optional, "limits", list(map(limit)), "What must not happen meanwhile.", "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
-}};
+const Shape step{
+    "step",
+    "One thing to do.",
+    {
+        {required, "id", id(), "The name that results use.", "drill"},
+        {required, "title", text(), "What to do, for the trainee.", "Drill the pilot hole"},
+        {required, "instrument", id(), "One of `instruments`.", "pilot"},
+        {required, "axis", id(), "One of `needs.landmarks`; the tool should follow it.", "right_pedicle"},
+        {optional, "plane", id(),
+         "One of `needs.landmarks`; the flat side of a blade should lie in it, its y along the plane's normal.",
+         "resection"},
+        {required, "goals", list(map(goal)), "What must be reached, in this order.",
+         "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
+        {optional, "limits", list(map(limit)), "What must not happen meanwhile.",
+         "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
+    }};
 
-const Shape expectation{"expectation", "How the rehearsal fails.", {
-    {required, "fail", id(), "The one limit that breaks: its zone, or else its quantity.", "canal"},
-}};
+const Shape expectation{
+    "expectation",
+    "How the rehearsal fails.",
+    {
+        {required, "fail", id(), "The one limit that breaks: its zone, or else its quantity.", "canal"},
+    }};
 
-const Shape hand{"hand", "What the simulated hand is like.", {
-    {optional, "feed", speed(), "What it aims at in bone.", "1 mm/s"},
-    {optional, "approach", speed(), "Its speed in air.", "10 mm/s"},
-    {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push), "The most it pushes, at the bone.", "60 N"},
-    {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
-}};
+const Shape hand{
+    "hand",
+    "What the simulated hand is like.",
+    {
+        {optional, "feed", speed(), "What it aims at in bone.", "1 mm/s"},
+        {optional, "approach", speed(), "Its speed in air.", "10 mm/s"},
+        {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push), "The most it pushes, at the bone.",
+         "60 N"},
+        {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
+    }};
 
-const Shape waypoint{"waypoint", "Where the hand goes, seen along a step's axis.", {
-    {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
-    {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
-    {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
-    {optional, "medial_angle", quantity(dimension::angle, "deg", -60.0_deg, 60.0_deg), "How far all of it is aimed beside the axis, towards the landmark `midline`, about where the axis meets bone.", "20 deg"},
-    {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
-    {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg), "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
-    {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.", "{spindle_speed: 500 rpm}"},
-    {optional, "insert", id(), "One of `implants`, which comes in on arrival, where the tool is.", "plate"},
-    {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract"}), "On arrival: takes back the last change of the bone, or does it again; takes what is held out of the scene, or lets it grow together with the piece beside it; or takes away what the cutting part of the tool holds there.", "undo"},
-}};
+const Shape waypoint{
+    "waypoint",
+    "Where the hand goes, seen along a step's axis.",
+    {
+        {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
+        {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
+        {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
+        {optional, "medial_angle", quantity(dimension::angle, "deg", -60.0_deg, 60.0_deg),
+         "How far all of it is aimed beside the axis, towards the landmark `midline`, about where the axis meets bone.",
+         "20 deg"},
+        {optional, "aside", length(-100.0_mm, 100.0_mm),
+         "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
+        {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg),
+         "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
+        {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.",
+         "{spindle_speed: 500 rpm}"},
+        {optional, "insert", id(), "One of `implants`, which comes in on arrival, where the tool is.", "plate"},
+        {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract"}),
+         "On arrival: takes back the last change of the bone, or does it again; takes what is held out of the scene, "
+         "or lets it grow together with the piece beside it; or takes away what the cutting part of the tool holds "
+         "there.",
+         "undo"},
+    }};
 
-const Shape rehearsal{"rehearsal", "What a simulated hand does, and how that should end.", {
-    {required, "id", id(), "Its name, for `--hand`.", "expert"},
-    {optional, "title", text(), "What it shows.", "Along the planned axis"},
-    {required, "expect", word_or("pass", expectation), "`pass`, or the limit that breaks.", "{fail: canal}"},
-    {optional, "hand", map(hand), "What the simulated hand is like.", "{feed: 1 mm/s, push: 60 N}"},
-    {required, "path", list(map(waypoint)), "Where it goes: at least from where and to where.", "[{depth: -5 mm}, {depth: 32 mm}]"},
-}};
+const Shape rehearsal{
+    "rehearsal",
+    "What a simulated hand does, and how that should end.",
+    {
+        {required, "id", id(), "Its name, for `--hand`.", "expert"},
+        {optional, "title", text(), "What it shows.", "Along the planned axis"},
+        {required, "expect", word_or("pass", expectation), "`pass`, or the limit that breaks.", "{fail: canal}"},
+        {optional, "hand", map(hand), "What the simulated hand is like.", "{feed: 1 mm/s, push: 60 N}"},
+        {required, "path", list(map(waypoint)), "Where it goes: at least from where and to where.",
+         "[{depth: -5 mm}, {depth: 32 mm}]"},
+    }};
 
-const Shape variant{"variant", "The procedure with a few values changed.", {
-    {optional, "title", text(), "What is different.", "Osteoporotic bone"},
-    {required, "patch", of_kind(Kind::patch), "Paths of values, and what they are instead; ids address the items of lists, `~` removes.", "{accuracy.spacing: 0.5 mm}"},
-}};
+const Shape variant{"variant",
+                    "The procedure with a few values changed.",
+                    {
+                        {optional, "title", text(), "What is different.", "Osteoporotic bone"},
+                        {required, "patch", of_kind(Kind::patch),
+                         "Paths of values, and what they are instead; ids address the items of lists, `~` removes.",
+                         "{accuracy.spacing: 0.5 mm}"},
+                    }};
 
-const Shape implant{"implant", "A solid of metal. Its surface is given in the tool's frame: z along the axis, the tip at 0.", {
-    {required, "mesh", map(mesh), "Its surface, closed.", "{file: plate.stl, unit: mm}"},
-}};
+const Shape implant{"implant",
+                    "A solid of metal. Its surface is given in the tool's frame: z along the axis, the tip at 0.",
+                    {
+                        {required, "mesh", map(mesh), "Its surface, closed.", "{file: plate.stl, unit: mm}"},
+                    }};
 
-const Shape procedure{"procedure", "An operation: what to do, by the names of an anatomy.", {
-    {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
-    {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
-    {required, "metadata", map(metadata), "What it is called, and how far it may be relied on.", "{id: hole, title: A hole, version: 0.1.0, status: draft}"},
-    {required, "needs", map(needs), "What the anatomy must have.", "{landmarks: [right_pedicle], zones: [canal]}"},
-    {required, "anatomy", path(), "The anatomy that it runs on unless told otherwise, from this document's folder.", "anatomy/vertebra-phantom.yaml"},
-    {optional, "accuracy", map(accuracy), "How true the simulation is asked to be.", "{spacing: 0.25 mm}"},
-    {optional, "budget", map(budget), "What the simulation may cost.", "{tick: 300 us}"},
-    {required, "haptics", map(haptics), "What the hand holds.", "{device: touch}"},
-    {optional, "time_limit", quantity(dimension::time, "s", 1.0_s, 3600.0_s), "When the run ends at the latest, simulated.", "120 s"},
-    {required, "instruments", named(map(instrument)), "The tools, under names that steps use.", "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
-    {optional, "implants", named(map(implant)), "Solids that waypoints bring in.", "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
-    {required, "steps", list(map(step)), "What to do, in this order.", "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
-    {optional, "rehearsals", list(map(rehearsal)), "What simulated hands do, and how that should end.", "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
-    {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.", "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"},
-}};
+const Shape procedure{
+    "procedure",
+    "An operation: what to do, by the names of an anatomy.",
+    {
+        {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
+        {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
+        {required, "metadata", map(metadata), "What it is called, and how far it may be relied on.",
+         "{id: hole, title: A hole, version: 0.1.0, status: draft}"},
+        {required, "needs", map(needs), "What the anatomy must have.", "{landmarks: [right_pedicle], zones: [canal]}"},
+        {required, "anatomy", path(), "The anatomy that it runs on unless told otherwise, from this document's folder.",
+         "anatomy/vertebra-phantom.yaml"},
+        {optional, "accuracy", map(accuracy), "How true the simulation is asked to be.", "{spacing: 0.25 mm}"},
+        {optional, "budget", map(budget), "What the simulation may cost.", "{tick: 300 us}"},
+        {required, "haptics", map(haptics), "What the hand holds.", "{device: touch}"},
+        {optional, "time_limit", quantity(dimension::time, "s", 1.0_s, 3600.0_s),
+         "When the run ends at the latest, simulated.", "120 s"},
+        {required, "instruments", named(map(instrument)), "The tools, under names that steps use.",
+         "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
+        {optional, "implants", named(map(implant)), "Solids that waypoints bring in.",
+         "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
+        {required, "steps", list(map(step)), "What to do, in this order.",
+         "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
+        {optional, "rehearsals", list(map(rehearsal)), "What simulated hands do, and how that should end.",
+         "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
+        {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.",
+         "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"},
+    }};
 
-// ---- anatomies -------------------------------------------------------------------------------------------------------
+// ---- anatomies
+// -------------------------------------------------------------------------------------------------------
 
-const Shape anatomy_metadata{"anatomy_metadata", "What the anatomy is called.", {
-    {required, "id", id(), "The name that results use.", "vertebra-phantom"},
-    {required, "title", text(), "The name that people read.", "Third lumbar vertebra"},
-}};
+const Shape anatomy_metadata{"anatomy_metadata",
+                             "What the anatomy is called.",
+                             {
+                                 {required, "id", id(), "The name that results use.", "vertebra-phantom"},
+                                 {required, "title", text(), "The name that people read.", "Third lumbar vertebra"},
+                             }};
 
-const Shape box{"box", "A box along the patient's axes.", {
-    {required, "centre", position(), "Its centre.", "0 0 0 mm"},
-    {required, "size", vector(dimension::length, "mm", 0.1_mm, 2.0_m), "Its whole edges along x, y and z.", "44 35 28 mm"},
-}};
+const Shape box{"box",
+                "A box along the patient's axes.",
+                {
+                    {required, "centre", position(), "Its centre.", "0 0 0 mm"},
+                    {required, "size", vector(dimension::length, "mm", 0.1_mm, 2.0_m),
+                     "Its whole edges along x, y and z.", "44 35 28 mm"},
+                }};
 
-const Shape tube{"tube", "A round rod, cut flat.", {
-    {required, "from", position(), "The middle of one end.", "0 26 -30 mm"},
-    {required, "to", position(), "The middle of the other.", "0 26 30 mm"},
-    {required, "radius", extent(), "From its axis to its wall.", "8 mm"},
-}};
+const Shape tube{"tube",
+                 "A round rod, cut flat.",
+                 {
+                     {required, "from", position(), "The middle of one end.", "0 26 -30 mm"},
+                     {required, "to", position(), "The middle of the other.", "0 26 30 mm"},
+                     {required, "radius", extent(), "From its axis to its wall.", "8 mm"},
+                 }};
 
-const Shape elliptic_tube{"elliptic_tube", "A rod with an elliptic section, cut flat.", {
-    {required, "from", position(), "The middle of one end.", "-20 34 5 mm"},
-    {required, "to", position(), "The middle of the other.", "-14 12 5 mm"},
-    {required, "width", extent(), "The whole section across `up`.", "10.3 mm"},
-    {required, "height", extent(), "The whole section along `up`.", "14.9 mm"},
-    {optional, "up", vector(dimension::none, "", -1.0, 1.0), "Which way `height` is measured; towards the head if not given.", "0 0 1"},
-}};
+const Shape elliptic_tube{"elliptic_tube",
+                          "A rod with an elliptic section, cut flat.",
+                          {
+                              {required, "from", position(), "The middle of one end.", "-20 34 5 mm"},
+                              {required, "to", position(), "The middle of the other.", "-14 12 5 mm"},
+                              {required, "width", extent(), "The whole section across `up`.", "10.3 mm"},
+                              {required, "height", extent(), "The whole section along `up`.", "14.9 mm"},
+                              {optional, "up", vector(dimension::none, "", -1.0, 1.0),
+                               "Which way `height` is measured; towards the head if not given.", "0 0 1"},
+                          }};
 
-const Shape zone_solid{"zone_solid", "One solid of a zone.", {
-    {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
-    {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
-    {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.", "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
-}};
+const Shape zone_solid{
+    "zone_solid",
+    "One solid of a zone.",
+    {
+        {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
+        {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
+        {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
+         "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+    }};
 
-const Shape part{"part", "A solid that is added to the bone, or taken away from the parts before it.", {
-    {required, "id", id(), "Its name.", "body"},
-    {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
-    {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
-    {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.", "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
-    {optional, "source", text(), "Where its figures come from.", "Panjabi 1992."},
-    {optional, "subtract", yes_no(), "Taken away instead of added.", "true"},
-}};
+const Shape part{"part",
+                 "A solid that is added to the bone, or taken away from the parts before it.",
+                 {
+                     {required, "id", id(), "Its name.", "body"},
+                     {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
+                     {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
+                     {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
+                      "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+                     {optional, "source", text(), "Where its figures come from.", "Panjabi 1992."},
+                     {optional, "subtract", yes_no(), "Taken away instead of added.", "true"},
+                 }};
 
-const Shape phantom{"phantom", "Bone out of solids.", {
-    {required, "parts", list(map(part)), "Added and taken away in this order.", "[{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]"},
-}};
+const Shape phantom{"phantom",
+                    "Bone out of solids.",
+                    {
+                        {required, "parts", list(map(part)), "Added and taken away in this order.",
+                         "[{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]"},
+                    }};
 
-const Shape labels{"labels", "Which voxels are this bone, by a label map or a segmentation.", {
-    {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/labels.nrrd"},
-    {required, "keep", list(label()), "What is this bone: numbers, or the names that a segmentation of 3D Slicer gives.", "[22]"},
-}};
+const Shape labels{"labels",
+                   "Which voxels are this bone, by a label map or a segmentation.",
+                   {
+                       {required, "file", path(), "In this document's folder or in KERF_DATA.", "scans/labels.nrrd"},
+                       {required, "keep", list(label()),
+                        "What is this bone: numbers, or the names that a segmentation of 3D Slicer gives.", "[22]"},
+                   }};
 
-const Shape kept_piece{"kept_piece", "Which piece of what is bright, or has the labels, is this bone.", {
-    {required, "component_at", id(), "A landmark point in it or beside it.", "body_centre"},
-}};
+const Shape kept_piece{"kept_piece",
+                       "Which piece of what is bright, or has the labels, is this bone.",
+                       {
+                           {required, "component_at", id(), "A landmark point in it or beside it.", "body_centre"},
+                       }};
 
-const Shape density_line{"density_line", "Density of the last tissue out of a voxel's value: at_zero + per_unit × value.", {
-    {required, "at_zero", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "Where the value is 0.", "-0.1 g/cm3"},
-    {required, "per_unit", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "For each HU or grey level.", "0.001 g/cm3"},
-    {required, "floor", density(0.01_g_per_cm3, 3.0_g_per_cm3), "Never less than this.", "0.1 g/cm3"},
-    {required, "source", text(), "Who found this line.", "Rho et al. 1995."},
-}};
+const Shape density_line{
+    "density_line",
+    "Density of the last tissue out of a voxel's value: at_zero + per_unit × value.",
+    {
+        {required, "at_zero", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "Where the value is 0.", "-0.1 g/cm3"},
+        {required, "per_unit", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "For each HU or grey level.", "0.001 g/cm3"},
+        {required, "floor", density(0.01_g_per_cm3, 3.0_g_per_cm3), "Never less than this.", "0.1 g/cm3"},
+        {required, "source", text(), "Who found this line.", "Rho et al. 1995."},
+    }};
 
-const Shape ct{"ct", "Bone out of a CT.", {
-    {required, "image", path(), "A file, or a folder with a DICOM series; in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
-    {optional, "series", text(), "Which series of the folder, as `kerf import` offers them; needed if there are several.", "4"},
-    {optional, "resample", yes_no(), "Gaps between slices may be filled from their neighbours.", "true"},
-    {optional, "intensity", word({"HU", "grey"}), "What the values are: HU if not given; grey levels of a cone-beam CT are none.", "grey"},
-    {optional, "labels", map(labels), "Which voxels are this bone; those above the threshold if not given.", "{file: scans/labels.nrrd, keep: [22]}"},
-    {optional, "keep", map(kept_piece), "Which piece is this bone; without labels the largest if not given.", "{component_at: body_centre}"},
-    {required, "threshold", number(-4000.0, 65535.0), "The value at the border of bone, in HU or grey levels.", "150"},
-    {optional, "closing", length(0.0_mm, 10.0_mm), "Narrower gaps in the mask are closed: a radius.", "2 mm"},
-    {optional, "fill", yes_no(), "Cavities without a way out count as bone.", "true"},
-    {optional, "density", map(density_line), "Density of the last tissue, voxel by voxel.", "{at_zero: -0.1 g/cm3, per_unit: 0.001 g/cm3, floor: 0.1 g/cm3, source: A book.}"},
-    {optional, "source", text(), "Where the scan comes from.", "A public collection."},
-}};
+const Shape ct{
+    "ct",
+    "Bone out of a CT.",
+    {
+        {required, "image", path(),
+         "A file, or a folder with a DICOM series; in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
+        {optional, "series", text(),
+         "Which series of the folder, as `kerf import` offers them; needed if there are several.", "4"},
+        {optional, "resample", yes_no(), "Gaps between slices may be filled from their neighbours.", "true"},
+        {optional, "intensity", word({"HU", "grey"}),
+         "What the values are: HU if not given; grey levels of a cone-beam CT are none.", "grey"},
+        {optional, "labels", map(labels), "Which voxels are this bone; those above the threshold if not given.",
+         "{file: scans/labels.nrrd, keep: [22]}"},
+        {optional, "keep", map(kept_piece), "Which piece is this bone; without labels the largest if not given.",
+         "{component_at: body_centre}"},
+        {required, "threshold", number(-4000.0, 65535.0), "The value at the border of bone, in HU or grey levels.",
+         "150"},
+        {optional, "closing", length(0.0_mm, 10.0_mm), "Narrower gaps in the mask are closed: a radius.", "2 mm"},
+        {optional, "fill", yes_no(), "Cavities without a way out count as bone.", "true"},
+        {optional, "density", map(density_line), "Density of the last tissue, voxel by voxel.",
+         "{at_zero: -0.1 g/cm3, per_unit: 0.001 g/cm3, floor: 0.1 g/cm3, source: A book.}"},
+        {optional, "source", text(), "Where the scan comes from.", "A public collection."},
+    }};
 
-const Shape repair{"repair", "What may be mended of a surface beyond what is safe.", {
-    {optional, "holes_up_to", length(0.0_mm, 20.0_mm), "Holes no wider than this are closed.", "3 mm"},
-    {optional, "pieces_under", quantity(dimension::volume, "mm3", 0.0, 1e-6), "Smaller pieces are left out.", "10 mm3"},
-    {optional, "inner", word({"hollow", "solid"}), "What surfaces inside the outer one are: rooms, or drawings on solid bone.", "hollow"},
-}};
+const Shape repair{
+    "repair",
+    "What may be mended of a surface beyond what is safe.",
+    {
+        {optional, "holes_up_to", length(0.0_mm, 20.0_mm), "Holes no wider than this are closed.", "3 mm"},
+        {optional, "pieces_under", quantity(dimension::volume, "mm3", 0.0, 1e-6), "Smaller pieces are left out.",
+         "10 mm3"},
+        {optional, "inner", word({"hollow", "solid"}),
+         "What surfaces inside the outer one are: rooms, or drawings on solid bone.", "hollow"},
+    }};
 
-const Shape canal{"canal", "The marrow's room: there is no bone in it.", {
-    {one_of, "file", path(), "A second surface, in the same unit and frame.", "meshes/canal.stl"},
-    {one_of, "tube", map(tube), "A round rod.", "{from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}"},
-}};
+const Shape canal{"canal",
+                  "The marrow's room: there is no bone in it.",
+                  {
+                      {one_of, "file", path(), "A second surface, in the same unit and frame.", "meshes/canal.stl"},
+                      {one_of, "tube", map(tube), "A round rod.", "{from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}"},
+                  }};
 
-const Shape mesh{"mesh", "Bone out of a closed surface.", {
-    {required, "file", path(), "STL, OBJ or PLY, in this document's folder or in KERF_DATA.", "meshes/femur.stl"},
-    {required, "unit", word({"mm", "cm", "m", "um"}), "What a 1 in the file is: no such file says it.", "mm"},
-    {optional, "frame", word({"LPS", "RAS"}), "Which way its axes point; LPS is supposed, and said, if not given.", "LPS"},
-    {optional, "repair", map(repair), "What may be mended.", "{holes_up_to: 3 mm}"},
-    {optional, "canal", map(canal), "The marrow's room.", "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
-    {optional, "source", text(), "Where the surface comes from.", "A public collection."},
-}};
+const Shape mesh{
+    "mesh",
+    "Bone out of a closed surface.",
+    {
+        {required, "file", path(), "STL, OBJ or PLY, in this document's folder or in KERF_DATA.", "meshes/femur.stl"},
+        {required, "unit", word({"mm", "cm", "m", "um"}), "What a 1 in the file is: no such file says it.", "mm"},
+        {optional, "frame", word({"LPS", "RAS"}), "Which way its axes point; LPS is supposed, and said, if not given.",
+         "LPS"},
+        {optional, "repair", map(repair), "What may be mended.", "{holes_up_to: 3 mm}"},
+        {optional, "canal", map(canal), "The marrow's room.",
+         "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
+        {optional, "source", text(), "Where the surface comes from.", "A public collection."},
+    }};
 
-const Shape tissue{"tissue", "What bone is made of: shells from the surface inwards, and last what fills the rest.", {
-    {required, "id", id(), "Its name.", "cortical"},
-    {optional, "thickness", length(0.1_mm, 20.0_mm), "Of the shell; the last tissue has none, all others need it.", "1.5 mm"},
-    {optional, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3), "Needed, unless `ct.density` gives it to the last tissue.", "1.85 g/cm3"},
-    {optional, "source", text(), "Where its figures come from.", "Silva et al. 1994."},
-}};
+const Shape tissue{"tissue",
+                   "What bone is made of: shells from the surface inwards, and last what fills the rest.",
+                   {
+                       {required, "id", id(), "Its name.", "cortical"},
+                       {optional, "thickness", length(0.1_mm, 20.0_mm),
+                        "Of the shell; the last tissue has none, all others need it.", "1.5 mm"},
+                       {optional, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3),
+                        "Needed, unless `ct.density` gives it to the last tissue.", "1.85 g/cm3"},
+                       {optional, "source", text(), "Where its figures come from.", "Silva et al. 1994."},
+                   }};
 
-const Shape point{"point", "A place.", {
-    {required, "at", position(), "Where it is: LPS, x to the patient's left, y to the back, z to the head.", "0 26 5 mm"},
-    {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
-    {optional, "lies", word({"on_bone", "in_bone", "off_bone"}), "What is known of it, and checked within the tolerance.", "on_bone"},
-}};
+const Shape point{"point",
+                  "A place.",
+                  {
+                      {required, "at", position(),
+                       "Where it is: LPS, x to the patient's left, y to the back, z to the head.", "0 26 5 mm"},
+                      {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+                      {optional, "lies", word({"on_bone", "in_bone", "off_bone"}),
+                       "What is known of it, and checked within the tolerance.", "on_bone"},
+                  }};
 
-const Shape axis{"axis", "A way into the bone.", {
-    {required, "from", position(), "Where it begins, outside the bone.", "-23.5 47 5 mm"},
-    {required, "to", position(), "Where it ends, inside the bone.", "-9.9 -6 5 mm"},
-    {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
-}};
+const Shape axis{"axis",
+                 "A way into the bone.",
+                 {
+                     {required, "from", position(), "Where it begins, outside the bone.", "-23.5 47 5 mm"},
+                     {required, "to", position(), "Where it ends, inside the bone.", "-9.9 -6 5 mm"},
+                     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+                 }};
 
-const Shape plane{"plane", "A flat cut, or a face.", {
-    {required, "at", position(), "A place in it.", "0 0 120 mm"},
-    {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Which way it looks.", "0 0 1"},
-    {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
-}};
+const Shape plane{"plane",
+                  "A flat cut, or a face.",
+                  {
+                      {required, "at", position(), "A place in it.", "0 0 120 mm"},
+                      {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Which way it looks.", "0 0 1"},
+                      {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+                  }};
 
-const Shape markup_name{"markup_name", "What a markup is called here.", {
-    {required, "label", text(), "What the file calls it.", "F-1"},
-    {required, "id", id(), "The landmark that it is.", "entry"},
-}};
+const Shape markup_name{"markup_name",
+                        "What a markup is called here.",
+                        {
+                            {required, "label", text(), "What the file calls it.", "F-1"},
+                            {required, "id", id(), "The landmark that it is.", "entry"},
+                        }};
 
-const Shape markups{"markups", "Landmarks that 3D Slicer wrote: points, lines as axes, planes.", {
-    {required, "file", path(), "`.mrk.json` or `.fcsv`, in this document's folder or in KERF_DATA.", "scans/entry.mrk.json"},
-    {required, "tolerance", tolerance(), "How well all of them are known.", "2 mm"},
-    {optional, "names", list(map(markup_name)), "Other names than the file's.", "[{label: F-1, id: entry}]"},
-}};
+const Shape markups{
+    "markups",
+    "Landmarks that 3D Slicer wrote: points, lines as axes, planes.",
+    {
+        {required, "file", path(), "`.mrk.json` or `.fcsv`, in this document's folder or in KERF_DATA.",
+         "scans/entry.mrk.json"},
+        {required, "tolerance", tolerance(), "How well all of them are known.", "2 mm"},
+        {optional, "names", list(map(markup_name)), "Other names than the file's.", "[{label: F-1, id: entry}]"},
+    }};
 
-const Shape landmarks{"landmarks", "Places that procedures name.", {
-    {optional, "points", named(map(point)), "Places.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
-    {optional, "axes", named(map(axis)), "Ways into the bone.", "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
-    {optional, "planes", named(map(plane)), "Flat cuts.", "{resection: {at: 0 0 120 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
-    {optional, "markups", list(map(markups)), "Files of 3D Slicer's markups.", "[{file: scans/entry.mrk.json, tolerance: 2 mm}]"},
-}};
+const Shape landmarks{
+    "landmarks",
+    "Places that procedures name.",
+    {
+        {optional, "points", named(map(point)), "Places.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
+        {optional, "axes", named(map(axis)), "Ways into the bone.",
+         "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
+        {optional, "planes", named(map(plane)), "Flat cuts.",
+         "{resection: {at: 0 0 120 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
+        {optional, "markups", list(map(markups)), "Files of 3D Slicer's markups.",
+         "[{file: scans/entry.mrk.json, tolerance: 2 mm}]"},
+    }};
 
-const Shape anatomy{"anatomy", "What there is: bone, tissues, and places with names.", {
-    {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
-    {required, "kind", word({"Anatomy"}), "What this document describes.", "Anatomy"},
-    {required, "metadata", map(anatomy_metadata), "What it is called.", "{id: bone, title: A bone}"},
-    {one_of, "phantom", map(phantom), "Bone out of solids.", "{parts: [{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]}"},
-    {one_of, "ct", map(ct), "Bone out of a CT.", "{image: scans/bone.nii.gz, threshold: 150}"},
-    {one_of, "mesh", map(mesh), "Bone out of a closed surface.", "{file: meshes/femur.stl, unit: mm}"},
-    {required, "tissues", list(map(tissue)), "From the surface inwards.", "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
-    {required, "landmarks", map(landmarks), "Places that procedures name.", "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
-    {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.", "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},
-}};
+const Shape anatomy{
+    "anatomy",
+    "What there is: bone, tissues, and places with names.",
+    {
+        {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
+        {required, "kind", word({"Anatomy"}), "What this document describes.", "Anatomy"},
+        {required, "metadata", map(anatomy_metadata), "What it is called.", "{id: bone, title: A bone}"},
+        {one_of, "phantom", map(phantom), "Bone out of solids.",
+         "{parts: [{id: body, box: {centre: 0 0 0 mm, size: 44 35 28 mm}}]}"},
+        {one_of, "ct", map(ct), "Bone out of a CT.", "{image: scans/bone.nii.gz, threshold: 150}"},
+        {one_of, "mesh", map(mesh), "Bone out of a closed surface.", "{file: meshes/femur.stl, unit: mm}"},
+        {required, "tissues", list(map(tissue)), "From the surface inwards.",
+         "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
+        {required, "landmarks", map(landmarks), "Places that procedures name.",
+         "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
+        {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.",
+         "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},
+    }};
 
 }  // namespace kerf::shapes

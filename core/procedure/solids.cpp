@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace kerf {
 
@@ -22,10 +23,10 @@ double capped(double side, double end) noexcept {
 }
 
 struct Along {
-    Vec3 axis;        ///< unit
-    double length;    ///< [m]
-    double at;        ///< of the point along the axis, from `from` [m]
-    Vec3 across;      ///< from the axis to the point [m]
+    Vec3 axis;      ///< unit
+    double length;  ///< [m]
+    double at;      ///< of the point along the axis, from `from` [m]
+    Vec3 across;    ///< from the axis to the point [m]
 };
 Along along(Vec3 from, Vec3 to, Vec3 p) noexcept {
     const Vec3 axis = normalized(to - from);
@@ -37,29 +38,30 @@ Along along(Vec3 from, Vec3 to, Vec3 p) noexcept {
 
 double distance_to(const Solid& solid, Vec3 p) noexcept {
     return std::visit(
-        Overloaded{
-            [&](const BoxSolid& box) {
-                const Vec3 d = p - box.centre;
-                const Vec3 q{std::abs(d.x) - 0.5 * box.size.x, std::abs(d.y) - 0.5 * box.size.y, std::abs(d.z) - 0.5 * box.size.z};
-                return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) +
-                       std::min(std::max({q.x, q.y, q.z}), 0.0);
-            },
-            [&](const TubeSolid& tube) {
-                const Along a = along(tube.from, tube.to, p);
-                return capped(length(a.across) - tube.radius, std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
-            },
-            [&](const EllipticTubeSolid& tube) {
-                const Along a = along(tube.from, tube.to, p);
-                const Vec3 up = normalized(tube.up - dot(tube.up, a.axis) * a.axis);
-                const Vec3 side = cross(up, a.axis);
-                const double x = dot(a.across, side), y = dot(a.across, up);
-                const double rx = 0.5 * tube.width, ry = 0.5 * tube.height;
-                // k0 (k0 − 1) / k1: first order exact at the wall, never steeper than 1.
-                const double k0 = std::sqrt(x * x / (rx * rx) + y * y / (ry * ry));
-                const double k1 = std::sqrt(x * x / (rx * rx * rx * rx) + y * y / (ry * ry * ry * ry));
-                const double wall = k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(rx, ry);
-                return capped(std::max(wall, -std::min(rx, ry)), std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
-            }},
+        Overloaded{[&](const BoxSolid& box) {
+                       const Vec3 d = p - box.centre;
+                       const Vec3 q{std::abs(d.x) - 0.5 * box.size.x, std::abs(d.y) - 0.5 * box.size.y,
+                                    std::abs(d.z) - 0.5 * box.size.z};
+                       return length(Vec3{std::max(q.x, 0.0), std::max(q.y, 0.0), std::max(q.z, 0.0)}) +
+                              std::min(std::max({q.x, q.y, q.z}), 0.0);
+                   },
+                   [&](const TubeSolid& tube) {
+                       const Along a = along(tube.from, tube.to, p);
+                       return capped(length(a.across) - tube.radius, std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
+                   },
+                   [&](const EllipticTubeSolid& tube) {
+                       const Along a = along(tube.from, tube.to, p);
+                       const Vec3 up = normalized(tube.up - dot(tube.up, a.axis) * a.axis);
+                       const Vec3 side = cross(up, a.axis);
+                       const double x = dot(a.across, side), y = dot(a.across, up);
+                       const double rx = 0.5 * tube.width, ry = 0.5 * tube.height;
+                       // k0 (k0 − 1) / k1: first order exact at the wall, never steeper than 1.
+                       const double k0 = std::sqrt(x * x / (rx * rx) + y * y / (ry * ry));
+                       const double k1 = std::sqrt(x * x / (rx * rx * rx * rx) + y * y / (ry * ry * ry * ry));
+                       const double wall = k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(rx, ry);
+                       return capped(std::max(wall, -std::min(rx, ry)),
+                                     std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
+                   }},
         solid);
 }
 
@@ -84,7 +86,9 @@ Box bounds_of(const Solid& solid) noexcept {
                    {std::max(from.x, to.x) + r, std::max(from.y, to.y) + r, std::max(from.z, to.z) + r}};
     };
     return std::visit(
-        Overloaded{[](const BoxSolid& box) { return Box{box.centre - 0.5 * box.size, box.centre + 0.5 * box.size}; },
+        Overloaded{[](const BoxSolid& box) {
+                       return Box{box.centre - 0.5 * box.size, box.centre + 0.5 * box.size};
+                   },
                    [&](const TubeSolid& t) { return tube(t.from, t.to, t.radius); },
                    [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); }},
         solid);

@@ -27,7 +27,8 @@ std::string underlined(const SourcePlace& place, const std::string& line) {
 }  // namespace
 
 std::string to_text(const SourcePlace& place) {
-    return place.line > 0 ? place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) : place.file;
+    return place.line > 0 ? place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)
+                          : place.file;
 }
 
 Diagnostic error_at(const Reason& at, std::string code, std::string message) {
@@ -55,7 +56,8 @@ Diagnostic warning_about(const std::string& file, std::string code, std::string 
 
 void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first) {
     for (std::size_t i = first; i < diagnostics.size(); ++i)
-        if (named.place.line > 0 && !diagnostics[i].reason && diagnostics[i].place.line == 0) diagnostics[i].reason = named;
+        if (named.place.line > 0 && !diagnostics[i].reason && diagnostics[i].place.line == 0)
+            diagnostics[i].reason = named;
 }
 
 bool has_error(const Diagnostics& diagnostics) noexcept {

@@ -28,10 +28,10 @@ struct Reason {
 struct Diagnostic {
     enum class Level { error, warning };
     Level level = Level::error;
-    std::string code;     ///< "E0412"
+    std::string code;  ///< "E0412"
     SourcePlace place;
-    std::string message;  ///< one sentence: what we got and what is needed, with its unit
-    std::string write;    ///< what to write instead; may be empty
+    std::string message;      ///< one sentence: what we got and what is needed, with its unit
+    std::string write;        ///< what to write instead; may be empty
     std::string source_line;  ///< the text of place.line, for the caret; may be empty
     std::optional<Reason> reason{};
 };
@@ -46,7 +46,8 @@ using Diagnostics = std::vector<Diagnostic>;
 [[nodiscard]] Diagnostic error_at(const Reason& at, std::string code, std::string message);
 [[nodiscard]] Diagnostic warning_at(const Reason& at, std::string code, std::string message);
 
-/// Gives everything from `first` on, which is about a file, the place that names this file as its reason; if that has a line.
+/// Gives everything from `first` on, which is about a file, the place that names this file as its reason; if that has a
+/// line.
 void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first);
 
 /// `file:14:22`, or `file` for the file as a whole.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/procedure/solids.h"
 
@@ -40,7 +42,8 @@ Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
     return {entry + from_entry, rotation};
 }
 
-AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy, const LandmarkPlane* plane) noexcept {
+AxisFrame axis_frame(const LandmarkAxis& axis, double entry_along_axis, const Anatomy& anatomy,
+                     const LandmarkPlane* plane) noexcept {
     AxisFrame frame;
     frame.along = normalized(axis.to - axis.from);
     frame.entry = axis.from + entry_along_axis * frame.along;
@@ -122,9 +125,10 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     }
 
     for (auto& limit : state.limits) {
-        if (!is_running) continue;  // a still tool harms nothing
+        if (!is_running) continue;                // a still tool harms nothing
         if (limit.limit->is_of_wall()) continue;  // there is none yet
-        if (limit.limit->quantity == "depth" && !state.has_cut_bone()) continue;  // beside the bone there is no hole that could be too deep
+        if (limit.limit->quantity == "depth" && !state.has_cut_bone())
+            continue;  // beside the bone there is no hole that could be too deep
         double value = limit.limit->quantity == "thrust" ? now.thrust : depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
@@ -161,7 +165,8 @@ bool StepMonitor::is_reached(const Goal& goal, const StepState& state, const Obs
     if (goal.quantity == "separated") return now.world_from_body.size() > 1;
     if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
     if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
-    return state.has_cut_bone() && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest && state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
+    return state.has_cut_bone() && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
+           state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
 }
 
 void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/field/cut_wall.h"
@@ -36,7 +38,7 @@ struct AxisFrame {
 
 /// What one tick showed.
 struct Observation {
-    double time = 0.0;                        ///< [s]
+    double time = 0.0;  ///< [s]
     Pose world_from_tool = identity_pose();
     bool is_running = false;                  ///< the tool removes what it sweeps
     bool is_resisted = false;                 ///< bone resists it
@@ -53,7 +55,7 @@ struct Owners {
 
 struct LimitState {
     const Limit* limit = nullptr;
-    double worst = 0.0;            ///< the value farthest towards the wrong side
+    double worst = 0.0;  ///< the value farthest towards the wrong side
     bool is_seen = false;
     std::optional<double> broken_at;  ///< [s]
 };
@@ -70,7 +72,7 @@ struct StepState {
     std::optional<CutWall> wall;       ///< that its cut left, measured when it had ended
     double removed = 0.0;              ///< [m³] in this step
 
-    double moved = 0.0;                ///< [m] the farthest that the bone at the entry was from where it had been
+    double moved = 0.0;  ///< [m] the farthest that the bone at the entry was from where it had been
 
     [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
@@ -83,7 +85,8 @@ public:
 
     /// Shows one tick, of a tool whose cutting region is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);
-    /// Shows what the step that ended in the last tick left: the wall of its cut, if one was found, and what was `removed` in it [m³].
+    /// Shows what the step that ended in the last tick left: the wall of its cut, if one was found, and what was
+    /// `removed` in it [m³].
     void judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time);
     /// From now on things move with these bodies.
     void belong(Owners owners) { owners_ = std::move(owners); }

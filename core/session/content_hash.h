@@ -23,7 +23,9 @@ public:
     void add(std::int32_t value) noexcept { add_bytes(static_cast<std::uint32_t>(value), 4); }
     void add(std::uint64_t value) noexcept { add_bytes(value, 8); }
     void add(std::int64_t value) noexcept { add_bytes(static_cast<std::uint64_t>(value), 8); }
-    void add(float value) noexcept { add_bytes(std::isnan(value) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(value), 4); }
+    void add(float value) noexcept {
+        add_bytes(std::isnan(value) ? 0x7fc00000u : std::bit_cast<std::uint32_t>(value), 4);
+    }
     /// The bits as they are: −0 and 0 differ, since a replay must not confuse them. All NaN count as one.
     void add(double value) noexcept {
         add_bytes(std::isnan(value) ? 0x7ff8000000000000u : std::bit_cast<std::uint64_t>(value), 8);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace kerf {
 namespace {
@@ -43,10 +44,13 @@ DrawnSurface drawn_surface(const Mesh& mesh) {
 
     const auto whole = [](double value) { return static_cast<std::uint32_t>(std::lround(value)); };
     for (const Vec3 v : mesh.vertices)
-        for (const double offset : {v.x - centre.x, v.y - centre.y, v.z - centre.z, 0.0}) put(drawn.positions, whole(offset / drawn.step), 2);
+        for (const double offset : {v.x - centre.x, v.y - centre.y, v.z - centre.z, 0.0})
+            put(drawn.positions, whole(offset / drawn.step), 2);
     for (const Vec3 n : normals_of(mesh))
-        for (const double part : {n.x, n.y, n.z, 0.0}) put(drawn.normals, whole(127.0 * std::clamp(part, -1.0, 1.0)), 1);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) drawn.tissues.push_back(i < mesh.tissue.size() ? mesh.tissue[i] : 0);
+        for (const double part : {n.x, n.y, n.z, 0.0})
+            put(drawn.normals, whole(127.0 * std::clamp(part, -1.0, 1.0)), 1);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        drawn.tissues.push_back(i < mesh.tissue.size() ? mesh.tissue[i] : 0);
     for (const auto& [a, b, c] : mesh.triangles) {
         if (std::max({a, b, c}) >= mesh.vertices.size()) continue;
         for (const std::uint32_t corner : {a, b, c}) put(drawn.triangles, corner, drawn.is_short() ? 2 : 4);
@@ -56,7 +60,9 @@ DrawnSurface drawn_surface(const Mesh& mesh) {
 
 bool is_sound(const DrawnSurface& surface) {
     const std::size_t vertices = surface.tissues.size(), width = surface.is_short() ? 2 : 4;
-    if (surface.positions.size() != 8 * vertices || surface.normals.size() != 4 * vertices || surface.triangles.size() % (3 * width) != 0) return false;
+    if (surface.positions.size() != 8 * vertices || surface.normals.size() != 4 * vertices ||
+        surface.triangles.size() % (3 * width) != 0)
+        return false;
     if (surface.is_empty()) return vertices == 0;
     const Vec3 half = surface.half_size;
     if (!(surface.step > 0.0) || !is_finite(Vec3{surface.step, 0, 0}) || !is_finite(half)) return false;

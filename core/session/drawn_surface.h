@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// A surface as the page draws it and the session keeps it, packed once. Numbers are little-endian, least significant byte first.
-/// Empty: there is none to draw.
+/// A surface as the page draws it and the session keeps it, packed once. Numbers are little-endian, least significant
+/// byte first. Empty: there is none to draw.
 struct DrawnSurface {
     double step = 0.0;                     ///< [m] of one step of a position
     Vec3 half_size{};                      ///< [m] of the box around it, about whose middle positions are measured
@@ -23,8 +23,8 @@ struct DrawnSurface {
     friend bool operator==(const DrawnSurface&, const DrawnSurface&) = default;
 };
 
-/// Positions become 16-bit steps from the middle of the box around them: 3 µm in a bone of 20 cm. Normals are made where there are none;
-/// triangles with vertices that do not exist are left out.   [any]
+/// Positions become 16-bit steps from the middle of the box around them: 3 µm in a bone of 20 cm. Normals are made
+/// where there are none; triangles with vertices that do not exist are left out.   [any]
 [[nodiscard]] DrawnSurface drawn_surface(const Mesh& mesh);
 
 /// Whether the lengths fit together and every triangle has vertices that exist.   [any]

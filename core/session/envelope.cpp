@@ -4,6 +4,7 @@
 #include <sys/random.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>

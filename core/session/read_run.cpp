@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -34,7 +36,8 @@ public:
 
 private:
     void fail(const std::string& what) {
-        if (error_.empty()) error_ = path_ + ": " + what + ", so the file is damaged. Name a session.db that a run has written.";
+        if (error_.empty())
+            error_ = path_ + ": " + what + ", so the file is damaged. Name a session.db that a run has written.";
     }
 
     /// A text. Rows that share their bytes could hold more text than the file has; a run's never do.
@@ -81,7 +84,9 @@ private:
         const std::string value = key(name);
         return value.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(value.c_str(), nullptr);
     }
-    [[nodiscard]] std::uint64_t count_of(const std::string& name) const { return std::strtoull(key(name).c_str(), nullptr, 10); }
+    [[nodiscard]] std::uint64_t count_of(const std::string& name) const {
+        return std::strtoull(key(name).c_str(), nullptr, 10);
+    }
 
     const std::string& path_;
     SessionFile& file_;
@@ -95,7 +100,8 @@ void Reading::read_keys() {
     constexpr std::string_view version = "version.";
     each("session", "key, value", "rowid", [&](const SessionQuery& row) {
         std::string name = text(row, 0), value = text(row, 1);
-        if (name.compare(0, version.size(), version) == 0) run_.summary.versions.emplace_back(name.substr(version.size()), value);
+        if (name.compare(0, version.size(), version) == 0)
+            run_.summary.versions.emplace_back(name.substr(version.size()), value);
         keys_[std::move(name)] = std::move(value);
     });
     RunSummary& summary = run_.summary;
@@ -115,9 +121,11 @@ void Reading::read_lists() {
     each("signals", "id, help, display_unit, per_unit", "position", [&](const SessionQuery& row) {
         run_.summary.signals.push_back({text(row, 0), text(row, 1), text(row, 2), number(row, 3, "signals")});
     });
-    if (run_.summary.signals.size() > most_signal_columns) fail("has more than " + std::to_string(most_signal_columns) + " signals");
+    if (run_.summary.signals.size() > most_signal_columns)
+        fail("has more than " + std::to_string(most_signal_columns) + " signals");
     each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
-        run_.events.push_back({static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
+        run_.events.push_back(
+            {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
     });
 }
 
@@ -137,7 +145,8 @@ void Reading::read_result() {
         summary.removed_by_tissue.emplace_back(text(row, 0), number(row, 1, "removed"));
     });
     each("steps", "id, title, done, start, steps.\"end\", broken_limits", "position", [&](const SessionQuery& row) {
-        StepRow step{text(row, 0), text(row, 1), row.integer(2) != 0, number(row, 3, "steps"), number(row, 4, "steps"), {}};
+        StepRow step{
+            text(row, 0), text(row, 1), row.integer(2) != 0, number(row, 3, "steps"), number(row, 4, "steps"), {}};
         const std::string limits = text(row, 5);
         for (std::size_t from = 0; from < limits.size();) {
             const std::size_t end = std::min(limits.find('\n', from), limits.size());
@@ -146,8 +155,9 @@ void Reading::read_result() {
         }
         summary.steps.push_back(std::move(step));
     });
-    each("metrics", "id, revision, scope, occurrence, occurrences, value, display_unit, per_unit, uncertainty, status, help", "rowid",
-         [&](const SessionQuery& row) {
+    each("metrics",
+         "id, revision, scope, occurrence, occurrences, value, display_unit, per_unit, uncertainty, status, help",
+         "rowid", [&](const SessionQuery& row) {
              MetricRow metric;
              metric.id = text(row, 0);
              metric.revision = small(row, 1);
@@ -166,9 +176,12 @@ void Reading::read_result() {
 
 void Reading::read_ticks() {
     const auto tables = session_tables(run_.summary.signals);
-    const auto& ticks = *std::find_if(tables.begin(), tables.end(), [](const Table& table) { return table.name == "ticks"; });
-    std::string columns;  // with the table's name: without it, SQLite takes a quoted name that it does not know for a text
-    for (const TableColumn& column : ticks.columns) columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
+    const auto& ticks =
+        *std::find_if(tables.begin(), tables.end(), [](const Table& table) { return table.name == "ticks"; });
+    std::string
+        columns;  // with the table's name: without it, SQLite takes a quoted name that it does not know for a text
+    for (const TableColumn& column : ticks.columns)
+        columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
 
     each("ticks", columns, "tick", [&](const SessionQuery& query) {
         int column = 0;
@@ -205,25 +218,27 @@ void Reading::read_ticks() {
         row.power_drive = next();
         row.removed = next();
         for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
-        if (query.integer(0) < 0 || (!run_.ticks.empty() && row.tick <= run_.ticks.back().tick)) fail("tick " + std::to_string(query.integer(0)) + " is there twice or before the first");
+        if (query.integer(0) < 0 || (!run_.ticks.empty() && row.tick <= run_.ticks.back().tick))
+            fail("tick " + std::to_string(query.integer(0)) + " is there twice or before the first");
         run_.ticks.push_back(row);
     });
 }
 
 void Reading::read_surface() {
     bool is_there = false;
-    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles", "rowid", [&](const SessionQuery& row) {
-        if (is_there) return fail("has two surfaces");
-        is_there = true;
-        DrawnSurface& surface = run_.bone_after;
-        surface.step = number(row, 0, "surface");
-        surface.half_size = {number(row, 1, "surface"), number(row, 2, "surface"), number(row, 3, "surface")};
-        surface.positions = row.bytes(4);
-        surface.normals = row.bytes(5);
-        surface.tissues = row.bytes(6);
-        surface.triangles = row.bytes(7);
-        if (!is_sound(surface)) fail("its surface has triangles without vertices");
-    });
+    each("surface", "step, half_x, half_y, half_z, positions, normals, tissues, triangles", "rowid",
+         [&](const SessionQuery& row) {
+             if (is_there) return fail("has two surfaces");
+             is_there = true;
+             DrawnSurface& surface = run_.bone_after;
+             surface.step = number(row, 0, "surface");
+             surface.half_size = {number(row, 1, "surface"), number(row, 2, "surface"), number(row, 3, "surface")};
+             surface.positions = row.bytes(4);
+             surface.normals = row.bytes(5);
+             surface.tissues = row.bytes(6);
+             surface.triangles = row.bytes(7);
+             if (!is_sound(surface)) fail("its surface has triangles without vertices");
+         });
 }
 
 /// What the run itself did not live to write, and what was lost.
@@ -231,11 +246,13 @@ void Reading::complete() {
     RunSummary& summary = run_.summary;
     const std::uint64_t lost = count_of("lost_ticks") + count_of("lost_events") + count_of("lost_cuts");
     if (keys_.contains("result.verdict")) {
-        if (key("state") != "finished") run_.missing = "The record is incomplete: " + std::to_string(lost) + " rows of it were lost.";
+        if (key("state") != "finished")
+            run_.missing = "The record is incomplete: " + std::to_string(lost) + " rows of it were lost.";
         if (!run_.missing.empty()) summary.reasons.push_back(run_.missing);
         return;
     }
-    run_.missing = "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
+    run_.missing =
+        "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
     summary.verdict = Verdict::incomplete;
     summary.reasons = {run_.missing};
     summary.ticks = run_.ticks.size();

@@ -34,12 +34,14 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
         if (key == "hash") inputs.hash = keys.text(1);
     }
-    SessionQuery ticks(file.handle(),
-                       "SELECT tick, device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
-                       "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz FROM ticks ORDER BY tick");
+    SessionQuery ticks(
+        file.handle(),
+        "SELECT tick, device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
+        "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz FROM ticks ORDER BY tick");
     while (ticks.next()) {
         if (ticks.integer(0) != static_cast<std::int64_t>(inputs.device_from_handle.size())) {
-            error = path + ": tick " + std::to_string(inputs.device_from_handle.size()) + " is missing, so it cannot be replayed.";
+            error = path + ": tick " + std::to_string(inputs.device_from_handle.size()) +
+                    " is missing, so it cannot be replayed.";
             return std::nullopt;
         }
         const Pose pose{{ticks.number(1), ticks.number(2), ticks.number(3)},
@@ -47,16 +49,20 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         bool is_all_numbers = true;
         for (int column = 1; column <= 7; ++column) is_all_numbers = is_all_numbers && ticks.is_number(column);
         if (!is_all_numbers || !is_plausible(pose)) {
-            error = path + ": tick " + std::to_string(ticks.integer(0)) + " holds no pose, so the file is damaged and cannot be replayed.";
+            error = path + ": tick " + std::to_string(ticks.integer(0)) +
+                    " holds no pose, so the file is damaged and cannot be replayed.";
             return std::nullopt;
         }
         inputs.device_from_handle.push_back(pose);
     }
-    SessionQuery adoptions(file.handle(), std::string("SELECT tick FROM events WHERE id IN ('") + came_apart_event + "', '" + crumbled_event + "') ORDER BY rowid");
+    SessionQuery adoptions(file.handle(), std::string("SELECT tick FROM events WHERE id IN ('") + came_apart_event +
+                                              "', '" + crumbled_event + "') ORDER BY rowid");
     while (adoptions.next()) inputs.adoptions.push_back(static_cast<std::uint64_t>(adoptions.integer(0)) + 1);
-    SessionQuery asked(file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + hand_input_event + "' ORDER BY rowid");
+    SessionQuery asked(file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + hand_input_event +
+                                          "' ORDER BY rowid");
     while (asked.next()) inputs.hand_inputs.emplace_back(static_cast<std::uint64_t>(asked.integer(0)), asked.text(1));
-    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || asked.has_failed() || inputs.device_from_handle.empty()) {
+    if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || asked.has_failed() ||
+        inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/session/recording.h"
@@ -16,12 +18,13 @@ struct RecordedInputs {
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
     std::vector<std::uint64_t> adoptions;  ///< ticks after which the loop took over what had come apart, in order
-    std::vector<std::pair<std::uint64_t, std::string>> hand_inputs;  ///< what else the hand asked for, and before which tick
-    std::string hash;                      ///< sixteen hexadecimal digits; empty for a run that was cut short
+    std::vector<std::pair<std::uint64_t, std::string>>
+        hand_inputs;   ///< what else the hand asked for, and before which tick
+    std::string hash;  ///< sixteen hexadecimal digits; empty for a run that was cut short
 };
 
-/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, a pose that is none; `error` is for
-/// people.   [main]
+/// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, a pose that is
+/// none; `error` is for people.   [main]
 [[nodiscard]] std::optional<RecordedInputs> read_session(const std::string& path, std::string& error);
 
 }  // namespace kerf

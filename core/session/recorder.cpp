@@ -5,15 +5,20 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <span>
+#include <string_view>
+#include <system_error>
 #include <thread>
 
+#include "core/field/spsc_ring.h"
 #include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
 #include "core/session/session_tables.h"
-#include "core/field/spsc_ring.h"
 #include "core/session/sqlite_database.h"
 #include "core/session/summary.h"
 
@@ -23,7 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t ring_rows = 8192;   // 8 s at 1 kHz
+constexpr std::size_t ring_rows = 8192;  // 8 s at 1 kHz
 constexpr std::size_t event_rows = 1024;
 constexpr std::size_t batch_rows = 250;
 constexpr auto batch_time = milliseconds(100);  // with one commit's time on top well under the promised 0.25 s
@@ -210,15 +215,16 @@ bool Recorder::Impl::write_batch() {
     for (std::size_t i = 0; i < batch_rows; ++i, ++cut_count) {
         const CutRow* cut = cuts.front();
         if (cut == nullptr) break;
-        insert_cut << integer(cut->sequence) << integer(cut->tick) << std::int64_t{cut->body} << std::int64_t{cut->solid}
-                   << cut->from << cut->to;
+        insert_cut << integer(cut->sequence) << integer(cut->tick) << std::int64_t{cut->body}
+                   << std::int64_t{cut->solid} << cut->from << cut->to;
         insert_cut.run();
         cuts.pop();
     }
     for (std::size_t i = 0; i < batch_rows; ++i, ++event_count) {
         const EventSlot* event = events.front();
         if (event == nullptr) break;
-        insert_event << integer(event->tick) << event->time << std::string_view(event->id) << std::string_view(event->detail);
+        insert_event << integer(event->tick) << event->time << std::string_view(event->id)
+                     << std::string_view(event->detail);
         insert_event.run();
         events.pop();
     }
@@ -233,7 +239,8 @@ bool Recorder::Impl::write_batch() {
 void Recorder::Impl::write_until_stopped() {
     auto last_commit = Clock::now();
     while (true) {
-        const bool was_stopping = is_stopping.load(std::memory_order_acquire);  // before looking: then nothing is missed
+        const bool was_stopping =
+            is_stopping.load(std::memory_order_acquire);  // before looking: then nothing is missed
         const std::size_t most = std::max({ticks.size(), cuts.size(), events.size()});
         if (most == 0 && was_stopping) return;
 
@@ -282,7 +289,8 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
         const StepRow& step = summary.steps[i];
         std::string limits;
         for (const std::string& limit : step.broken_limits) limits += (limits.empty() ? "" : "\n") + limit;
-        insert_step << integer(i) << step.id << step.title << std::int64_t{step.done} << step.start << step.end << limits;
+        insert_step << integer(i) << step.id << step.title << std::int64_t{step.done} << step.start << step.end
+                    << limits;
         insert_step.run();
     }
     SqliteStatement insert_metric(database, insert_sql(find_table(tables, "metrics")));
@@ -306,7 +314,8 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     if (!bone_after.is_empty()) {
         SqliteStatement insert_surface(database, insert_sql(find_table(tables, "surface")));
         insert_surface << bone_after.step << bone_after.half_size.x << bone_after.half_size.y << bone_after.half_size.z;
-        for (const auto* bytes : {&bone_after.positions, &bone_after.normals, &bone_after.tissues, &bone_after.triangles})
+        for (const auto* bytes :
+             {&bone_after.positions, &bone_after.normals, &bone_after.tissues, &bone_after.triangles})
             insert_surface << std::span<const unsigned char>(*bytes);
         insert_surface.run();
     }
@@ -322,7 +331,8 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
 
 /// Says how the session ended, folds the -wal in and closes.
 void Recorder::Impl::close(const char* state) {
-    for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event}) statement->finalize();
+    for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event})
+        statement->finalize();
     // A transaction that did not fit may leave room for these few bytes.
     if (!database.is_good()) {
         error = database.recover();

@@ -15,21 +15,22 @@ namespace kerf {
 /// `PRAGMA application_id` of a session: "KERF".
 inline constexpr std::int32_t session_application_id = 0x4b455246;
 inline constexpr std::int32_t session_schema_version = 2;
-/// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back. `came_apart`: there are
-/// further bodies; `crumbled`: crumbs alone.
+/// Bone came apart, and the loop took over its parts after this tick: an input, which a replay gives back.
+/// `came_apart`: there are further bodies; `crumbled`: crumbs alone.
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
 /// What a hand asked for besides moving the handle, before this tick.
 inline constexpr const char* hand_input_event = "hand.input";
 /// Stands in every file a run writes.
-inline constexpr const char* notice_line = "For training and research; not for diagnosis, planning or deciding treatment";
+inline constexpr const char* notice_line =
+    "For training and research; not for diagnosis, planning or deciding treatment";
 
 /// Who and where, outside the content hash. Codes, never names.
 struct SessionEnvelope {
     std::string uuid;
-    std::string learner, cohort;   ///< codes the teacher gave
-    std::string mode = "practice"; ///< practice | exam | demo
+    std::string learner, cohort;    ///< codes the teacher gave
+    std::string mode = "practice";  ///< practice | exam | demo
     std::string station;
-    std::string start;             ///< UTC, ISO 8601; may be empty
+    std::string start;  ///< UTC, ISO 8601; may be empty
     std::string consent;
 };
 
@@ -46,8 +47,8 @@ struct SessionConditions {
 struct SessionHeader {
     std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
     std::string procedure_text;
-    std::uint64_t anatomy_hash = 0;           ///< of the anatomy's text and data files
-    std::vector<std::string> anatomy_notes;   ///< what import did, for people
+    std::uint64_t anatomy_hash = 0;          ///< of the anatomy's text and data files
+    std::vector<std::string> anatomy_notes;  ///< what import did, for people
     std::vector<std::pair<std::string, std::string>> versions;
     SessionEnvelope envelope;
     SessionConditions conditions;
@@ -91,9 +92,9 @@ public:
 
     [[nodiscard]] RecorderLosses losses() const noexcept;
 
-    /// Writes what is left, the result, the bone as it is drawn and the hash, and closes to a single file. The session's state
-    /// becomes "finished", or "incomplete" when rows were lost. Returns what went wrong, empty if nothing did;
-    /// once only.   [main, after the last push]
+    /// Writes what is left, the result, the bone as it is drawn and the hash, and closes to a single file. The
+    /// session's state becomes "finished", or "incomplete" when rows were lost. Returns what went wrong, empty if
+    /// nothing did; once only.   [main, after the last push]
     [[nodiscard]] std::string finish(const RunSummary& summary, const DrawnSurface& bone_after = {});
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -20,30 +21,30 @@ inline constexpr std::size_t most_signal_columns = 2 * KERF_MAX_SIGNALS;
 /// One tick. Everything SI; forces act on the hand, world frame (LPS), in bone newtons unless said otherwise.
 struct TickRow {
     std::uint64_t tick = 0;
-    double time = 0.0;                ///< [s]
-    std::int32_t step = -1;           ///< index of the running step, −1 for none
-    Pose device_from_handle{};        ///< input: what the device reported, world frame
-    Pose world_from_tool{};           ///< the proxy
-    Vec6 modelled{};                  ///< wrench of the bone on the tool, world frame, about the tip [N, N·m]
-    Vec6 coupled{};                   ///< wrench of the coupling on the hand, bone side
-    Vec6 limited{};                   ///< the same after the device's limits
-    Vec6 commanded{};                 ///< what the device was sent (device newtons)
-    double thrust = 0.0;              ///< [N] modelled, against the feed: positive while the bone pushes back
-    double torque = 0.0;              ///< [N·m] about the shaft
-    double depth = 0.0;               ///< [m] of the tip past the entry, along the step's axis; < 0 before
-    double feed_rate = 0.0;           ///< [m/s] of the proxy along its shaft
-    std::int32_t tissue = -1;         ///< index into Recording::tissues under the tip, −1 for none
-    std::int32_t iterations = 0;      ///< of the solve
-    double power_hand = 0.0;          ///< [W] from the hand into the tool (bone side)
-    double power_drive = 0.0;         ///< [W] from the motor
-    double removed = 0.0;             ///< [m³] so far
+    double time = 0.0;            ///< [s]
+    std::int32_t step = -1;       ///< index of the running step, −1 for none
+    Pose device_from_handle{};    ///< input: what the device reported, world frame
+    Pose world_from_tool{};       ///< the proxy
+    Vec6 modelled{};              ///< wrench of the bone on the tool, world frame, about the tip [N, N·m]
+    Vec6 coupled{};               ///< wrench of the coupling on the hand, bone side
+    Vec6 limited{};               ///< the same after the device's limits
+    Vec6 commanded{};             ///< what the device was sent (device newtons)
+    double thrust = 0.0;          ///< [N] modelled, against the feed: positive while the bone pushes back
+    double torque = 0.0;          ///< [N·m] about the shaft
+    double depth = 0.0;           ///< [m] of the tip past the entry, along the step's axis; < 0 before
+    double feed_rate = 0.0;       ///< [m/s] of the proxy along its shaft
+    std::int32_t tissue = -1;     ///< index into Recording::tissues under the tip, −1 for none
+    std::int32_t iterations = 0;  ///< of the solve
+    double power_hand = 0.0;      ///< [W] from the hand into the tool (bone side)
+    double power_drive = 0.0;     ///< [W] from the motor
+    double removed = 0.0;         ///< [m³] so far
     double signals[most_signal_columns]{};
 };
 
 struct EventRow {
     std::uint64_t tick = 0;
     double time = 0.0;
-    std::string id;      ///< core's closed vocabulary, or "<plugin>.<name>"
+    std::string id;  ///< core's closed vocabulary, or "<plugin>.<name>"
     std::string detail;
 };
 
@@ -56,25 +57,28 @@ struct StepRow {
 
 /// One measured number. `uncertainty` < 0 means not stated.
 struct MetricRow {
-    std::string id;          ///< "pilot-hole.depth"
+    std::string id;  ///< "pilot-hole.depth"
     int revision = 1;
-    std::string scope;       ///< step id, or "run"
+    std::string scope;  ///< step id, or "run"
     int occurrence = 1, occurrences = 1;
-    double value = 0.0;      ///< SI
-    std::string unit;        ///< display unit, "mm"
-    double per_unit = 1.0;   ///< SI per display unit, 1e-3 for mm
+    double value = 0.0;     ///< SI
+    std::string unit;       ///< display unit, "mm"
+    double per_unit = 1.0;  ///< SI per display unit, 1e-3 for mm
     double uncertainty = -1.0;
-    std::string status;      ///< "ok", "broken", "info"
+    std::string status;  ///< "ok", "broken", "info"
     std::string help;
 };
 
 struct CutRow {
     std::uint64_t sequence = 0, tick = 0;
     std::uint32_t body = 0, solid = 0;
-    Pose from{}, to{};       ///< body_from_tool
+    Pose from{}, to{};  ///< body_from_tool
 };
 
-struct SignalColumn { std::string id, help, unit; double per_unit = 1.0; };
+struct SignalColumn {
+    std::string id, help, unit;
+    double per_unit = 1.0;
+};
 
 /// Bone that hangs together, at the end of a run.
 struct PieceRow {
@@ -88,15 +92,15 @@ const char* to_text(Verdict verdict) noexcept;
 
 struct RunSummary {
     std::string procedure, procedure_version, anatomy, rehearsal, hand, device;
-    std::string variant{};       ///< of the procedure; empty for none
+    std::string variant{};  ///< of the procedure; empty for none
     Verdict verdict = Verdict::incomplete;
     std::vector<std::string> reasons;
-    double score = 0.0;          ///< [–] 0 … 100
-    double duration = 0.0;       ///< [s] simulated
+    double score = 0.0;     ///< [–] 0 … 100
+    double duration = 0.0;  ///< [s] simulated
     std::vector<StepRow> steps;
     std::vector<MetricRow> metrics;
     std::uint64_t ticks = 0, late_ticks = 0;
-    double removed = 0.0;        ///< [m³]
+    double removed = 0.0;                                           ///< [m³]
     std::vector<std::pair<std::string, double>> removed_by_tissue;  ///< [m³]
     std::vector<PieceRow> pieces{};
     double force_scale = 1.0, coupling_stiffness = 0.0;  ///< K_c [N/m], device side

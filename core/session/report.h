@@ -13,6 +13,6 @@ namespace kerf {
 /// without scripts it still shows everything but the moving parts. At most 20 000 rows are drawn; extremes are kept.
 /// @param bone_after   the surface when the run ended; empty: the page says that there is none
 [[nodiscard]] std::string report_html(const RunSummary& summary, const std::vector<TickRow>& rows,
-                                      const std::vector<EventRow>& events, const DrawnSurface& bone_after);   // [any]
+                                      const std::vector<EventRow>& events, const DrawnSurface& bone_after);  // [any]
 
 }  // namespace kerf

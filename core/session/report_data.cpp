@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <utility>
 
 #include "core/procedure/plain_numbers.h"
@@ -26,7 +27,8 @@ void put(Bytes& bytes, std::uint32_t value, int size) {
     for (int i = 0; i < size; ++i) bytes.push_back(static_cast<unsigned char>(value >> (8 * i)));
 }
 
-/// A session keeps neither the sign of a zero nor the bits of a NaN, so the page has neither: it is the same made from a session.
+/// A session keeps neither the sign of a zero nor the bits of a NaN, so the page has neither: it is the same made from
+/// a session.
 float plain(double value) {
     return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value) + 0.0f;
 }
@@ -56,9 +58,10 @@ Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<Ti
     Json list = Json::array();
     for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), most_signal_columns); ++s) {
         const double per_unit = signals[s].per_unit;
-        list.push_back({{"name", signals[s].id},
-                        {"unit", unit_for_people(signals[s].unit)},
-                        {"values", packed_floats(drawn, [&](std::size_t i) { return rows[i].signals[s] / per_unit; })}});
+        list.push_back(
+            {{"name", signals[s].id},
+             {"unit", unit_for_people(signals[s].unit)},
+             {"values", packed_floats(drawn, [&](std::size_t i) { return rows[i].signals[s] / per_unit; })}});
     }
     return list;
 }
@@ -84,21 +87,18 @@ Vec3 direction_of_view(const std::vector<TickRow>& rows) {
                                           [](const TickRow& a, const TickRow& b) { return a.depth < b.depth; });
     const Vec3 from_the_front{0, -1, 0};
     if (deepest == rows.end() || !is_finite(deepest->world_from_tool)) return from_the_front;
-    const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation, {0, 0, 1}));  // zeros without a sign, as above
+    const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation,
+                                                        {0, 0, 1}));  // zeros without a sign, as above
     return length(back) > 0.5 ? back : from_the_front;
 }
 
 Json mesh_json(const DrawnSurface& surface, Vec3 look) {
     if (surface.is_empty()) return nullptr;
     const Vec3 half = surface.half_size;
-    return {{"unit", surface.step * 1e3},
-            {"halfSize", {half.x * 1e3, half.y * 1e3, half.z * 1e3}},
-            {"look", {look.x, look.y, look.z}},
-            {"positions", base64(surface.positions)},
-            {"normals", base64(surface.normals)},
-            {"tissue", base64(surface.tissues)},
-            {"isShort", surface.is_short()},
-            {"triangles", base64(surface.triangles)}};
+    return {{"unit", surface.step * 1e3},         {"halfSize", {half.x * 1e3, half.y * 1e3, half.z * 1e3}},
+            {"look", {look.x, look.y, look.z}},   {"positions", base64(surface.positions)},
+            {"normals", base64(surface.normals)}, {"tissue", base64(surface.tissues)},
+            {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
 }
 
 }  // namespace
@@ -119,12 +119,23 @@ std::string base64(std::span<const unsigned char> bytes) {
 std::string html_escaped(std::string_view text) {
     std::string safe;
     for (const char c : text) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            case '\'': safe += "&#39;"; break;
-            default: safe += c;
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&#39;";
+                break;
+            default:
+                safe += c;
         }
     return safe;
 }
@@ -159,8 +170,13 @@ std::string sensible_number(double value, double uncertainty) {
 }
 
 std::string unit_for_people(const std::string& unit) {
-    constexpr std::array<std::pair<const char*, const char*>, 7> pretty{
-        {{"mm2", "mm²"}, {"mm3", "mm³"}, {"um", "µm"}, {"deg", "°"}, {"N*m", "N·m"}, {"N*mm", "N·mm"}, {"Nmm", "N·mm"}}};
+    constexpr std::array<std::pair<const char*, const char*>, 7> pretty{{{"mm2", "mm²"},
+                                                                         {"mm3", "mm³"},
+                                                                         {"um", "µm"},
+                                                                         {"deg", "°"},
+                                                                         {"N*m", "N·m"},
+                                                                         {"N*mm", "N·mm"},
+                                                                         {"Nmm", "N·mm"}}};
     for (const auto& [plain, nice] : pretty)
         if (unit == plain) return nice;
     return unit;
@@ -236,8 +252,10 @@ std::string report_data_json(const RunSummary& summary, const std::vector<TickRo
     std::string safe;
     safe.reserve(text.size());
     for (const char c : text)
-        if (c == '<') safe += "\\u003c";
-        else safe += c;
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
     return safe;
 }
 
@@ -258,7 +276,9 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
     shallow = std::max(shallow, -0.15 * std::max(deep, 1.0));
     high += 0.06 * (high - low);
     const auto x = [&](double depth) { return left + (depth - shallow) / (deep - shallow) * (width - left - right); };
-    const auto y = [&](double thrust) { return height - bottom - (thrust - low) / (high - low) * (height - top - bottom); };
+    const auto y = [&](double thrust) {
+        return height - bottom - (thrust - low) / (high - low) * (height - top - bottom);
+    };
 
     std::string svg;
     const auto add = [&svg](const char* format, auto... values) {
@@ -268,8 +288,10 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
         svg += text;
     };
     add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
-        "font-family=\"sans-serif\" font-size=\"12\" fill=\"#444\"><title>Thrust over depth</title>", width, height, width, height);
-    add("<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/><text x=\"%g\" y=\"16\">thrust in N</text>", width, height, left);
+        "font-family=\"sans-serif\" font-size=\"12\" fill=\"#444\"><title>Thrust over depth</title>",
+        width, height, width, height);
+    add("<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/><text x=\"%g\" y=\"16\">thrust in N</text>", width, height,
+        left);
     add("<text x=\"%g\" y=\"%g\" text-anchor=\"end\">depth in mm</text>", width - right, height - 4);
     const double x_step = round_step(deep - shallow), y_step = round_step(high - low);
     for (double tick = std::ceil(shallow / x_step) * x_step; tick <= deep; tick += x_step) {

@@ -4,7 +4,9 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <system_error>
 
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
@@ -73,12 +75,14 @@ double SessionQuery::number(int column) const { return sqlite3_column_double(sta
 std::int64_t SessionQuery::integer(int column) const { return sqlite3_column_int64(statement_, column); }
 std::string SessionQuery::text(int column) const {
     const auto* bytes = sqlite3_column_text(statement_, column);
-    return bytes != nullptr ? std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+    return bytes != nullptr ? std::string(reinterpret_cast<const char*>(bytes),
+                                          static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
                             : std::string();
 }
 std::vector<unsigned char> SessionQuery::bytes(int column) const {
     const auto* bytes = static_cast<const unsigned char*>(sqlite3_column_blob(statement_, column));
-    return bytes != nullptr ? std::vector<unsigned char>(bytes, bytes + sqlite3_column_bytes(statement_, column)) : std::vector<unsigned char>();
+    return bytes != nullptr ? std::vector<unsigned char>(bytes, bytes + sqlite3_column_bytes(statement_, column))
+                            : std::vector<unsigned char>();
 }
 
 // ---- a file ------------------------------------------------------------------------------------------------------
@@ -96,10 +100,12 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return cannot;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (is_being_written(folder.empty() ? "." : folder.string())) return path + ": a run is writing it. Wait until that has ended.";
+    if (is_being_written(folder.empty() ? "." : folder.string()))
+        return path + ": a run is writing it. Wait until that has ended.";
 
-    // A finished session is one file, and is read as one that nobody changes: without locks, so without files beside it. What a killed run
-    // has left in its -wal belongs to it: SQLite then keeps in memory what it would else write beside it.
+    // A finished session is one file, and is read as one that nobody changes: without locks, so without files beside
+    // it. What a killed run has left in its -wal belongs to it: SQLite then keeps in memory what it would else write
+    // beside it.
     const std::uint64_t of_wal = size_of(path + "-wal");
     bytes_ = size_of(path) + of_wal;
     const int code = of_wal == 0 ? sqlite3_open_v2(("file:" + in_uri(path) + "?immutable=1").c_str(), &database_,
@@ -114,11 +120,13 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
     if (pragma(database_, "PRAGMA application_id") != session_application_id)
         return path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
     if (const auto version = pragma(database_, "PRAGMA user_version"); version != session_schema_version)
-        return path + ": has session schema " + std::to_string(version) + ", need " + std::to_string(session_schema_version) +
+        return path + ": has session schema " + std::to_string(version) + ", need " +
+               std::to_string(session_schema_version) +
                ". Record it anew with this Kerf, or take the one that wrote it.";
     for (const std::string& table : tables)
         if (computes(database_, table))
-            return path + ": computes its table `" + table + "`, as no run does. Name a session.db that a run has written.";
+            return path + ": computes its table `" + table +
+                   "`, as no run does. Name a session.db that a run has written.";
     return {};
 }
 

@@ -33,8 +33,9 @@ private:
     int code_ = 0;
 };
 
-/// A session file of anybody, opened to be read: nothing is written to it or beside it, it may lie in a folder that nobody may write to, and
-/// what a killed run left in its -wal is read too. Whatever asks more work of SQLite than the file has bytes for is ended, as failed.
+/// A session file of anybody, opened to be read: nothing is written to it or beside it, it may lie in a folder that
+/// nobody may write to, and what a killed run left in its -wal is read too. Whatever asks more work of SQLite than the
+/// file has bytes for is ended, as failed.
 class SessionFile {
 public:
     SessionFile() = default;
@@ -42,11 +43,14 @@ public:
     SessionFile(const SessionFile&) = delete;
     SessionFile& operator=(const SessionFile&) = delete;
 
-    /// Returns why not, for people: no session, another schema, tables that compute their rows, a run that still writes it.   [main]
+    /// Returns why not, for people: no session, another schema, tables that compute their rows, a run that still writes
+    /// it.   [main]
     [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables);
 
     [[nodiscard]] sqlite3* handle() const noexcept { return database_; }
-    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }  ///< with the -wal; no sound session holds more text
+    [[nodiscard]] std::uint64_t bytes() const noexcept {
+        return bytes_;
+    }  ///< with the -wal; no sound session holds more text
 
 private:
     static int is_over(void* self);

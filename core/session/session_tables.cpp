@@ -2,6 +2,7 @@
 #include "core/session/session_tables.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace kerf {
 namespace {
@@ -24,31 +25,33 @@ Columns wrench_columns(const std::string& name, const std::string& help) {
     for (const char* axis : {"x", "y", "z"})
         columns.push_back({name + "_f" + axis, "REAL", "N", "force", "world", help + ", force " + axis});
     for (const char* axis : {"x", "y", "z"})
-        columns.push_back({name + "_m" + axis, "REAL", "N*m", "torque", "world", help + ", moment " + axis + " about the tip"});
+        columns.push_back(
+            {name + "_m" + axis, "REAL", "N*m", "torque", "world", help + ", moment " + axis + " about the tip"});
     return columns;
 }
 
 Table tick_table(const std::vector<SignalColumn>& signals) {
-    Columns columns{
-        {"tick", "INTEGER", "", "", "", "number of the tick, counted from the start of the run"},
-        {"time", "REAL", "s", "time", "", "simulated time since the start of the run"},
-        {"step", "INTEGER", "", "", "", "position of the running step in table steps, -1 for none"}};
+    Columns columns{{"tick", "INTEGER", "", "", "", "number of the tick, counted from the start of the run"},
+                    {"time", "REAL", "s", "time", "", "simulated time since the start of the run"},
+                    {"step", "INTEGER", "", "", "", "position of the running step in table steps, -1 for none"}};
     append(columns, pose_columns("device_from_handle", "world", "what the device reported"));
     append(columns, pose_columns("world_from_tool", "world", "the tool as simulated; its origin is the tip"));
     append(columns, wrench_columns("modelled", "bone on tool"));
     append(columns, wrench_columns("coupled", "coupling on hand, bone newtons"));
     append(columns, wrench_columns("limited", "coupling on hand after the limits of the device, bone newtons"));
     append(columns, wrench_columns("commanded", "sent to the device, device newtons"));
-    append(columns,
-           {{"thrust", "REAL", "N", "force", "tool", "bone on tool against the feed, positive while the bone pushes back"},
-            {"torque", "REAL", "N*m", "torque", "tool", "bone on tool about the shaft"},
-            {"depth", "REAL", "m", "length", "step axis", "tip past the entry along the axis of the step, negative before it"},
-            {"feed_rate", "REAL", "m/s", "velocity", "tool", "speed of the tool along its shaft"},
-            {"tissue", "INTEGER", "", "", "", "position in table tissues of what is under the tip, -1 for none"},
-            {"iterations", "INTEGER", "", "", "", "iterations of the force balance"},
-            {"power_hand", "REAL", "W", "power", "", "from the hand into the tool, bone side"},
-            {"power_drive", "REAL", "W", "power", "", "from the motor into the tool"},
-            {"removed", "REAL", "m^3", "volume", "", "bone removed so far"}});
+    append(
+        columns,
+        {{"thrust", "REAL", "N", "force", "tool", "bone on tool against the feed, positive while the bone pushes back"},
+         {"torque", "REAL", "N*m", "torque", "tool", "bone on tool about the shaft"},
+         {"depth", "REAL", "m", "length", "step axis",
+          "tip past the entry along the axis of the step, negative before it"},
+         {"feed_rate", "REAL", "m/s", "velocity", "tool", "speed of the tool along its shaft"},
+         {"tissue", "INTEGER", "", "", "", "position in table tissues of what is under the tip, -1 for none"},
+         {"iterations", "INTEGER", "", "", "", "iterations of the force balance"},
+         {"power_hand", "REAL", "W", "power", "", "from the hand into the tool, bone side"},
+         {"power_drive", "REAL", "W", "power", "", "from the motor into the tool"},
+         {"removed", "REAL", "m^3", "volume", "", "bone removed so far"}});
     const std::vector<std::string> names = signal_column_names(signals);
     for (std::size_t i = 0; i < names.size(); ++i)
         columns.push_back({names[i], "REAL", "SI", "see table signals", "", signals[i].help});
@@ -84,7 +87,8 @@ std::vector<std::string> signal_column_names(const std::vector<SignalColumn>& si
 }
 
 std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
-    const Columns key_value{{"key", "TEXT", "", "", "", "what is stated"}, {"value", "TEXT", "", "", "", "its value; numbers are SI"}};
+    const Columns key_value{{"key", "TEXT", "", "", "", "what is stated"},
+                            {"value", "TEXT", "", "", "", "its value; numbers are SI"}};
     return {
         {"notice", {{"text", "TEXT", "", "", "", "what this file must not be used for"}}},
         {"columns",
@@ -96,7 +100,8 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"help", "TEXT", "", "", "", "meaning"}}},
         {"session", key_value},
         {"envelope", key_value},
-        {"tissues", {{"position", "INTEGER", "", "", "", "as in ticks.tissue"}, {"id", "TEXT", "", "", "", "name of the tissue"}}},
+        {"tissues",
+         {{"position", "INTEGER", "", "", "", "as in ticks.tissue"}, {"id", "TEXT", "", "", "", "name of the tissue"}}},
         {"signals",
          {{"position", "INTEGER", "", "", "", "order in which the force model declares it"},
           {"id", "TEXT", "", "", "", "name of the signal"},
@@ -131,7 +136,9 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"uncertainty", "REAL", "SI", "see display_unit", "", "half width; empty when not stated"},
           {"status", "TEXT", "", "", "", "ok, broken or info"},
           {"help", "TEXT", "", "", "", "meaning"}}},
-        {"reasons", {{"position", "INTEGER", "", "", "", "order in which they are told"}, {"reason", "TEXT", "", "", "", "of the verdict, for people"}}},
+        {"reasons",
+         {{"position", "INTEGER", "", "", "", "order in which they are told"},
+          {"reason", "TEXT", "", "", "", "of the verdict, for people"}}},
         {"removed",
          {{"position", "INTEGER", "", "", "", "as in ticks.tissue"},
           {"tissue", "TEXT", "", "", "", "name of the tissue"},
@@ -141,10 +148,12 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"half_x", "REAL", "m", "length", "world", "half the size of the box around it, along x"},
           {"half_y", "REAL", "m", "length", "world", "half the size of the box around it, along y"},
           {"half_z", "REAL", "m", "length", "world", "half the size of the box around it, along z"},
-          {"positions", "BLOB", "", "", "world", "of each vertex x, y, z and 0 in steps from the middle of the box, int16, little-endian"},
+          {"positions", "BLOB", "", "", "world",
+           "of each vertex x, y, z and 0 in steps from the middle of the box, int16, little-endian"},
           {"normals", "BLOB", "", "", "world", "of each vertex x, y, z and 0 in 127ths, int8"},
           {"tissues", "BLOB", "", "", "", "of each vertex, as in ticks.tissue, uint8"},
-          {"triangles", "BLOB", "", "", "", "three vertices each: uint16 up to 65535 vertices, else uint32, little-endian"}}},
+          {"triangles", "BLOB", "", "", "",
+           "three vertices each: uint16 up to 65535 vertices, else uint32, little-endian"}}},
     };
 }
 

@@ -44,7 +44,8 @@ void SqliteStatement::prepare(SqliteDatabase& database, const std::string& sql) 
     finalize();
     database_ = &database;
     if (!database.is_good()) return;
-    database.check(sqlite3_prepare_v2(database.handle_, sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr));
+    database.check(
+        sqlite3_prepare_v2(database.handle_, sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr));
 }
 
 void SqliteStatement::finalize() noexcept {
@@ -64,7 +65,8 @@ SqliteStatement& SqliteStatement::operator<<(std::int64_t value) {
 
 SqliteStatement& SqliteStatement::operator<<(std::string_view text) {
     if (statement_ != nullptr)
-        database_->check(sqlite3_bind_text(statement_, ++column_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+        database_->check(
+            sqlite3_bind_text(statement_, ++column_, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
     return *this;
 }
 

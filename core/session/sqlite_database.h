@@ -52,7 +52,7 @@ public:
 
     SqliteStatement& operator<<(double value);
     SqliteStatement& operator<<(std::int64_t value);
-    SqliteStatement& operator<<(std::string_view text);  ///< copied
+    SqliteStatement& operator<<(std::string_view text);                 ///< copied
     SqliteStatement& operator<<(std::span<const unsigned char> bytes);  ///< must live until run()
     SqliteStatement& null();
     bool run();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace kerf {
@@ -18,7 +20,8 @@ void put(std::vector<unsigned char>& bytes, std::uint32_t value) {
 }
 
 void put(std::vector<unsigned char>& bytes, Vec3 v) {
-    for (const double component : {v.x, v.y, v.z}) put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(component)));
+    for (const double component : {v.x, v.y, v.z})
+        put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(component)));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
@@ -49,10 +50,14 @@ Json to_json(const MetricRow& metric) {
 
 const char* to_text(Verdict verdict) noexcept {
     switch (verdict) {
-        case Verdict::pass: return "pass";
-        case Verdict::fail: return "fail";
-        case Verdict::incomplete: return "incomplete";
-        case Verdict::invalid: return "invalid";
+        case Verdict::pass:
+            return "pass";
+        case Verdict::fail:
+            return "fail";
+        case Verdict::incomplete:
+            return "incomplete";
+        case Verdict::invalid:
+            return "invalid";
     }
     return "invalid";
 }
@@ -64,7 +69,8 @@ std::string summary_json(const RunSummary& summary) {
     for (const MetricRow& metric : summary.metrics) metrics.push_back(to_json(metric));
     Json pieces = Json::array();
     for (const PieceRow& piece : summary.pieces)
-        pieces.push_back({{"body", piece.body}, {"volume_mm3", plain_number(piece.volume * 1e9)}, {"file", piece.file}});
+        pieces.push_back(
+            {{"body", piece.body}, {"volume_mm3", plain_number(piece.volume * 1e9)}, {"file", piece.file}});
     Json versions = Json::object();
     for (const auto& [part, version] : summary.versions) versions[part] = version;
 

@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -36,7 +39,8 @@ bool is_session(const fs::path& file) {
 }
 
 std::string reason(int error) {
-    return error == ENOSPC || error == EDQUOT ? "the disk is full. Free some space, or give a folder on another disk" : std::strerror(error);
+    return error == ENOSPC || error == EDQUOT ? "the disk is full. Free some space, or give a folder on another disk"
+                                              : std::strerror(error);
 }
 
 }  // namespace
@@ -121,7 +125,8 @@ std::string prepare_output(const std::string& folder, OutputLock& lock) {
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (std::find(std::begin(ours), std::end(ours), name) == std::end(ours))
-            return folder + " holds `" + name + "`, which no run has written, so it was left alone. Give a new or empty folder.";
+            return folder + " holds `" + name +
+                   "`, which no run has written, so it was left alone. Give a new or empty folder.";
     }
     for (const std::string& name : ours)
         if (!error) fs::remove(path / name, error);

@@ -16,7 +16,7 @@ constexpr double patience = 3e-3;     // [m] of lag the plan lets build up befor
 constexpr double surprise = 0.5e-3;   // [m] ahead of the plan that makes it let go [assumed]
 constexpr double arrived = 0.2e-3;    // [m] short of a leg's end that counts as there [assumed]
 
-constexpr double turning = 1.0;       // [rad/s] of the wrist [assumed]
+constexpr double turning = 1.0;  // [rad/s] of the wrist [assumed]
 
 /// From one rotation towards another, by an angle at most [rad].
 Quat turned_towards(Quat from, Quat to, double most) {
@@ -28,9 +28,12 @@ Quat turned_towards(Quat from, Quat to, double most) {
     return normalized(Quat{from.w + share * w, from.x + share * x, from.y + share * y, from.z + share * z});
 }
 
-/// To the bit: a product of the two rounds, and would leave some turn over for ever. A quaternion and its opposite are one rotation.
+/// To the bit: a product of the two rounds, and would leave some turn over for ever. A quaternion and its opposite are
+/// one rotation.
 bool are_same(Quat a, Quat b) noexcept {
-    const auto is = [&](double sign) { return a.w == sign * b.w && a.x == sign * b.x && a.y == sign * b.y && a.z == sign * b.z; };
+    const auto is = [&](double sign) {
+        return a.w == sign * b.w && a.x == sign * b.x && a.y == sign * b.y && a.z == sign * b.z;
+    };
     return is(1.0) || is(-1.0);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -38,8 +39,8 @@ struct Intent {
 /// The mind moves a plan along the leg at the speed it aims at. The arm's spring pulls the handle to the plan; where
 /// that is not enough the mind leans in, in proportion to the lag it sees and for as long as it sees it, up to `push`.
 /// Seeing takes one reaction time. When it sees the handle ahead of the plan it lets go: the lean is gone and the plan
-/// goes on from where the handle is. It knows nothing of the tool's pose and never writes it. The wrist turns to its aim and
-/// holds it, whatever it meets.
+/// goes on from where the handle is. It knows nothing of the tool's pose and never writes it. The wrist turns to its
+/// aim and holds it, whatever it meets.
 class SimulatedHand {
 public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);

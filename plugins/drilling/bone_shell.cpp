@@ -66,7 +66,8 @@ Shells::Shells(std::span<const WayOut> ways, double step, double friction, const
     tell(ways, step, friction, bone, sections, ended);
 }
 
-void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept {
+void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections,
+                    Ended& ended) noexcept {
     std::array<std::size_t, most> followed;
     std::array<Vec3, most> at, along;
     std::array<kerf_bone_sample, most> here;
@@ -83,8 +84,10 @@ void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& 
             const std::size_t way = followed[i];
             Section& section = sections[way];
             section.add(n, strength_at(here[i], bone), here[i].engagement);
-            if (section.ends > 0 && n + 1 == section.ends + free_steps) ended.way[ended.count++] = way;
-            else followed[going_on++] = way;
+            if (section.ends > 0 && n + 1 == section.ends + free_steps)
+                ended.way[ended.count++] = way;
+            else
+                followed[going_on++] = way;
         }
         count = going_on;
     }
@@ -93,7 +96,8 @@ void Shells::follow(std::span<const WayOut> ways, double step, const BoneQuery& 
             shell_[followed[i]] = {.load = Shell::never, .air = static_cast<double>(section.begins) * step};
 }
 
-void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections, Ended& ended) noexcept {
+void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections,
+                        Ended& ended) noexcept {
     std::array<double, 2 * most> in, out;  // [m] inside the shell, and outside: its far sides, then the near ones
     std::array<Vec3, 2 * most> at, along;
     std::array<kerf_bone_sample, 2 * most> here;
@@ -107,10 +111,12 @@ void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQue
         along[i] = along[ended.count + i] = ways[ended.way[i]].along;
     }
     for (int halving = 0; halving < halvings; ++halving) {
-        for (std::size_t i = 0; i < 2 * ended.count; ++i) at[i] = ways[ended.way[i % ended.count]].from + 0.5 * (in[i] + out[i]) * along[i];
+        for (std::size_t i = 0; i < 2 * ended.count; ++i)
+            at[i] = ways[ended.way[i % ended.count]].from + 0.5 * (in[i] + out[i]) * along[i];
         bone.sample({at.data(), 2 * ended.count}, {along.data(), 2 * ended.count}, {here.data(), 2 * ended.count});
         for (std::size_t i = 0; i < 2 * ended.count; ++i) {
-            const bool is_in = strength_at(here[i], bone) >= of_strongest * sections[ended.way[i % ended.count]].strongest;
+            const bool is_in =
+                strength_at(here[i], bone) >= of_strongest * sections[ended.way[i % ended.count]].strongest;
             (is_in ? in : out)[i] = 0.5 * (in[i] + out[i]);
         }
     }
@@ -120,10 +126,12 @@ void Shells::find_sides(std::span<const WayOut> ways, double step, const BoneQue
     }
 }
 
-void Shells::tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept {
+void Shells::tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone,
+                  const Sections& sections, const Ended& ended) noexcept {
     std::array<Vec3, most> at;
     std::array<kerf_surface_point, most> near;
-    for (std::size_t i = 0; i < ended.count; ++i) at[i] = ways[ended.way[i]].from + ended.far[i] * ways[ended.way[i]].along;
+    for (std::size_t i = 0; i < ended.count; ++i)
+        at[i] = ways[ended.way[i]].from + ended.far[i] * ways[ended.way[i]].along;
     bone.nearest({at.data(), ended.count}, {near.data(), ended.count});
     for (std::size_t i = 0; i < ended.count; ++i) {
         const WayOut& way = ways[ended.way[i]];
@@ -136,7 +144,11 @@ void Shells::tell(std::span<const WayOut> ways, double step, double friction, co
             continue;
         }
         const double load = plate(sections[ended.way[i]].mean(), (ended.far[i] - ended.near[i]) * upright);
-        shell = {.load = load * (c + friction * std::sqrt(1.0 - c * c)), .before = ended.near[i], .air = shell.air, .normal = n, .far = at[i]};
+        shell = {.load = load * (c + friction * std::sqrt(1.0 - c * c)),
+                 .before = ended.near[i],
+                 .air = shell.air,
+                 .normal = n,
+                 .far = at[i]};
     }
 }
 

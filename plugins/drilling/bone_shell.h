@@ -20,20 +20,21 @@ struct WayOut {
 /// The shell at the far side of a way: what is there more than half as strong as the strongest on it.
 struct Shell {
     static constexpr double never = 1e300;
-    double load = 0.0;    ///< [N] along the shaft under which it breaks out; 0 where there is no bone, `never` where there is no far side near by
+    double load = 0.0;    ///< [N] along the shaft under which it breaks out; 0 where there is no bone, `never` where
+                          ///< there is no far side near by
     double before = 0.0;  ///< [m] of the way before it
     double air = 0.0;     ///< [m] of the way before any bone
     Vec3 normal{};        ///< unit, outwards, of its far side
     Vec3 far{};           ///< [m] where the way comes out of that, tool frame
 };
 
-/// The shells on a few ways, and what each bears: a plate on which one place presses and which goes on all round, and which cracks outwards
-/// from there and in a ring.
+/// The shells on a few ways, and what each bears: a plate on which one place presses and which goes on all round, and
+/// which cracks outwards from there and in a ring.
 ///
 ///     P = 4π m (c + μ √(1 − c²)),    m = σ t²/6,    σ = 133/193 S(ρ)
 ///
-/// m [N] the moment per width that cracks it, t [m] its thickness, σ [Pa] in the mean over that; c the larger of n̂·ẑ and sin p, n̂ the normal of its
-/// far side.
+/// m [N] the moment per width that cracks it, t [m] its thickness, σ [Pa] in the mean over that; c the larger of n̂·ẑ
+/// and sin p, n̂ the normal of its far side.
 ///
 /// Source: 4π m by yield lines [johansen-1962]; σ [reilly-burstein-1975]; docs/models/drilling.md.
 class Shells {
@@ -70,9 +71,12 @@ private:
     };
     using Sections = std::array<Section, most>;
 
-    void follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections, Ended& ended) noexcept;
-    static void find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections, Ended& ended) noexcept;
-    void tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone, const Sections& sections, const Ended& ended) noexcept;
+    void follow(std::span<const WayOut> ways, double step, const BoneQuery& bone, Sections& sections,
+                Ended& ended) noexcept;
+    static void find_sides(std::span<const WayOut> ways, double step, const BoneQuery& bone, const Sections& sections,
+                           Ended& ended) noexcept;
+    void tell(std::span<const WayOut> ways, double step, double friction, const BoneQuery& bone,
+              const Sections& sections, const Ended& ended) noexcept;
 
     std::array<Shell, most> shell_;
 };

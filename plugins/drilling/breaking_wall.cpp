@@ -10,10 +10,11 @@ namespace kerf::drilling {
 
 namespace {
 
-constexpr double of_one_wall = 0.7;     // cosine between the normals of its far side [judgement]
+constexpr double of_one_wall = 0.7;                     // cosine between the normals of its far side [judgement]
 constexpr double all_broken = 1.25, none_broken = 1.5;  // times what broke [judgement]
-constexpr double worth_telling = 10.0;  // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
-constexpr double far_away = 4.0;        // times `within`: two radii [judgement]
+constexpr double worth_telling =
+    10.0;                         // [N] what crumbles under less is a sliver between two holes, or a rim [judgement]
+constexpr double far_away = 4.0;  // times `within`: two radii [judgement]
 
 /// Whether far sides face one way and lie `within` [m] of each other along that.
 bool is_one_wall(const Shell& a, const Shell& b, double within) noexcept {
@@ -53,7 +54,8 @@ void BrokenWall::go(const Vec6& rate, double dt, bool is_in_it) noexcept {
 
 // ---- What is pressed on ---------------------------------------------------------------------------------------------
 
-/// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already: bone beyond free space is another wall.
+/// The weaker of what is ahead of a piece and beside it. With nothing ahead it is at the far side already: bone beyond
+/// free space is another wall.
 PressedWall::Pressed PressedWall::pressed_by(std::size_t piece, const WallAhead& wall) noexcept {
     const auto has_bone = [&](std::size_t way) { return wall.on(way).load > 0.0 && wall.is_at_once(wall.on(way).air); };
     const std::size_t ahead = WallAhead::ahead_of(piece), beside = WallAhead::beside(piece);
@@ -62,25 +64,32 @@ PressedWall::Pressed PressedWall::pressed_by(std::size_t piece, const WallAhead&
     return {wall.on(way).load < Shell::never && wall.is_at_once(wall.on(way).before), way};
 }
 
-/// The weaker of two ways behind that lead to the same wall, or else the way itself; of a piece at the far side nobody knows which wall that is.
-std::size_t PressedWall::whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall, double within) noexcept {
+/// The weaker of two ways behind that lead to the same wall, or else the way itself; of a piece at the far side nobody
+/// knows which wall that is.
+std::size_t PressedWall::whole_of(std::size_t way, std::size_t piece_behind, const WallAhead& wall,
+                                  double within) noexcept {
     std::size_t whole = way;
     double least = Shell::never;
     for (const std::size_t there : {WallAhead::ahead_of(piece_behind), WallAhead::beside(piece_behind)}) {
         const Shell& shell = wall.on(there);
-        if (shell.load <= 0.0 || shell.load >= least || (way != no_way && !is_one_wall(shell, wall.on(way), within))) continue;
+        if (shell.load <= 0.0 || shell.load >= least || (way != no_way && !is_one_wall(shell, wall.on(way), within)))
+            continue;
         whole = there;
         least = shell.load;
     }
     return whole;
 }
 
-PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::uint8_t> parts, const WallAhead& wall, const BrokenWall& broken) noexcept {
-    KERF_ASSERT(crushes.size() <= WallAhead::most_pieces && crushes.size() == azimuth_count * parts.size(), "give whole rings of pieces, few enough");
+PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::uint8_t> parts, const WallAhead& wall,
+                         const BrokenWall& broken) noexcept {
+    KERF_ASSERT(crushes.size() <= WallAhead::most_pieces && crushes.size() == azimuth_count * parts.size(),
+                "give whole rings of pieces, few enough");
 
     share_.fill(1.0);
     const double within = broken.within();
-    const auto are_one = [&](std::size_t a, std::size_t b) { return a != no_way && b != no_way && is_one_wall(wall.on(a), wall.on(b), within); };
+    const auto are_one = [&](std::size_t a, std::size_t b) {
+        return a != no_way && b != no_way && is_one_wall(wall.on(a), wall.on(b), within);
+    };
     std::array<Group, WallAhead::most_pieces> groups;
     std::array<std::size_t, WallAhead::most_pieces> group_of;
     constexpr std::size_t none = WallAhead::most_pieces;
@@ -97,7 +106,8 @@ PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::u
             }
             const bool has_behind = ring + 1 < parts.size() && parts[ring + 1] == parts[ring];
             const std::size_t whole = has_behind ? whole_of(pressed.way, n + azimuth_count, wall, within) : pressed.way;
-            const bool goes_on = group != none && parts[ring - 1] == parts[ring] && (whole == no_way || groups[group].way == no_way || are_one(whole, groups[group].way));
+            const bool goes_on = group != none && parts[ring - 1] == parts[ring] &&
+                                 (whole == no_way || groups[group].way == no_way || are_one(whole, groups[group].way));
             if (!goes_on) groups[group = count++] = {};
             if (whole != no_way) groups[group].way = whole;
             groups[group].crushes += crushes[n];
@@ -121,7 +131,9 @@ PressedWall::PressedWall(std::span<const double> crushes, std::span<const std::u
             sharing += 1.0;
         }
         const bool breaks = groups[i].crushes > 0.0 && together * sharing > bears;
-        if (breaks && groups[i].way != no_way && (breaks_on_ == no_way || wall.on(groups[i].way).load > wall.on(breaks_on_).load)) breaks_on_ = groups[i].way;
+        if (breaks && groups[i].way != no_way &&
+            (breaks_on_ == no_way || wall.on(groups[i].way).load > wall.on(breaks_on_).load))
+            breaks_on_ = groups[i].way;
         gives[i] = groups[i].left * (breaks ? bears / (sharing * together) : 1.0);
     }
     for (std::size_t n = 0; n < crushes.size(); ++n)

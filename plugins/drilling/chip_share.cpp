@@ -6,7 +6,9 @@
 namespace kerf::drilling {
 
 EvenChip::EvenChip(double feed_per_lip, double edge_depth) noexcept
-    : thickness_(std::max(feed_per_lip, edge_depth)), edge_depth_(edge_depth), built_up_(built_up_at(thickness_, edge_depth)) {}
+    : thickness_(std::max(feed_per_lip, edge_depth)),
+      edge_depth_(edge_depth),
+      built_up_(built_up_at(thickness_, edge_depth)) {}
 
 Taken EvenChip::taken(double share, double behind) const noexcept {
     const double chip = std::max(0.0, share - behind / thickness_);

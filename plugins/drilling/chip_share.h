@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "kerf/math.hpp"
 #include "twist_drill.h"
@@ -13,7 +14,7 @@ namespace kerf::drilling {
 /// How the drill has gone.
 struct Travel {
     double feed_rate = 0.0;  ///< [m/s] in the last tick, ≥ 0
-    Vec6 mean{};             ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
+    Vec6 mean{};  ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
 
     /// After a tick of `dt` [s] at n revolutions a second.
     void advance(const Vec6& rate, double dt, double n) noexcept {
@@ -34,8 +35,8 @@ class EvenChip {
 public:
     EvenChip(double feed_per_lip, double edge_depth) noexcept;
 
-    /// What a piece takes whose share of it is c_0 and that lies g behind the foremost: its front was left half a turn ago, by the
-    /// other lip.
+    /// What a piece takes whose share of it is c_0 and that lies g behind the foremost: its front was left half a turn
+    /// ago, by the other lip.
     ///
     ///     c = max(0, c_0 − g/t),   edge: min(1, (1 − e^(−c t/t_e))/(1 − e^(−t/t_e))),   t = max(f/2, t_e)
     [[nodiscard]] Taken taken(double share, double behind) const noexcept;
@@ -44,7 +45,8 @@ private:
     double thickness_, edge_depth_, built_up_;
 };
 
-/// How two lips share the feed when the tip runs out [–] of an even chip: the first takes what the second is too far behind to reach.
+/// How two lips share the feed when the tip runs out [–] of an even chip: the first takes what the second is too far
+/// behind to reach.
 ///
 ///     t_2 = max(0, f/2 − G),   t_1 = f − t_2,    G the lag of the second lip, f the feed per revolution
 [[nodiscard]] std::array<double, lip_count> share_of_lips(double lag, double feed_per_revolution) noexcept;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 
 #include "drill_channels.h"
 #include "drill_edges.h"
@@ -13,8 +16,8 @@ namespace kerf::drilling {
 
 namespace {
 
-/// [m/s] over which the force builds up, λ = τ (1 − e^(−s/w)), so that hand and bone can balance. Half of what crushes moves the tip by
-/// 0.7 w, and 95 % by 3 w.
+/// [m/s] over which the force builds up, λ = τ (1 − e^(−s/w)), so that hand and bone can balance. Half of what crushes
+/// moves the tip by 0.7 w, and 95 % by 3 w.
 constexpr double onset = 1e-6;
 constexpr double deepest_spring = 0.1e-3;  // [m] [judgement]
 constexpr double let_go = 0.1;             // [–] of what it began with, or of what crushes [judgement]
@@ -45,7 +48,8 @@ CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQu
     for (const Cone& cone : cones) whole += cone.z - cone.end();
     for (const Cone& cone : cones) {
         const double share = (cone.z - cone.end()) / whole;
-        add_cone(cone, drill.runout, 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), part);
+        add_cone(cone, drill.runout,
+                 1 + static_cast<std::size_t>(static_cast<double>(most_cone_rings - cones.count) * share), part);
         if (cone.straight > 0.0) ++part;
     }
     on_cones_ = count_;
@@ -77,26 +81,38 @@ void CrushingTip::add_cone(const Cone& cone, double runout, std::size_t rings, s
             part_[piece_rings_++] = part;
         }
         piece_ring_[count_ / azimuth_count] = static_cast<std::uint8_t>(piece_rings_ - 1);
-        const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide, inner = radius(ring), outer = radius(ring + 1);
-        add_ring(r + runout, cone.z_at(r), p, wide * cot, pi * (outer * outer - inner * inner), across, 1.0 + friction_ * cot);
+        const double r = cone.inner + (static_cast<double>(ring) + 0.5) * wide, inner = radius(ring),
+                     outer = radius(ring + 1);
+        add_ring(r + runout, cone.z_at(r), p, wide * cot, pi * (outer * outer - inner * inner), across,
+                 1.0 + friction_ * cot);
     }
 }
 
 void CrushingTip::add_straight(double radius, double from, double length) noexcept {
     const auto rings = static_cast<std::size_t>(std::clamp(std::ceil(length / (2.0 * radius)), 1.0, 4.0));
     const double height = length / static_cast<double>(rings);
-    for (std::size_t ring = 0; ring < rings; ++ring) add_ring(radius, from - (static_cast<double>(ring) + 0.5) * height, {0.0, 1.0}, height, 0.0, 0.0, 0.0);
+    for (std::size_t ring = 0; ring < rings; ++ring)
+        add_ring(radius, from - (static_cast<double>(ring) + 0.5) * height, {0.0, 1.0}, height, 0.0, 0.0, 0.0);
 }
 
-void CrushingTip::add_ring(double radius, double z, SinCos slope, double height, double ahead, double across, double rubs) noexcept {
+void CrushingTip::add_ring(double radius, double z, SinCos slope, double height, double ahead, double across,
+                           double rubs) noexcept {
     constexpr double share = 1.0 / static_cast<double>(azimuth_count);
     for (const auto& [x, y] : azimuths) {
         const Vec3 out{x, y, 0.0}, at = radius * out + Vec3{0, 0, z};
-        place_[count_++] = {at, out, slope, height, share * ahead, share * 2.0 * pi * radius * height, rate_at(at, across * out + Vec3{0, 0, 1}), rubs};
+        place_[count_++] = {at,
+                            out,
+                            slope,
+                            height,
+                            share * ahead,
+                            share * 2.0 * pi * radius * height,
+                            rate_at(at, across * out + Vec3{0, 0, 1}),
+                            rubs};
     }
 }
 
-CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall, const BrokenWall& broken, std::uint32_t tissues) const noexcept {
+CrushingTip::Ahead CrushingTip::ahead_of(Samples samples, const WallAhead& wall, const BrokenWall& broken,
+                                         std::uint32_t tissues) const noexcept {
     Ahead ahead;
     ahead.gap = nowhere;
     for (const kerf_bone_sample& here : samples)
@@ -126,7 +142,9 @@ void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
     std::array<Vec3, most_cone_rings> at{};
     std::array<kerf_bone_sample, most_cone_rings> here;
     const std::size_t rings = on_cones_ / azimuth_count;
-    const auto on_ring = [&](std::size_t ring) -> const Place& { return place_[ring * azimuth_count + wall.next_side()]; };
+    const auto on_ring = [&](std::size_t ring) -> const Place& {
+        return place_[ring * azimuth_count + wall.next_side()];
+    };
     for (std::size_t ring = 0; ring < rings; ++ring) at[ring] = on_ring(ring).at;
     bone.sample({at.data(), rings}, Vec3{0, 0, 1}, {here.data(), rings});
     std::array<Piece, WallAhead::pieces_of_side> pieces{};
@@ -142,7 +160,8 @@ void CrushingTip::look(WallAhead& wall, const BoneQuery& bone) const noexcept {
     wall.look({pieces.data(), piece_rings_}, step_, friction_, bone);
 }
 
-bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept {
+bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const BrokenWall& broken,
+                         const BoneQuery& bone) const noexcept {
     if (standing.force <= 0.0 && standing.depth <= deepest_spring) return false;
     std::array<kerf_bone_sample, most_on_cones> samples;
     bone.sample({asked_.data(), on_cones_}, Vec3{0, 0, 1}, {samples.data(), on_cones_});
@@ -150,14 +169,16 @@ bool CrushingTip::begins(const Standing& standing, const WallAhead& wall, const 
     return (ahead.sum > 0.0 || ahead.met.is_broken) && (standing.force >= ahead.sum || standing.depth > deepest_spring);
 }
 
-CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken, const BoneQuery& bone) const noexcept {
+CrushingTip::Met CrushingTip::add_to(Channels& channels, const WallAhead& wall, const BrokenWall& broken,
+                                     const BoneQuery& bone) const noexcept {
     const std::size_t asked = on_cones_ + count_;
     std::array<kerf_bone_sample, most_on_cones + most> samples;
     bone.sample({asked_.data(), asked}, {direction_.data(), asked}, {samples.data(), asked});
     const Ahead ahead = ahead_of({samples.data(), on_cones_}, wall, broken, bone.tissue_count());
     if (ahead.sum <= 0.0 && !ahead.met.is_broken) return ahead.met;
     if (ahead.sum > 0.0) add_ahead(ahead, channels);
-    for (std::size_t way = 0; way < std::size(ways_across); ++way) add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), way, channels);
+    for (std::size_t way = 0; way < std::size(ways_across); ++way)
+        add_aside({samples.data() + on_cones_, count_}, ahead, bone.tissue_count(), way, channels);
     return ahead.met;
 }
 
@@ -170,7 +191,8 @@ void CrushingTip::add_ahead(const Ahead& ahead, Channels& channels) const noexce
     sum.write(along, 1.0, ahead.gap, channels.add(KERF_CUT, id_crush));
 }
 
-void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t tissues, std::size_t way, Channels& channels) const noexcept {
+void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t tissues, std::size_t way,
+                            Channels& channels) const noexcept {
     const auto facing = [&](std::size_t i) { return dot(place_[i].out, ways_across[way]); };
     double least = nowhere;
     for (std::size_t i = 0; i < count_; ++i)
@@ -188,7 +210,8 @@ void CrushingTip::add_aside(Samples samples, const Ahead& ahead, std::uint32_t t
     if (force <= 0.0) return;
     ChannelSum sum;
     sum.add(force, 0.0, onset);
-    sum.write(rate_at({0, 0, moment / force}, ways_across[way]), 1.0, least, channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(way)));
+    sum.write(rate_at({0, 0, moment / force}, ways_across[way]), 1.0, least,
+              channels.add(KERF_CUT, id_crush_side + static_cast<std::uint32_t>(way)));
 }
 
 bool is_crushed(const Advance& advance) noexcept {
@@ -200,7 +223,8 @@ bool is_crushed(const Advance& advance) noexcept {
 bool goes_on_crushing(const Advance& advance, double begun) noexcept {
     for (std::size_t i = 0; i < advance.channel.size(); ++i) {
         const kerf_channel& channel = advance.channel[i];
-        const bool crushes = channel.id == id_crush || (channel.id >= id_crush_side && channel.id < id_crush_side + std::size(ways_across));
+        const bool crushes = channel.id == id_crush ||
+                             (channel.id >= id_crush_side && channel.id < id_crush_side + std::size(ways_across));
         if (crushes && advance.lambda[i] > let_go * std::min(channel.tau, begun)) return true;
     }
     return false;

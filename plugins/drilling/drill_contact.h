@@ -9,7 +9,8 @@
 namespace kerf::drilling {
 
 /// Where the drill may touch, while it takes bone or as it is else.   [haptic, nonblocking]
-[[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, bool removes) noexcept;
+[[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone,
+                                            bool removes) noexcept;
 
 /// What contact carried in a tick [N].
 struct Carried {
@@ -20,12 +21,13 @@ struct Carried {
     explicit Carried(const Advance& advance) noexcept;
 };
 
-/// As many contact channels as the law has room for; friction along the shaft for what the shank carried in the last tick, and across it
-/// for what the tip did. Whether the drill no longer fits into its hole: so bent that only the hole's line may know where its wall is.
+/// As many contact channels as the law has room for; friction along the shaft for what the shank carried in the last
+/// tick, and across it for what the tip did. Whether the drill no longer fits into its hole: so bent that only the
+/// hole's line may know where its wall is.
 ///
 /// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
 /// [haptic, nonblocking]
-bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone, const Turning& turning,
-                 const HoleLine& hole, const Carried& last, Channels& channels) noexcept;
+bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone,
+                 const Turning& turning, const HoleLine& hole, const Carried& last, Channels& channels) noexcept;
 
 }  // namespace kerf::drilling

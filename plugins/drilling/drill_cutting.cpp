@@ -2,18 +2,23 @@
 #include "drill_cutting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 namespace kerf::drilling {
 
 namespace {
 
-constexpr double azimuth[SideEdges::azimuths][2] = {{1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // along the motion, across it
+constexpr double azimuth[SideEdges::azimuths][2] = {
+    {1, 0}, {cos_45, cos_45}, {cos_45, -cos_45}};  // along the motion, across it
 static_assert(std::size(ways_across) == SideEdges::ways);
 
-/// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it has gone of its play
-/// does not count as a way to the front. Where a cone stands at the front, with no way to go to it, the land beside it has none either.
+/// Points of a land lie inside the hole that it has cut, so that it runs free there, and the hole goes with it. What it
+/// has gone of its play does not count as a way to the front. Where a cone stands at the front, with no way to go to
+/// it, the land beside it has none either.
 void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_bone_sample* of_way) noexcept {
     double of_cones = 1e300;
     const kerf_bone_sample* at = of_way;
@@ -36,8 +41,8 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
 
 }  // namespace
 
-/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as the
-/// committed cut lags, which is a matter of the grid.
+/// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as
+/// the committed cut lags, which is a matter of the grid.
 SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
     const TwistDrill::Cones cones = drill.cones();
     const std::size_t rings = rings_on_each(cones.count, 6, 3);  // and a land for each that a wall follows
@@ -45,11 +50,13 @@ SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery&
         const double wide = cone.outer - cone.inner;
         for (std::size_t ring = 0; ring < rings; ++ring) {
             const double at = cone.inner + (static_cast<double>(ring) + 0.5) / static_cast<double>(rings) * wide;
-            level_[level_count_++] = {at + drill.runout, cone.z_at(at), wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos};
+            level_[level_count_++] = {at + drill.runout, cone.z_at(at),
+                                      wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos};
         }
         const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
         const double inside = inside_of_hole(tick, bone, cone.outer);
-        if (land > 0.0) level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
+        if (land > 0.0)
+            level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
     }
     std::size_t i = 0;
     for (const Vec3 way : ways_across) {
@@ -63,7 +70,8 @@ SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery&
     }
 }
 
-void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept {
+void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel,
+                      Channels& channels) noexcept {
     const Coefficients k = coefficients(tick.force);
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
@@ -79,18 +87,20 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
         if (chip <= 0.0) continue;
         if (i >= e.lip_points) {
             const double width = m * e.places.chisel_width;
-            axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate, k.chisel.edge_depth / per_rate);
+            axial.add(edge * width * k.chisel.edge, chip * width * k.chisel.chip * per_rate,
+                      k.chisel.edge_depth / per_rate);
             continue;
         }
         const LipElement& el = e.element(i);
         const double width = e.places.rake_factor[e.place_on_lip(i)] * m * el.width, nz = el.normal_axial;
-        axial.add(edge * width * k.thrust.edge * nz, chip * width * k.thrust.chip * nz * nz * per_rate, k.thrust.edge_depth / (per_rate * nz));
+        axial.add(edge * width * k.thrust.edge * nz, chip * width * k.thrust.chip * nz * nz * per_rate,
+                  k.thrust.edge_depth / (per_rate * nz));
         engaged_width += m * el.width;
     }
     if (axial.tau <= 0.0 && axial.eta <= 0.0) return;
 
-    // Against the mean normal of what is cut: that pushes aside too, and a tool that gives way is pushed less. What acts along the
-    // cut follows.
+    // Against the mean normal of what is cut: that pushes aside too, and a tool that gives way is pushed less. What
+    // acts along the cut follows.
     const EdgeForces forces = edge_forces(e, tick, turning.n, travel.feed_rate);
     if (kerf_channel* feed = channels.add(KERF_CUT, id_feed)) {
         const double per_newton = 1.0 / forces.thrust();
@@ -99,7 +109,8 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
         std::copy(follow.begin(), follow.end(), feed->follow);
         if (!turning.removes()) feed->follow[5] = 0.0;  // what holds the drill then is told by its motor
     }
-    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its lip feeds beyond that.
+    // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its
+    // lip feeds beyond that.
     if (!turning.removes()) return;
     if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
         const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
@@ -109,8 +120,8 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
     }
 }
 
-void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
-                      const OwnHoles& holes, Channels& channels) noexcept {
+void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                      const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept {
     constexpr double share_of_turn = 1.0 / 8.0;
     std::array<kerf_bone_sample, SideEdges::most> sample;
     edges.ask(bone, sample);  // all ways in one question
@@ -142,7 +153,8 @@ void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery&
                 total += edge * width;
             }
         if (total > 0.0)
-            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cut_share, least, channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
+            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cut_share, least,
+                      channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
     }
 }
 

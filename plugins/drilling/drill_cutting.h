@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "drill_channels.h"
 #include "drill_edges.h"
 #include "own_hole.h"
@@ -22,7 +26,8 @@ struct Turning {
 using OwnHoles = std::array<OwnHole, TwistDrill::most_lands>;
 
 /// Lips, chisel edge and heel. Shares the feed out among the edges.   [haptic, nonblocking]
-void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, const Travel& travel, Channels& channels) noexcept;
+void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, const Travel& travel,
+                      Channels& channels) noexcept;
 
 /// What cuts sideways, as circles from the tip backwards: what follows from parameters and grid alone.
 class SideEdges {
@@ -44,7 +49,8 @@ public:
         const std::size_t count = ways * level_count_ * azimuths;
         bone.sample({point_.data(), count}, {direction_.data(), count}, {out.data(), count});
     }
-    /// Moves the lands in their holes: `rate` for `dt` [s], in which the front went `advance` ≥ 0 [m] into bone.   [haptic, nonblocking]
+    /// Moves the lands in their holes: `rate` for `dt` [s], in which the front went `advance` ≥ 0 [m] into bone.
+    /// [haptic, nonblocking]
     void move_in_holes(const Vec6& rate, double dt, double advance, OwnHoles& holes) const noexcept;
 
 private:
@@ -55,10 +61,10 @@ private:
 
 /// Cutting sideways: the cone's flank and the corner behind it, averaged over the turn.
 ///
-/// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and pushes
-/// back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the turn,
-/// sums to the mean. Bone is asked for where the ring is, not where the lips are now.
-void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning, const Travel& travel,
-                      const OwnHoles& holes, Channels& channels) noexcept;
+/// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and
+/// pushes back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the
+/// turn, sums to the mean. Bone is asked for where the ring is, not where the lips are now.
+void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+                      const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept;
 
 }  // namespace kerf::drilling

@@ -14,7 +14,7 @@ Vec3 outwards(Vec3 p) noexcept {
     const double r = std::sqrt(p.x * p.x + p.y * p.y), per_metre = r > 0.0 ? 1.0 / r : 0.0;
     return {per_metre * p.x, per_metre * p.y, 0.0};
 }
-}
+}  // namespace
 
 double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double reference) noexcept {
     if (s.engagement <= 0.0) return 0.0;
@@ -30,7 +30,8 @@ double crushing_pressure(const kerf_bone_sample& s, std::uint32_t tissues) noexc
     return pressure;
 }
 
-EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept : lip(make_lip(drill, tick.force[force_element_pitch])) {
+EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
+    : lip(make_lip(drill, tick.force[force_element_pitch])) {
     double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
     for (std::size_t i = 0; i < lip.count; ++i) {
         const LipElement& el = lip.element[i];
@@ -45,7 +46,9 @@ EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuer
     if (drill.helix_angle != fitted_helix) {
         const SinCos helix = sin_cos_exact(drill.helix_angle), fitted = sin_cos_exact(fitted_helix);
         for (std::size_t i = 0; i < lip.count; ++i) {
-            const double more = (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 / pi;  // [deg]
+            const double more =
+                (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 /
+                pi;  // [deg]
             rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
         }
     }
@@ -54,9 +57,11 @@ EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuer
     chisel_width = drill.chisel_radius() / static_cast<double>(chisel_points);
 }
 
-Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept : drill(of), places(at) {
-    // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either lip is asked about on
-    // that shape, which it meets within half a turn; who of the two takes how much is a matter of shares.
+Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept
+    : drill(of), places(at) {
+    // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either
+    // lip is asked about on that shape, which it meets within half a turn; who of the two takes how much is a matter of
+    // shares.
     const auto put = [&](std::size_t i, std::size_t opposite, Vec3 place) {
         if (drill.runout > 0.0) place = place + drill.runout * outwards(place);
         point[i] = place;
@@ -77,12 +82,14 @@ Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const
         put(count, count + 1, {-r * a.sin, r * a.cos, -r * p.cos / p.sin});
     }
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
-    for (std::size_t i = 0; i < count; ++i) resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
+    for (std::size_t i = 0; i < count; ++i)
+        resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
 }
 
 void Edges::share_out(const Travel& travel, double n, double least, double edge_depth) noexcept {
-    constexpr double slowest = 10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even [judgement]
-    constexpr double most = 2.0;       // of a drill that goes mostly sideways [judgement]
+    constexpr double slowest =
+        10e-6;  // [m/s] feed that sideways motion is compared with; where there is none, chips are even [judgement]
+    constexpr double most = 2.0;  // of a drill that goes mostly sideways [judgement]
     const Vec6& going = travel.mean;
     const double along = going[2], feed = travel.feed_rate / n;
     const double per_feed = std::clamp(along / slowest, 0.0, 1.0) / std::max(along, slowest);
@@ -104,8 +111,10 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
 EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_rate) noexcept {
     const Coefficients k = coefficients(tick.force);
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
-    std::array<double, largest_element_count> built_up;  // of an even chip, by element: the same on both lips, and for all coefficients
-    for (std::size_t i = 0; i < e.places.lip.count; ++i) built_up[i] = built_up_at(per_lip * e.places.lip.element[i].normal_axial, k.thrust.edge_depth);
+    std::array<double, largest_element_count>
+        built_up;  // of an even chip, by element: the same on both lips, and for all coefficients
+    for (std::size_t i = 0; i < e.places.lip.count; ++i)
+        built_up[i] = built_up_at(per_lip * e.places.lip.element[i].normal_axial, k.thrust.edge_depth);
     const double on_chisel = built_up_at(per_lip, k.chisel.edge_depth);
     EdgeForces sum;
     for (std::size_t i = 0; i < e.count; ++i) {
@@ -115,7 +124,8 @@ EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_r
         if (chip <= 0.0) continue;
         const Vec3 at = e.point[i];
         if (i >= e.lip_points) {
-            const double thrust = m * e.places.chisel_width * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
+            const double thrust =
+                m * e.places.chisel_width * force_per_width(chip * per_lip, k.chisel, edge * on_chisel);
             sum.normal[2] += thrust;
             sum.normal[3] += at.y * thrust;
             sum.normal[4] -= at.x * thrust;

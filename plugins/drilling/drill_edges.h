@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "chip_share.h"
 #include "drill_parameters.h"
@@ -14,13 +16,15 @@ namespace kerf::drilling {
 inline constexpr std::size_t most_chisel_points = 32;  ///< per half of the chisel edge
 inline constexpr std::size_t most_edge_points = lip_count * largest_element_count + 2 * most_chisel_points;
 
-/// [m] how far inside its hole of `radius` the drill's land and shank lie: their play, or more where the hole's wall is not known so well (B5).
+/// [m] how far inside its hole of `radius` the drill's land and shank lie: their play, or more where the hole's wall is
+/// not known so well (B5).
 [[nodiscard]] inline double inside_of_hole(const Tick& tick, const BoneQuery& bone, double radius) noexcept {
     return std::max(tick.force[force_clearance], bone.wall_error(radius));
 }
 
 /// Share of the reference tissue's resistance at a sample, zero in air.
-[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
+[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues,
+                                double reference_density) noexcept;
 
 /// The pressure [Pa] that crushes the bone at a sample, its tissues by their shares.
 [[nodiscard]] double crushing_pressure(const kerf_bone_sample& sample, std::uint32_t tissues) noexcept;
@@ -28,15 +32,17 @@ inline constexpr std::size_t most_edge_points = lip_count * largest_element_coun
 /// Where the edges are on the drill, and where they are asked about: what follows from parameters and grid alone.
 struct EdgePlaces {
     Lip lip;
-    /// The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known (B5), back along the lip.
+    /// The end of a lip runs along the wall of its own hole: it is asked about no nearer to it than the wall is known
+    /// (B5), back along the lip.
     struct Asked {
         double kept;  ///< [–] of its way from the axis
         double z;     ///< [m]
     };
     std::array<Asked, largest_element_count> asked;  ///< of each piece
-    std::array<double, largest_element_count> rake_factor;  ///< [–] on the lips' forces, 1 for the drill they were fitted with
-    std::size_t chisel_points;                              ///< on each half of the chisel edge
-    double chisel_width;                                    ///< [m] that each of them stands for
+    std::array<double, largest_element_count>
+        rake_factor;            ///< [–] on the lips' forces, 1 for the drill they were fitted with
+    std::size_t chisel_points;  ///< on each half of the chisel edge
+    double chisel_width;        ///< [m] that each of them stands for
 
     EdgePlaces() = default;
     EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
@@ -55,16 +61,22 @@ struct Edges {
 
     /// Turns all pieces, the first lip to `angle` [rad], and asks the bone about them.
     Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
-    /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along its own normal,
+    /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along
+    /// its own normal,
     ///
     ///     c_0 = c_k + (n_r v_r + n_z (v_z − v̄_z))/(n_z v̄_z),   0 … 2
     ///
-    /// with c_k its lip's share (1 but for a tip that runs off), v the piece's mean rate over half a turn and v̄_z the tool's along its
-    /// axis. So a drill that is free to give way where its tip runs off centres itself. A tool that does not go forwards has even chips.
+    /// with c_k its lip's share (1 but for a tip that runs off), v the piece's mean rate over half a turn and v̄_z the
+    /// tool's along its axis. So a drill that is free to give way where its tip runs off centres itself. A tool that
+    /// does not go forwards has even chips.
     void share_out(const Travel& travel, double n, double least_gap, double edge_depth) noexcept;
     /// Of a piece of a lip, its place along it.
-    [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept { return i < places.lip.count ? i : i - places.lip.count; }
-    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept { return places.lip.element[place_on_lip(i)]; }
+    [[nodiscard]] std::size_t place_on_lip(std::size_t i) const noexcept {
+        return i < places.lip.count ? i : i - places.lip.count;
+    }
+    [[nodiscard]] const LipElement& element(std::size_t i) const noexcept {
+        return places.lip.element[place_on_lip(i)];
+    }
 
     /// Share of the edges in bone.
     [[nodiscard]] double engagement() const noexcept {
@@ -92,6 +104,7 @@ struct EdgeForces {
 };
 
 /// Pre: shared out.
-[[nodiscard]] EdgeForces edge_forces(const Edges& edges, const Tick& tick, double revolutions, double feed_rate) noexcept;
+[[nodiscard]] EdgeForces edge_forces(const Edges& edges, const Tick& tick, double revolutions,
+                                     double feed_rate) noexcept;
 
 }  // namespace kerf::drilling

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "bit_bending.h"
 #include "crushing.h"
 #include "drill_contact.h"
@@ -23,19 +26,19 @@ struct DrillCutting {
         double bending_share = 0.0;  ///< [–] of a tick in the mean of the bit's stress
     };
     struct State {
-        double angle = 0.0;          ///< [rad] of the first lip about the shaft
+        double angle = 0.0;  ///< [rad] of the first lip about the shaft
         Travel travel;
-        OwnHoles holes;              ///< of its lands
-        HoleLine hole;               ///< of its shank
-        Carried carried;             ///< by contact in the last tick
-        double cut_share = 0.0;      ///< [–] 1 while it cuts, then fading
-        bool crushes = false;        ///< its tip, which does not cut, the bone it stands on
-        double crushing_from = 0.0;  ///< [N] that it stood with when that began
-        WallAhead wall;              ///< before a tip that stands or crushes
-        BrokenWall broken;           ///< what of it has broken
-        double bending_stress = 0.0; ///< [Pa] of the bit, in the mean over a few milliseconds
-        bool is_overbent = false;    ///< the bit, since it was last nearly straight
-        double reaction = 0.0;       ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
+        OwnHoles holes;               ///< of its lands
+        HoleLine hole;                ///< of its shank
+        Carried carried;              ///< by contact in the last tick
+        double cut_share = 0.0;       ///< [–] 1 while it cuts, then fading
+        bool crushes = false;         ///< its tip, which does not cut, the bone it stands on
+        double crushing_from = 0.0;   ///< [N] that it stood with when that began
+        WallAhead wall;               ///< before a tip that stands or crushes
+        BrokenWall broken;            ///< what of it has broken
+        double bending_stress = 0.0;  ///< [Pa] of the bit, in the mean over a few milliseconds
+        bool is_overbent = false;     ///< the bit, since it was last nearly straight
+        double reaction = 0.0;  ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Spindle spindle;
         Prepared prepared;
     };

@@ -22,8 +22,8 @@ struct EdgeCoefficients {
 /// papers' laws jump at zero feed, which no hand can balance.
 [[nodiscard]] double force_per_width(double t, const EdgeCoefficients& bone) noexcept;
 
-/// The share of the edge force that has built up at chip thickness `t`, 1 − e^(−t/t_e): the same for every direction, so worked
-/// out once.   [any] pure.
+/// The share of the edge force that has built up at chip thickness `t`, 1 − e^(−t/t_e): the same for every direction,
+/// so worked out once.   [any] pure.
 [[nodiscard]] double built_up_at(double t, double edge_depth) noexcept;
 /// The force with that share known.   [any] pure.
 [[nodiscard]] inline double force_per_width(double t, const EdgeCoefficients& bone, double built_up) noexcept {

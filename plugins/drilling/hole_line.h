@@ -6,8 +6,8 @@
 /// Where the hole of a shank is that has been pulled out of its middle.
 namespace kerf::drilling {
 
-/// The middle line of the hole, seen from the tool:  (x + along_x z, y + along_y z)  [m], [–]. It is the tool's own axis when the shank last
-/// fitted into it, and stays where it is in the bone. Small tilts.
+/// The middle line of the hole, seen from the tool:  (x + along_x z, y + along_y z)  [m], [–]. It is the tool's own
+/// axis when the shank last fitted into it, and stays where it is in the bone. Small tilts.
 struct HoleLine {
     double x = 0.0, y = 0.0, along_x = 0.0, along_y = 0.0;
 

@@ -70,7 +70,9 @@ Lip make_lip(const TwistDrill& drill, double pitch) noexcept {
     Lip lip;
     const double b = drill.half_web();
     const TwistDrill::Cones cones = drill.cones();
-    pitch = std::max(pitch, drill.widest_radius() / static_cast<double>(largest_element_count - cones.count));  // room for one piece more on each
+    pitch =
+        std::max(pitch, drill.widest_radius() / static_cast<double>(largest_element_count -
+                                                                    cones.count));  // room for one piece more on each
     for (const Cone& cone : cones) add_edge(lip, cone, b, std::max(cone.inner, drill.chisel_radius()), pitch);
     return lip;
 }

@@ -16,7 +16,8 @@ inline constexpr int lip_count = 2;
 /// (cos, sin) of eight azimuths about the shaft.
 inline constexpr std::size_t azimuth_count = 8;
 inline constexpr double cos_45 = 0.70710678118654752440;
-inline constexpr double azimuths[azimuth_count][2] = {{1, 0}, {cos_45, cos_45}, {0, 1}, {-cos_45, cos_45}, {-1, 0}, {-cos_45, -cos_45}, {0, -1}, {cos_45, -cos_45}};
+inline constexpr double azimuths[azimuth_count][2] = {{1, 0},  {cos_45, cos_45},   {0, 1},  {-cos_45, cos_45},
+                                                      {-1, 0}, {-cos_45, -cos_45}, {0, -1}, {cos_45, -cos_45}};
 
 /// The four ways across the shaft.
 inline constexpr Vec3 ways_across[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
@@ -29,12 +30,15 @@ inline constexpr Vec3 ways_across[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1,
 /// A cone that its lips sweep.
 struct Cone {
     SinCos half_angle;
-    double inner, outer;     ///< [m] radii where it begins and ends
-    double z;                ///< [m] where it begins
-    double straight = 0.0;   ///< [m] how far the outline behind it goes on as wide as it ends; of the last cone nothing is said
-    double wall = outer;     ///< [m] radius of the first wall behind it: where another cone follows at once, that one's
+    double inner, outer;  ///< [m] radii where it begins and ends
+    double z;             ///< [m] where it begins
+    double straight =
+        0.0;  ///< [m] how far the outline behind it goes on as wide as it ends; of the last cone nothing is said
+    double wall = outer;  ///< [m] radius of the first wall behind it: where another cone follows at once, that one's
 
-    [[nodiscard]] double z_at(double radius) const noexcept { return z - (radius - inner) * half_angle.cos / half_angle.sin; }
+    [[nodiscard]] double z_at(double radius) const noexcept {
+        return z - (radius - inner) * half_angle.cos / half_angle.sin;
+    }
     [[nodiscard]] double end() const noexcept { return z_at(outer); }
 };
 
@@ -47,19 +51,22 @@ struct OutlineCorner {
 /// What a drill with two lips is made of. Tool frame: origin at the tip, +z out of the tip.
 struct TwistDrill {
     static constexpr std::size_t most_corners = 8;
-    static constexpr std::size_t most_lands = most_corners / 2 + 1;  ///< one behind each cone that a wall follows, and behind the last
+    static constexpr std::size_t most_lands =
+        most_corners / 2 + 1;  ///< one behind each cone that a wall follows, and behind the last
 
-    double diameter;     ///< [m]
-    double point_angle;  ///< [rad] full
-    double web;          ///< [–] web thickness over diameter
-    double length;       ///< [m] tip to chuck
-    double corner;       ///< [–] length behind a corner that still cuts sideways, over diameter
-    double runout = 0.0;       ///< [m] how far the tip runs off the axis it turns about, towards the first lip
+    double diameter;      ///< [m]
+    double point_angle;   ///< [rad] full
+    double web;           ///< [–] web thickness over diameter
+    double length;        ///< [m] tip to chuck
+    double corner;        ///< [–] length behind a corner that still cuts sideways, over diameter
+    double runout = 0.0;  ///< [m] how far the tip runs off the axis it turns about, towards the first lip
     double helix_angle = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the flutes at the diameter
-    std::array<OutlineCorner, most_corners> corners = {};  ///< behind the point, backwards; no radius is less than the one before
+    std::array<OutlineCorner, most_corners> corners =
+        {};  ///< behind the point, backwards; no radius is less than the one before
     std::size_t corner_count = 0;
     double shank_diameter = 0.0;  ///< [m] behind the head, where it is thinner; 0: as wide
-    SinCos half_point = sin_cos_exact(0.5 * point_angle);  ///< of the point's half angle p: asked for often, worked out once
+    SinCos half_point =
+        sin_cos_exact(0.5 * point_angle);  ///< of the point's half angle p: asked for often, worked out once
 
     [[nodiscard]] double radius() const noexcept { return 0.5 * diameter; }
     [[nodiscard]] double half_web() const noexcept { return 0.5 * web * diameter; }
@@ -67,10 +74,15 @@ struct TwistDrill {
     [[nodiscard]] double chisel_radius() const noexcept { return half_web() / 0.81915204428899180; }
     /// Depth of the point: R cot p [m].
     [[nodiscard]] double point_depth() const noexcept { return radius() * half_point.cos / half_point.sin; }
-    [[nodiscard]] double widest_radius() const noexcept { return corner_count > 0 ? corners[corner_count - 1].radius : radius(); }
-    /// Radius of the bit at `z` [m] as it bends: a cone counts as wide as it ends, what is wider than the shank as the shank.
+    [[nodiscard]] double widest_radius() const noexcept {
+        return corner_count > 0 ? corners[corner_count - 1].radius : radius();
+    }
+    /// Radius of the bit at `z` [m] as it bends: a cone counts as wide as it ends, what is wider than the shank as the
+    /// shank.
     [[nodiscard]] double bit_radius_at(double z) const noexcept;
-    [[nodiscard]] double shank_radius() const noexcept { return shank_diameter > 0.0 ? std::min(0.5 * shank_diameter, widest_radius()) : widest_radius(); }
+    [[nodiscard]] double shank_radius() const noexcept {
+        return shank_diameter > 0.0 ? std::min(0.5 * shank_diameter, widest_radius()) : widest_radius();
+    }
     /// The point, and what widens behind it.
     struct Cones {
         std::array<Cone, most_corners + 1> cone;
@@ -86,7 +98,8 @@ struct TwistDrill {
     [[nodiscard]] double head() const noexcept;
     /// How far the second lip stays behind the first one's cut, along the shaft: 2 e cot p [m].
     [[nodiscard]] double lag_of_second_lip() const noexcept { return 2.0 * runout * half_point.cos / half_point.sin; }
-    /// Rake of the lips at `radius` [rad] with flutes of this helix: tan γ = (r/R) tan(helix), to within 0.3°; the web's share is left out.
+    /// Rake of the lips at `radius` [rad] with flutes of this helix: tan γ = (r/R) tan(helix), to within 0.3°; the
+    /// web's share is left out.
     [[nodiscard]] double rake_at(double radius, SinCos helix) const noexcept;
 };
 
@@ -109,7 +122,8 @@ struct Lip {
     std::size_t count = 0;
 };
 
-/// Cuts the lip, on all of its cones, into pieces of at most `pitch` [m] along their projection, at most `largest_element_count`.
+/// Cuts the lip, on all of its cones, into pieces of at most `pitch` [m] along their projection, at most
+/// `largest_element_count`.
 ///
 /// The lip lies at the half web b from the axis. At radius r it leans by β with sin β = b/r, so the normal of the
 /// surface it cuts is

@@ -15,8 +15,8 @@ struct Piece {
     Vec3 at, normal;  ///< a place on it that is in bone, tool frame [m]; unit, out of the cone
 };
 
-/// What is before each of a tip's pieces, which are numbered ring by ring from the tip backwards, one on each of `azimuth_count` sides. Looked for
-/// on one side a tick.
+/// What is before each of a tip's pieces, which are numbered ring by ring from the tip backwards, one on each of
+/// `azimuth_count` sides. Looked for on one side a tick.
 class WallAhead {
 public:
     static constexpr std::size_t pieces_of_side = Shells::most / 2, most_pieces = azimuth_count * pieces_of_side;
@@ -32,7 +32,8 @@ public:
     [[nodiscard]] static std::size_t ahead_of(std::size_t piece) noexcept { return 2 * piece; }
     [[nodiscard]] static std::size_t beside(std::size_t piece) noexcept { return 2 * piece + 1; }
     [[nodiscard]] const Shell& on(std::size_t way) const noexcept { return shell_[way]; }
-    /// Whether what begins after so much of a way [m] is where the way does: the first step may be half in the hole [judgement].
+    /// Whether what begins after so much of a way [m] is where the way does: the first step may be half in the hole
+    /// [judgement].
     [[nodiscard]] bool is_at_once(double begins) const noexcept { return begins < 1.5 * step_; }
 
 private:

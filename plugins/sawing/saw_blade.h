@@ -12,15 +12,16 @@ namespace kerf::sawing {
 
 inline constexpr std::size_t most_teeth = 64;
 
-/// Tool frame: origin at the tip, in the middle of the front; +z out of the tip, x the way the teeth go, y across the blade.
+/// Tool frame: origin at the tip, in the middle of the front; +z out of the tip, x the way the teeth go, y across the
+/// blade.
 struct SawBlade {
-    double radius;       ///< [m] from the axis of the swing to the tips
-    double arc;          ///< [rad] of the swing, from one turning point to the other
-    double pitch;        ///< [m] from tip to tip along the arc
-    double tooth_count;  ///< [–] a whole number
-    double thickness;    ///< [m] of the blade
-    double set;          ///< [m] how far teeth stand out on either side, by turns
-    double tooth_height; ///< [m] from tip to root: as deep the front cuts
+    double radius;        ///< [m] from the axis of the swing to the tips
+    double arc;           ///< [rad] of the swing, from one turning point to the other
+    double pitch;         ///< [m] from tip to tip along the arc
+    double tooth_count;   ///< [–] a whole number
+    double thickness;     ///< [m] of the blade
+    double set;           ///< [m] how far teeth stand out on either side, by turns
+    double tooth_height;  ///< [m] from tip to root: as deep the front cuts
 
     [[nodiscard]] double kerf() const noexcept { return thickness + 2.0 * set; }  ///< [m]
     [[nodiscard]] double stroke() const noexcept { return radius * arc; }         ///< S [m] along the arc
@@ -29,7 +30,9 @@ struct SawBlade {
     [[nodiscard]] double half_front() const noexcept { return 0.5 * tooth_count * pitch / radius; }
     [[nodiscard]] double half_sweep() const noexcept { return half_front() + 0.5 * arc; }
     /// Where the front is at `angle` [rad] from the middle.
-    [[nodiscard]] Vec3 on_front(SinCos angle) const noexcept { return {radius * angle.sin, 0.0, radius * (angle.cos - 1.0)}; }
+    [[nodiscard]] Vec3 on_front(SinCos angle) const noexcept {
+        return {radius * angle.sin, 0.0, radius * (angle.cos - 1.0)};
+    }
 };
 
 /// A tooth at its place. Its forces: against the feed along −normal, against its motion along ∓along, aside along y.

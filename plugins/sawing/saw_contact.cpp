@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "kerf/contact.hpp"
 
@@ -13,7 +15,8 @@ namespace {
 
 constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
-static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most && 2 * rows * columns == TouchingPoints::most_on_sides);
+static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most &&
+              2 * rows * columns == TouchingPoints::most_on_sides);
 /// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
 enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7 };
 static_assert(slot_side == sector_count);
@@ -26,7 +29,8 @@ static_assert(slot_side == sector_count);
 double side_stiffness(const SawBlade& blade, double z, double contact) noexcept {
     constexpr double steel = 193e9;  // [Pa]
     const double width = blade.tooth_count * blade.pitch, l = std::max(blade.radius + z, 0.1 * blade.radius);
-    const double bending = 3.0 * steel * (width * blade.thickness * blade.thickness * blade.thickness / 12.0) / (l * l * l);
+    const double bending =
+        3.0 * steel * (width * blade.thickness * blade.thickness * blade.thickness / 12.0) / (l * l * l);
     return bending * contact / (bending + contact);
 }
 
@@ -40,7 +44,8 @@ TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const Bo
         for (std::size_t i = 0; i < tip_points; ++i) {
             const double share = 2.0 * (static_cast<double>(i) + 0.5) / tip_points - 1.0;
             const SinCos angle = sin_cos_exact(share * blade.half_front());
-            points.all.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, tip_facing, slot_tip + i * sector_count / tip_points);
+            points.all.add(blade.on_front(angle), {angle.sin, 0.0, angle.cos}, stiffness, tip_facing,
+                           slot_tip + i * sector_count / tip_points);
         }
     const SinCos last = sin_cos_exact(blade.half_front());
     for (std::size_t row = 0; row < rows; ++row) {
@@ -57,19 +62,20 @@ TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const Bo
             }
         }
         for (const double side : {1.0, -1.0})
-            points.all.add({side * (blade.radius * last.sin - bone.wall_error()), 0.0, blade.radius * (last.cos - 1.0) - back}, {side, 0, 0}, stiffness,
-                           facing, slot_edge + (side > 0.0 ? 0u : 1u));
+            points.all.add(
+                {side * (blade.radius * last.sin - bone.wall_error()), 0.0, blade.radius * (last.cos - 1.0) - back},
+                {side, 0, 0}, stiffness, facing, slot_edge + (side > 0.0 ? 0u : 1u));
     }
     return points;
 }
 
-void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone, const Going& going,
-                 const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
+void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone,
+                 const Going& going, const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
     Contact contact(points.all);
     contact.ask(bone, blade.thickness);
 
-    // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a wall
-    // where the bone has one, but it stands where the teeth have put it (B5).
+    // Where the blade has cut the last two voxels itself, its slot is known better than samples tell it: there is a
+    // wall where the bone has one, but it stands where the teeth have put it (B5).
     const double own = std::min(slot.depth - blade.tooth_height, 2.0 * bone.voxel());
     for (std::size_t n = 0; n < points.side_count; ++n) {
         const TouchingPoints::OnSide& one = points.of_sides[n];

@@ -2,6 +2,7 @@
 #include "saw_cutting.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
 
@@ -39,7 +40,8 @@ struct Row {
 double mean_cutting_force(const SawBlade& blade, const Tick& tick, const Stroke& stroke, double feed_rate) noexcept {
     const ToothCoefficients cutting = coefficients(tick.force).cutting;
     double sum = 0.0;
-    for (const StrokePart& part : parts_of(stroke)) sum += part.share * force_per_width(part.chip_per_feed * feed_rate, cutting);
+    for (const StrokePart& part : parts_of(stroke))
+        sum += part.share * force_per_width(part.chip_per_feed * feed_rate, cutting);
     return blade.kerf() * sum;
 }
 
@@ -59,7 +61,8 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
             const double m = 0.5 * in_bone.resisted[i];
             if (m <= 0.0 || in_bone.gap[i] > least + left_behind) continue;
             const Tooth& tooth = in_bone.teeth.tooth[i / 2];
-            const Vec6 into = rate_at(tooth.tip, tooth.normal), by = rate_at(tooth.tip, {0, -tooth.side, 0}), with = rate_at(tooth.tip, tooth.along);
+            const Vec6 into = rate_at(tooth.tip, tooth.normal), by = rate_at(tooth.tip, {0, -tooth.side, 0}),
+                       with = rate_at(tooth.tip, tooth.along);
             for (std::size_t c = 0; c < 6; ++c) {
                 d[c] += m * into[c];
                 aside[c] += m * by[c];
@@ -77,7 +80,8 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
             const StrokePart& part = parts.part[p];
             const double width = part.share * total * blade.kerf();
             ChannelSum sum;
-            sum.add(width * k.thrust.edge, width * k.thrust.chip * part.chip_per_feed, k.thrust.edge_depth / part.chip_per_feed);
+            sum.add(width * k.thrust.edge, width * k.thrust.chip * part.chip_per_feed,
+                    k.thrust.edge_depth / part.chip_per_feed);
             kerf_channel* feed = channels.add(KERF_CUT, id_feed + static_cast<std::uint32_t>(sector * part_count + p));
             sum.write(d, going.cut_share, least, feed);
             if (feed == nullptr) continue;
@@ -90,14 +94,15 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
     }
 }
 
-void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
-                      Channels& channels) noexcept {
-    if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind) return;  // drawn back, the flanks run free in their slot (B5)
+void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone,
+                      const Going& going, Channels& channels) noexcept {
+    if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind)
+        return;  // drawn back, the flanks run free in their slot (B5)
     const Coefficients k = coefficients(tick.force);
     const double reference = tick.force[force_reference_density];
-    // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the grid. And
-    // a little inside what the blade sweeps, so that the points lie free in a slot as wide as the kerf: by an eighth of a voxel a
-    // wall is known.
+    // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the
+    // grid. And a little inside what the blade sweeps, so that the points lie free in a slot as wide as the kerf: by an
+    // eighth of a voxel a wall is known.
     const double inside = std::max(0.125 * 0.25 * bone.reach(), 0.02e-3);
     constexpr double play = 1e-8;  // [m] so that a rounding across does not count as a cut
     const auto add = [&](Row& row, Vec3 way, double edge_length, double chip_per_feed, std::uint32_t id) {
@@ -131,14 +136,16 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
             const SinCos angle = sin_cos_exact(0.9 * Row::place(i) * blade.half_front());
             row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), 0.0};
         }
-        add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip, id_side + (side > 0.0 ? 0 : 1));
+        add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip,
+            id_side + (side > 0.0 ? 0 : 1));
     }
     // At an end the last tooth comes by once an oscillation.
     const SinCos end = sin_cos_exact(blade.half_sweep());
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * Row::place(i) * blade.kerf(), blade.radius * (end.cos - 1.0)};
+            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * Row::place(i) * blade.kerf(),
+                            blade.radius * (end.cos - 1.0)};
         }
         add(row, {side, 0, 0}, blade.tooth_height, 1.0 / going.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
     }

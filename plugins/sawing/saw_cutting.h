@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "saw_teeth.h"
 
 /// What the oscillating teeth put into the law: feed, side, ends.
@@ -10,18 +13,19 @@ inline constexpr std::size_t sector_count = 3;  ///< of the front: each has a di
 enum ChannelId : std::uint32_t { id_feed = 1, id_rub = 7, id_side = 8, id_end = 10, id_contact = 16 };
 static_assert(id_feed + sector_count * part_count <= id_rub);
 
-/// The front, in three sectors; each in two parts of the oscillation. What goes with it: the sideways force of teeth that are
-/// set to one side and have no neighbour, and below 100 Hz the force against the teeth's own motion.
-/// [haptic, nonblocking]
+/// The front, in three sectors; each in two parts of the oscillation. What goes with it: the sideways force of teeth
+/// that are set to one side and have no neighbour, and below 100 Hz the force against the teeth's own motion. [haptic,
+/// nonblocking]
 void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const Going& going,
                       double last_feed_rate, Channels& channels) noexcept;
 
-/// Across the blade, where the flanks of teeth set to that side widen the slot, and in the plane at either end of the front: while
-/// the teeth are at the front.   [haptic, nonblocking]
-void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone, const Going& going,
-                      Channels& channels) noexcept;
+/// Across the blade, where the flanks of teeth set to that side widen the slot, and in the plane at either end of the
+/// front: while the teeth are at the front.   [haptic, nonblocking]
+void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone,
+                      const Going& going, Channels& channels) noexcept;
 
 /// Of one tooth in the reference tissue, along its motion, in the mean over the oscillation [N].   [any] pure.
-[[nodiscard]] double mean_cutting_force(const SawBlade& blade, const Tick& tick, const Stroke& stroke, double feed_rate) noexcept;
+[[nodiscard]] double mean_cutting_force(const SawBlade& blade, const Tick& tick, const Stroke& stroke,
+                                        double feed_rate) noexcept;
 
 }  // namespace kerf::sawing

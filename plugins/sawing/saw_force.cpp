@@ -2,6 +2,7 @@
 #include "saw_force.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace kerf::sawing {
 
@@ -9,8 +10,8 @@ namespace {
 
 using namespace literals;
 
-// Below `slowest_cut` its teeth only drag, less and less, while it sinks onto the bone that they leave standing; so contact takes over
-// without a blow.
+// Below `slowest_cut` its teeth only drag, less and less, while it sinks onto the bone that they leave standing; so
+// contact takes over without a blow.
 constexpr double dragging_time = 2.0_ms;
 // From here on forces are averaged over the oscillation: in ticks of a millisecond a faster one would alias.
 constexpr double averaged_from = 100.0;  // [1/s]
@@ -28,13 +29,20 @@ Going going_of(const SawBlade& blade, const Tick& tick, const SawCutting::State&
 
 Event event_of(Spindle::Phase phase) noexcept {
     switch (phase) {
-        case Spindle::Phase::off: return event_off;
-        case Spindle::Phase::spinning_up: return event_speeding_up;
-        case Spindle::Phase::running: return event_running;
-        case Spindle::Phase::reversing: return event_running;  // an oscillation has no other sense
-        case Spindle::Phase::stalled: return event_stalled;
-        case Spindle::Phase::bogging: return event_bogging;
-        case Spindle::Phase::running_down: return event_running_down;
+        case Spindle::Phase::off:
+            return event_off;
+        case Spindle::Phase::spinning_up:
+            return event_speeding_up;
+        case Spindle::Phase::running:
+            return event_running;
+        case Spindle::Phase::reversing:
+            return event_running;  // an oscillation has no other sense
+        case Spindle::Phase::stalled:
+            return event_stalled;
+        case Spindle::Phase::bogging:
+            return event_bogging;
+        case Spindle::Phase::running_down:
+            return event_running_down;
     }
     return event_off;
 }
@@ -57,11 +65,12 @@ double pushed_along(const Advance& advance) noexcept {
     return std::max(0.0, sum);
 }
 
-/// Along the teeth's motion [N], of a saw that is pushed with `push` [N] on bone it takes none of: to go, its teeth have to
-/// break loose what they stand in, with the force that goes with such a push in cutting.
+/// Along the teeth's motion [N], of a saw that is pushed with `push` [N] on bone it takes none of: to go, its teeth
+/// have to break loose what they stand in, with the force that goes with such a push in cutting.
 double force_of_standing(const Tick& tick, double push) noexcept {
     const Coefficients k = coefficients(tick.force);
-    const double thrust = force_per_width(k.thrust.edge_depth, k.thrust), cutting = force_per_width(k.thrust.edge_depth, k.cutting);
+    const double thrust = force_per_width(k.thrust.edge_depth, k.thrust),
+                 cutting = force_per_width(k.thrust.edge_depth, k.cutting);
     return thrust > 0.0 ? push * cutting / thrust : 0.0;
 }
 
@@ -85,11 +94,12 @@ void SawCutting::resist(const Tick& tick, const BoneQuery& bone, const State& st
         add_feed_cutting(in_bone, blade, tick, going, state.feed_rate, channels);
         if (going.removes()) add_side_cutting(in_bone, blade, tick, bone, going, channels);
     }
-    add_contact(blade, going.removes() ? touching_in_cut : touching, tick, bone, going, state.slot, state.binding, channels);
+    add_contact(blade, going.removes() ? touching_in_cut : touching, tick, bone, going, state.slot, state.binding,
+                channels);
 }
 
-void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state, std::span<double> signals,
-                        Actions& actions) noexcept {
+void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
+                        std::span<double> signals, Actions& actions) noexcept {
     const SawBlade& blade = state.prepared.blade;
     const Going going = going_of(blade, tick, state);
     double engaged = advance.note.empty() ? 0.0 : advance.note[note_engaged];
@@ -107,7 +117,9 @@ void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& 
 
     // What the teeth meet along their motion, and what the motor needs for it: a mean force over two strokes each turn.
     const double per_tooth = mean_cutting_force(blade, tick, going.stroke, state.feed_rate);
-    const double along = is_cutting ? resisting * per_tooth : going.removes() ? 0.0 : force_of_standing(tick, pushed_along(advance));
+    const double along = is_cutting        ? resisting * per_tooth
+                         : going.removes() ? 0.0
+                                           : force_of_standing(tick, pushed_along(advance));
     const double rubbing = tick.force[force_friction] * state.binding;
     const double load = (along + rubbing) * blade.stroke() / pi;
     signals[signal_chip_thickness] = is_cutting ? mean_chip_per_feed(going.stroke) * state.feed_rate : 0.0;
@@ -125,8 +137,11 @@ void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& 
     if (going.removes()) actions.cut();
     state.phase += 2.0 * pi * state.motor.speed * tick.dt;
     while (state.phase >= 2.0 * pi) state.phase -= 2.0 * pi;
-    if (state.motor.step(motor_of(tick.tool), tick.drive[drive_stroke_rate], load, tick.dt)) actions.event(event_of(state.motor.phase));
-    state.cut_share = state.motor.speed >= slowest_cut ? 1.0 : state.cut_share > 1e-6 ? state.cut_share * exp_exact(-tick.dt / dragging_time) : 0.0;
+    if (state.motor.step(motor_of(tick.tool), tick.drive[drive_stroke_rate], load, tick.dt))
+        actions.event(event_of(state.motor.phase));
+    state.cut_share = state.motor.speed >= slowest_cut ? 1.0
+                      : state.cut_share > 1e-6         ? state.cut_share * exp_exact(-tick.dt / dragging_time)
+                                                       : 0.0;
 }
 
 }  // namespace kerf::sawing

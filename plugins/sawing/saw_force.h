@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "kerf/force.hpp"
 #include "own_slot.h"
 #include "saw_contact.h"
@@ -22,7 +25,7 @@ struct SawCutting {
         double binding = 0.0;    ///< [N] what the sides carried in the last tick
         double cut_share = 0.0;  ///< [–] 1 while it cuts, then fading
         OwnSlot slot;
-        Spindle motor;           ///< its speed is the stroke rate
+        Spindle motor;  ///< its speed is the stroke rate
         Prepared prepared;
     };
     static constexpr std::size_t tool_parameter_count = sawing::tool_parameter_count;

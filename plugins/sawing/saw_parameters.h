@@ -50,7 +50,15 @@ enum Signal : std::size_t {
     signal_stroke_rate,
     signal_count
 };
-enum Event : std::size_t { event_off, event_speeding_up, event_running, event_bogging, event_stalled, event_running_down, event_count };
+enum Event : std::size_t {
+    event_off,
+    event_speeding_up,
+    event_running,
+    event_bogging,
+    event_stalled,
+    event_running_down,
+    event_count
+};
 
 [[nodiscard]] SawBlade blade_of(std::span<const double> tool_parameters) noexcept;
 [[nodiscard]] Motor motor_of(std::span<const double> tool_parameters) noexcept;

@@ -18,7 +18,8 @@ void TeethInBone::ask(const Tick& tick, const BoneQuery& bone, const SawBlade& b
     const Vec3 axis{0, 0, -blade.radius};
     for (std::size_t i = 0; i < teeth.count; ++i) {
         const Tooth& t = teeth.tooth[i];
-        const Vec3 middle = axis + (blade.radius * quarter.cos) * t.normal + Vec3{0, t.tip.y, 0}, aside = (blade.radius * quarter.sin) * t.along;
+        const Vec3 middle = axis + (blade.radius * quarter.cos) * t.normal + Vec3{0, t.tip.y, 0},
+                   aside = (blade.radius * quarter.sin) * t.along;
         point[2 * i] = middle - aside;
         point[2 * i + 1] = middle + aside;
     }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "kerf/force.hpp"
@@ -28,18 +31,20 @@ struct Going {
 };
 
 /// Share of the reference tissue's resistance at a sample, zero in air.
-[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues, double reference_density) noexcept;
+[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues,
+                                double reference_density) noexcept;
 
-/// All teeth, sampled once. As they swing, each stands for a pitch of the front: two points a tooth, a quarter of a pitch to
-/// either side of its tip, each for a half of it. Where forces are not averaged both are the tip itself.
+/// All teeth, sampled once. As they swing, each stands for a pitch of the front: two points a tooth, a quarter of a
+/// pitch to either side of its tip, each for a half of it. Where forces are not averaged both are the tip itself.
 struct TeethInBone {
     Teeth teeth;
     std::array<double, 2 * most_teeth> resisted;  ///< [–] of each point: share of the reference tissue's resistance
     std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
-    double engaged = 0.0;                     ///< [–] how many are in bone
+    double engaged = 0.0;                         ///< [–] how many are in bone
 
     void ask(const Tick& tick, const BoneQuery& bone, const SawBlade& blade, const Going& going) noexcept;
-    /// The least way to the front of those in bone [m], of the teeth from `first` to before `last`; infinite where none is.
+    /// The least way to the front of those in bone [m], of the teeth from `first` to before `last`; infinite where none
+    /// is.
     [[nodiscard]] double least_gap(std::size_t first, std::size_t last) const noexcept {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 2 * first; i < 2 * last; ++i)

@@ -9,7 +9,7 @@ namespace kerf::sawing {
 
 namespace {
 
-constexpr std::size_t step_count = 64;            // of a quarter of the oscillation
+constexpr std::size_t step_count = 64;                  // of a quarter of the oscillation
 constexpr std::size_t fast_steps = step_count * 3 / 4;  // those before the quarter next to the turning point
 
 constexpr std::array<double, step_count> cosines = [] {
@@ -30,7 +30,8 @@ double chip_per_feed(const Stroke& s, double cos_phase) noexcept {
 std::array<StrokePart, part_count> parts_of(const Stroke& stroke) noexcept {
     double fast = 0.0, slow = 0.0;
     for (std::size_t i = 0; i < step_count; ++i) (i < fast_steps ? fast : slow) += chip_per_feed(stroke, cosines[i]);
-    return {{{0.75, fast / static_cast<double>(fast_steps)}, {0.25, slow / static_cast<double>(step_count - fast_steps)}}};
+    return {
+        {{0.75, fast / static_cast<double>(fast_steps)}, {0.25, slow / static_cast<double>(step_count - fast_steps)}}};
 }
 
 double mean_chip_per_feed(const Stroke& stroke) noexcept {

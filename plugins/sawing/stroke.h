@@ -20,15 +20,15 @@ struct Stroke {
 ///
 ///     t/f = min(p/|V|, 1/(2u))
 ///
-/// Each tooth takes what the feed has gained since the tooth before it passed, p/|V| ago. At the turning points no tooth
-/// passes any more: a tooth takes no more than the advance of half a cycle.   [any] pure.
+/// Each tooth takes what the feed has gained since the tooth before it passed, p/|V| ago. At the turning points no
+/// tooth passes any more: a tooth takes no more than the advance of half a cycle.   [any] pure.
 ///
 /// Source: band sawing's f p/V [ko-kim-1999, as quoted by hsieh-2006]; the cap is ours (validation C.7).
 [[nodiscard]] double chip_per_feed(const Stroke& stroke, double cos_phase) noexcept;
 
 /// The oscillation in two parts, for forces averaged over it: the quarter next to the turning points, and the rest. In
-/// each all chips are as thick as in the mean. The mean of 1 − e^(−t/t_e) over the true oscillation is met within 3.1 % for
-/// 1 mm … 1.41 mm of pitch and 3 mm … 5.2 mm of stroke; that of t, to the sum's 0.2 %.
+/// each all chips are as thick as in the mean. The mean of 1 − e^(−t/t_e) over the true oscillation is met within 3.1 %
+/// for 1 mm … 1.41 mm of pitch and 3 mm … 5.2 mm of stroke; that of t, to the sum's 0.2 %.
 struct StrokePart {
     double share;          ///< [–] of the time
     double chip_per_feed;  ///< [s]

@@ -17,8 +17,8 @@ struct ToothCoefficients {
 ///
 /// with K_e = edge, t_e = edge_depth, K_c = chip. Rises monotonically; zero for t ≤ 0 (withdrawing).   [any] pure.
 ///
-/// Source: fitted to single teeth in cortical bone [james-2012, james-2013] in docs/models/oscillating-saw.md; the build-up
-/// term is ours: nobody measured below 2 µm, and a jump at zero feed is what no hand can balance.
+/// Source: fitted to single teeth in cortical bone [james-2012, james-2013] in docs/models/oscillating-saw.md; the
+/// build-up term is ours: nobody measured below 2 µm, and a jump at zero feed is what no hand can balance.
 [[nodiscard]] double force_per_width(double t, const ToothCoefficients& bone) noexcept;
 
 /// How much less than the reference tissue a tissue of density `rho` [kg/m³] resists [–].

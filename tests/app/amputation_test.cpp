@@ -3,10 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "app/run_procedure.h"
 #include "core/import/surface/edges.h"
@@ -79,7 +85,8 @@ TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
 TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
     const RunSummary& run = outcome_of("tilted").summary;
     EXPECT_NEAR(metric(run, "cut-3.plane-angle"), 8.0_deg, 0.5_deg /* the coupling gives way in the slot */);
-    for (const char* cut : {"cut-1", "cut-2", "cut-4"}) EXPECT_LT(metric(run, std::string(cut) + ".plane-angle"), 0.5_deg) << cut;
+    for (const char* cut : {"cut-1", "cut-2", "cut-4"})
+        EXPECT_LT(metric(run, std::string(cut) + ".plane-angle"), 0.5_deg) << cut;
 }
 
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
@@ -105,7 +112,8 @@ TEST(Amputation, ACutTakenBackAndDoneAgainEndsAsIfNothingHadBeen) {
     // Then it ends with the same pieces
     const RunSummary& plain = outcome_of("expert").summary;
     ASSERT_EQ(run.summary.pieces.size(), plain.pieces.size());
-    for (std::size_t n = 0; n < plain.pieces.size(); ++n) EXPECT_EQ(run.summary.pieces[n].volume, plain.pieces[n].volume);
+    for (std::size_t n = 0; n < plain.pieces.size(); ++n)
+        EXPECT_EQ(run.summary.pieces[n].volume, plain.pieces[n].volume);
     EXPECT_EQ(run.summary.removed, plain.removed);
 }
 
@@ -120,11 +128,13 @@ TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
     const RunOutcome run = run_procedure(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     EXPECT_EQ(run.summary.pieces.size(), 1u);
-    const auto undone = std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == hand_input_event && e.detail == "undo"; });
+    const auto undone = std::find_if(run.events.begin(), run.events.end(),
+                                     [](const EventRow& e) { return e.id == hand_input_event && e.detail == "undo"; });
     ASSERT_NE(undone, run.events.end());
     // What is left is what three cuts leave: the bone that was there before the fourth
     double three = 0.0;
-    for (const char* cut : {"cut-1", "cut-2", "cut-3"}) three += metric(outcome_of("expert").summary, std::string(cut) + ".removed");
+    for (const char* cut : {"cut-1", "cut-2", "cut-3"})
+        three += metric(outcome_of("expert").summary, std::string(cut) + ".removed");
     EXPECT_NEAR(run.summary.removed, three, 1e-6 * three);
 }
 
@@ -197,10 +207,12 @@ class AmputationOfRealBone : public testing::TestWithParam<RealBone> {};
 TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     // Given the shipped procedure on that bone
     const RealBone& bone = GetParam();
-    if (const char* data = std::getenv("KERF_DATA"); !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
+    if (const char* data = std::getenv("KERF_DATA");
+        !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
         GTEST_SKIP() << "KERF_DATA names no folder with " << bone.data;
     Diagnostics diagnostics;
-    const auto scene = scene_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy, bone.variant, diagnostics);
+    const auto scene =
+        scene_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy, bone.variant, diagnostics);
     ASSERT_TRUE(scene) << to_text(diagnostics);
 
     // When the expert works on it
@@ -215,7 +227,8 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     ASSERT_EQ(run.summary.pieces.size(), 2u);
     EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3);
     EXPECT_GT(metric(run.summary, "remove.moved"), 60.0_mm);
-    const auto event = std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == came_apart_event; });
+    const auto event =
+        std::find_if(run.events.begin(), run.events.end(), [](const EventRow& e) { return e.id == came_apart_event; });
     ASSERT_NE(event, run.events.end());
     EXPECT_EQ(run.ticks[event->tick].step, bone.last_cut);
     for (const char* name : {"bone.stl", "bone-1.stl"}) {
@@ -237,10 +250,11 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     EXPECT_EQ(run_procedure(*scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, AmputationOfRealBone,
-                         testing::Values(RealBone{"femur", "femur-z013-amputation.yaml", "meshes/femur_left_vsd_z013.stl", "", 3},
-                                         RealBone{"tibia", "leg-transtibial.yaml", "volumes/leg_right_vhp_female.mha", "transtibial", 2}),
-                         [](const auto& of) { return of.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Of, AmputationOfRealBone,
+    testing::Values(RealBone{"femur", "femur-z013-amputation.yaml", "meshes/femur_left_vsd_z013.stl", "", 3},
+                    RealBone{"tibia", "leg-transtibial.yaml", "volumes/leg_right_vhp_female.mha", "transtibial", 2}),
+    [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace kerf

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/belongings.h"
+
 #include <gtest/gtest.h>
 
-#include "app/belongings.h"
+#include <cstddef>
+#include <vector>
+
 #include "kerf/units.hpp"
 #include "tests/support/block.h"
 

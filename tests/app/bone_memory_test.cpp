@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace kerf {
 namespace {
 
@@ -42,7 +45,8 @@ TEST(CommandLine, DescribesAllOrOne) {
 
 TEST(CommandLine, ChangesAProcedureByVariantAndSettings) {
     for (const char* command : {"run", "validate", "rehearse", "plan", "preview", "expand"}) {
-        const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set", "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
+        const CommandLine line = read({command, "a.yaml", "--variant", "osteoporotic", "--set",
+                                       "accuracy.spacing=0.5 mm", "--set", "steps.drill.limits=~"});
         EXPECT_EQ(line.answer, "") << command;
         EXPECT_EQ(line.files, std::vector<std::string>{"a.yaml"});
         EXPECT_EQ(line.variant, "osteoporotic");
@@ -84,8 +88,10 @@ TEST(CommandLine, ReadsEveryOptionOfChart) {
 
 TEST(CommandLine, WhatIsWrittenGoesWhereTheSameWordSaysWithEveryCommand) {
     for (const char* option : {"-o", "--out"}) {
-        for (const char* command : {"run", "plan", "preview", "report", "import"}) EXPECT_EQ(read({command, "x", option, "place"}).out, "place") << command;
-        for (const char* command : {"stability", "chart"}) EXPECT_EQ(read({command, option, "place"}).out, "place") << command;
+        for (const char* command : {"run", "plan", "preview", "report", "import"})
+            EXPECT_EQ(read({command, "x", option, "place"}).out, "place") << command;
+        for (const char* command : {"stability", "chart"})
+            EXPECT_EQ(read({command, option, "place"}).out, "place") << command;
     }
 }
 
@@ -139,7 +145,8 @@ TEST(CommandLine, WrongUseSaysWhatToWriteAndEndsWithTwo) {
              {{"validate", "p.yaml", "--format", "xml"}, "`--format` is `xml`. Write `text`, `json` or `github`."},
              {{"run", "p.yaml", "--learner", "Jane Doe"}, "`--learner` must be a code of letters, digits"},
              {{"run", "p.yaml", "--learner", ""}, "`--learner` must be a code of letters, digits"},
-             {{"run", "p.yaml", "--set", "spacing"}, "`--set` is `spacing`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`."},
+             {{"run", "p.yaml", "--set", "spacing"},
+              "`--set` is `spacing`. Write a path and a value, as in `--set accuracy.spacing=0.5 mm`."},
              {{"run", "p.yaml", "--set", "a b=1"}, "Write a path and a value"},
              {{"run", "p.yaml", "--variant", ""}, "`--variant` is empty. Write the id of a variant."},
              {{"schema", "bone"}, "`KIND` is `bone`. Write `procedure` or `anatomy`."},

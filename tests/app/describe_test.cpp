@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "core/procedure/quantity.h"
 #include "tests/support/drill_rig.h"
 
@@ -28,7 +30,8 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
         for (const SignalInfo& s : component.signals)
             for (const std::string& part : {s.id, s.help, s.display_unit})
                 EXPECT_NE(text.find(part), std::string::npos) << s.id;
-        for (const EventInfo& e : component.events) EXPECT_NE(text.find(e.id + "\n        " + e.help + "\n"), std::string::npos) << e.id;
+        for (const EventInfo& e : component.events)
+            EXPECT_NE(text.find(e.id + "\n        " + e.help + "\n"), std::string::npos) << e.id;
     }
     EXPECT_NE(text.find("drilling.wall_broken\n"), std::string::npos);
     EXPECT_NE(text.find("not for diagnosis"), std::string::npos);
@@ -37,7 +40,8 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
 TEST(Describe, OneComponentAndNoOther) {
     const std::string text = description("kerf.drilling/twist_drill");
     EXPECT_NE(text.find("    diameter            3.2 mm          from 0.5 mm to 20 mm\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("    spindle_speed       1000 rpm        from -3000 rpm to 3000 rpm\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("    spindle_speed       1000 rpm        from -3000 rpm to 3000 rpm\n"), std::string::npos)
+        << text;
     EXPECT_EQ(text.find("drill_cutting"), std::string::npos);
 }
 

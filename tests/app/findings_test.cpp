@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace kerf {
 namespace {
@@ -54,7 +55,8 @@ TEST(Findings, TellTheReasonInItsOwnPlace) {
     const auto json = nlohmann::json::parse(findings_text(files, "json"));
     EXPECT_EQ(json["files"][0]["diagnostics"][0]["reason"]["line"], 3);
     EXPECT_EQ(json["files"][0]["diagnostics"][0]["reason"]["message"], "it stands here first.");
-    EXPECT_TRUE(findings_text(files, "github").ends_with("Write `6.5 mm`.%0Abecause of base.yaml:3:7: it stands here first.\n"));
+    EXPECT_TRUE(findings_text(files, "github")
+                    .ends_with("Write `6.5 mm`.%0Abecause of base.yaml:3:7: it stands here first.\n"));
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "app/run_procedure.h"
 #include "core/session/recorder.h"
@@ -17,12 +19,24 @@ namespace {
 
 /// A plate of 30 × 30 × 3 mm across the tool's axis, from 8 mm ahead of the tip; without the first faces it is open.
 std::string plate(std::size_t first = 0) {
-    constexpr std::array<std::array<int, 3>, 12> faces{{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}}};
+    constexpr std::array<std::array<int, 3>, 12> faces{{{0, 2, 1},
+                                                        {1, 2, 3},
+                                                        {4, 5, 6},
+                                                        {5, 7, 6},
+                                                        {0, 1, 4},
+                                                        {1, 5, 4},
+                                                        {2, 6, 3},
+                                                        {3, 6, 7},
+                                                        {0, 4, 2},
+                                                        {2, 4, 6},
+                                                        {1, 3, 5},
+                                                        {3, 7, 5}}};
     std::string text = "solid plate\n";
     for (std::size_t f = first; f < faces.size(); ++f) {
         text += "facet normal 0 0 0\nouter loop\n";
         for (const int corner : faces[f])
-            text += std::string("vertex ") + ((corner & 1) != 0 ? "15 " : "-15 ") + ((corner & 2) != 0 ? "15 " : "-15 ") + ((corner & 4) != 0 ? "11\n" : "8\n");
+            text += std::string("vertex ") + ((corner & 1) != 0 ? "15 " : "-15 ") +
+                    ((corner & 2) != 0 ? "15 " : "-15 ") + ((corner & 4) != 0 ? "11\n" : "8\n");
         text += "endloop\nendfacet\n";
     }
     return text + "endsolid plate\n";
@@ -34,7 +48,8 @@ struct WithPlate {
     std::string file = folder / "plate.yaml";
 
     explicit WithPlate(const std::string& surface) {
-        std::filesystem::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder / "anatomy", std::filesystem::copy_options::recursive);
+        std::filesystem::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder / "anatomy",
+                              std::filesystem::copy_options::recursive);
         if (!surface.empty()) std::ofstream(folder / "plate.stl") << surface;
         std::string text = test::contents_of(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml");
         const auto put = [&](const std::string& before, const std::string& after) {
@@ -60,7 +75,9 @@ TEST(Implant, StopsTheDrillWhereItLies) {
     const RunOutcome run = run_procedure(*scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     // Then the drill meets metal and never bone, and that is told
-    const auto happened = [&](const std::string& id) { return std::any_of(run.events.begin(), run.events.end(), [&](const EventRow& e) { return e.id == id; }); };
+    const auto happened = [&](const std::string& id) {
+        return std::any_of(run.events.begin(), run.events.end(), [&](const EventRow& e) { return e.id == id; });
+    };
     EXPECT_TRUE(happened("haptics.met_metal"));
     EXPECT_FALSE(happened("entered_bone"));
     double deepest = -1.0;

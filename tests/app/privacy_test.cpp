@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing of whose a scan is goes into a file that Kerf writes; and `kerf privacy` sees what others have left in theirs.
+// Nothing of whose a scan is goes into a file that Kerf writes; and `kerf privacy` sees what others have left in
+// theirs.
+#include "app/privacy.h"
+
 #include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "app/privacy.h"
 #include "core/session/report_data.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
@@ -27,25 +35,37 @@ struct Planted {
 
     std::string next() {
         const auto n = static_cast<int>(strings.size());
-        return strings.emplace_back("Qzx" + std::string(1, static_cast<char>('A' + n / 26)) + std::string(1, static_cast<char>('a' + n % 26)) + "wvkj" + std::to_string(7100 + n));
+        return strings.emplace_back("Qzx" + std::string(1, static_cast<char>('A' + n / 26)) +
+                                    std::string(1, static_cast<char>('a' + n % 26)) + "wvkj" +
+                                    std::to_string(7100 + n));
     }
-    std::string next_uid() { return strings.emplace_back("2.25.4711." + std::to_string(900'000 + strings.size()) + ".81.1"); }
+    std::string next_uid() {
+        return strings.emplace_back("2.25.4711." + std::to_string(900'000 + strings.size()) + ".81.1");
+    }
 };
 
 /// A file that is given what it says of its patient with every element that may say it.
 void plant(DicomWriter& file, Planted& planted) {
-    for (const DicomWriter::Tag name : {0x00080090u, 0x00081048u, 0x00081050u, 0x00081060u, 0x00081070u, 0x00100010u, 0x00101001u, 0x00101005u, 0x00101060u, 0x00321032u, 0x0040a075u, 0x0040a123u})
+    for (const DicomWriter::Tag name : {0x00080090u, 0x00081048u, 0x00081050u, 0x00081060u, 0x00081070u, 0x00100010u,
+                                        0x00101001u, 0x00101005u, 0x00101060u, 0x00321032u, 0x0040a075u, 0x0040a123u})
         file.text(name, "PN", planted.next() + "^" + planted.next());
-    for (const DicomWriter::Tag text : {0x00080050u, 0x00080080u, 0x00081010u, 0x00081030u, 0x0008103eu, 0x00081040u, 0x00081080u, 0x00100020u, 0x00100021u, 0x00101000u, 0x00101040u,
-                                        0x00102154u, 0x00102180u, 0x00104000u, 0x00181000u, 0x00181030u, 0x00200010u, 0x00204000u, 0x00380010u, 0x00400254u, 0x00102000u, 0x00102110u,
-                                        0x001021b0u, 0x00181400u, 0x00321033u, 0x00321060u, 0x00380300u, 0x00380500u})
+    for (const DicomWriter::Tag text :
+         {0x00080050u, 0x00080080u, 0x00081010u, 0x00081030u, 0x0008103eu, 0x00081040u, 0x00081080u,
+          0x00100020u, 0x00100021u, 0x00101000u, 0x00101040u, 0x00102154u, 0x00102180u, 0x00104000u,
+          0x00181000u, 0x00181030u, 0x00200010u, 0x00204000u, 0x00380010u, 0x00400254u, 0x00102000u,
+          0x00102110u, 0x001021b0u, 0x00181400u, 0x00321033u, 0x00321060u, 0x00380300u, 0x00380500u})
         file.text(text, "LO", planted.next());
-    file.text(0x00090010, "LO", planted.next()).text(0x00091001, "LO", planted.next()).text(0x00291010, "LO", planted.next());
+    file.text(0x00090010, "LO", planted.next())
+        .text(0x00091001, "LO", planted.next())
+        .text(0x00291010, "LO", planted.next());
     const std::string inner = planted.next() + (planted.strings.back().size() % 2 != 0 ? " " : "");
-    std::string item = std::string("\xfe\xff\x00\xe0", 4) + std::string(1, static_cast<char>(8 + inner.size())) + std::string(3, '\0') +
-                       std::string("\x10\x00\x10\x00PN", 6) + std::string(1, static_cast<char>(inner.size())) + std::string(1, '\0') + inner;
+    std::string item = std::string("\xfe\xff\x00\xe0", 4) + std::string(1, static_cast<char>(8 + inner.size())) +
+                       std::string(3, '\0') + std::string("\x10\x00\x10\x00PN", 6) +
+                       std::string(1, static_cast<char>(inner.size())) + std::string(1, '\0') + inner;
     file.raw(0x00081120, "SQ", item);
-    file.uid(tag::study, planted.next_uid()).uid(tag::series, planted.next_uid()).uid(tag::frame_of_reference, planted.next_uid());
+    file.uid(tag::study, planted.next_uid())
+        .uid(tag::series, planted.next_uid())
+        .uid(tag::frame_of_reference, planted.next_uid());
     file.text(0x00100030, "DA", "19610307").text(0x00080020, "DA", "20190817");
 }
 
@@ -59,11 +79,16 @@ std::string write_series(const std::string& folder, Planted& planted) {
     for (double z = -16.0; z <= 16.0; z += 4.0, ++n) {
         std::vector<int> values;
         for (int r = 0; r < 12; ++r)
-            for (int c = 0; c < 12; ++c) values.push_back(std::max({std::abs(-22 + 4 * c), std::abs(-22 + 4 * r), static_cast<int>(std::abs(z))}) <= 10 ? 1000 : -1000);
+            for (int c = 0; c < 12; ++c)
+                values.push_back(
+                    std::max({std::abs(-22 + 4 * c), std::abs(-22 + 4 * r), static_cast<int>(std::abs(z))}) <= 10
+                        ? 1000
+                        : -1000);
         DicomWriter file = test::ct_slice(12, 12, 4.0, {-22, -22, z}, n + 1, values);
         Planted again;  // the same in every file
         plant(file, again);
-        file.uid(tag::sop_instance, again.strings.back() + "." + std::to_string(n)).write(in + "/" + stem + std::to_string(n));
+        file.uid(tag::sop_instance, again.strings.back() + "." + std::to_string(n))
+            .write(in + "/" + stem + std::to_string(n));
     }
     return in;
 }
@@ -91,7 +116,8 @@ rehearsals:
 std::string anatomy_text(const std::string& image) {
     return "apiVersion: kerf/v1\nkind: Anatomy\nmetadata: {id: block, title: A block of bone}\nct: {image: " + image +
            ", threshold: 0}\ntissues: [{id: bone, density: 1.5 g/cm3}]\nlandmarks:\n"
-           "  points: {midline: {at: 9 0 0 mm, tolerance: 1 mm}}\n  axes: {way: {from: 0 0 15 mm, to: 0 0 -9 mm, tolerance: 1 mm}}\n"
+           "  points: {midline: {at: 9 0 0 mm, tolerance: 1 mm}}\n  axes: {way: {from: 0 0 15 mm, to: 0 0 -9 mm, "
+           "tolerance: 1 mm}}\n"
            "zones: {nerve: [{tube: {from: 18 0 -9 mm, to: 18 0 9 mm, radius: 1 mm}}]}\n";
 }
 
@@ -115,11 +141,13 @@ std::string in_utf16(const std::string& text) {
 std::vector<std::string> hits_in(const std::string& folder, const Planted& planted) {
     std::vector<std::string> hits;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        const std::string bytes = entry.is_regular_file() ? in_lower_case(test::contents_of(entry.path().string())) : "";
+        const std::string bytes =
+            entry.is_regular_file() ? in_lower_case(test::contents_of(entry.path().string())) : "";
         const std::string name = in_lower_case(entry.path().filename().string());
         for (const std::string& one : planted.strings) {
             const std::string wanted = in_lower_case(one);
-            if (bytes.find(wanted) != std::string::npos || bytes.find(in_utf16(wanted)) != std::string::npos || name.find(wanted) != std::string::npos)
+            if (bytes.find(wanted) != std::string::npos || bytes.find(in_utf16(wanted)) != std::string::npos ||
+                name.find(wanted) != std::string::npos)
                 hits.push_back(one + " in " + entry.path().filename().string());
         }
     }
@@ -147,15 +175,20 @@ TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
     ASSERT_GE(planted.strings.size(), 60u);
     ASSERT_FALSE(hits_in(series, planted).empty());
 
-    // When it is imported and a procedure is run on what came of it, and on the series itself, out of a folder of that name
+    // When it is imported and a procedure is run on what came of it, and on the series itself, out of a folder of that
+    // name
     expect_done("import " + series + " -o " + written + "/bone.nrrd");
     std::ofstream(written + "/block.yaml") << anatomy_text("bone.nrrd");
-    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml --out " + written + "/by-file");
-    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml -o " + written + "/by-file.html");
+    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml --out " + written +
+                "/by-file");
+    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + written + "/block.yaml -o " + written +
+                "/by-file.html");
     const fs::path above = fs::path(series).parent_path();
     std::ofstream(above / "block.yaml") << anatomy_text(fs::path(series).filename().string());
-    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " --out " + written + "/by-series");
-    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " -o " + written + "/by-series.html");
+    expect_done("run " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " --out " +
+                written + "/by-series");
+    expect_done("preview " + (folder / "hole.yaml") + " --anatomy " + (above / "block.yaml").string() + " -o " +
+                written + "/by-series.html");
 
     // Then none of them is in a file that was written
     std::size_t files = 0;
@@ -164,7 +197,8 @@ TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
     for (const std::string& hit : hits_in(written, planted)) ADD_FAILURE() << hit;
 
     // And the program says of them that there is nothing, but for the session's own beginning
-    for (const char* name : {"bone.nrrd", "by-file/summary.json", "by-file/report.html", "by-file/bone.stl", "by-file.html", "by-series/summary.json", "by-series/report.html", "by-series.html"}) {
+    for (const char* name : {"bone.nrrd", "by-file/summary.json", "by-file/report.html", "by-file/bone.stl",
+                             "by-file.html", "by-series/summary.json", "by-series/report.html", "by-series.html"}) {
         const PrivacyReport report = privacy_report(written + "/" + name);
         EXPECT_TRUE(report.error.empty() && report.findings.empty()) << privacy_text(name, report, true);
     }
@@ -215,18 +249,23 @@ TEST(PrivacyReport, SeesWhatOthersLeaveInFiles) {
             EXPECT_EQ(report.findings[0].what, what) << text;
         }
     // And nothing in what only looks like it
-    std::ofstream(folder / "some.txt") << "version 1.2.3 of 3.14159, 12345678, 2 ^ 3, x^2, http://www.w3.org/2000/svg, and/or, 20191399, f81d4fae-7dec-41d0-a765-00a0c91e6bf6";
+    std::ofstream(folder / "some.txt") << "version 1.2.3 of 3.14159, 12345678, 2 ^ 3, x^2, http://www.w3.org/2000/svg, "
+                                          "and/or, 20191399, f81d4fae-7dec-41d0-a765-00a0c91e6bf6";
     const PrivacyReport report = privacy_report(folder / "some.txt");
     EXPECT_TRUE(report.findings.empty()) << privacy_text("some.txt", report, true);
 }
 
-// ---- where nobody looks ------------------------------------------------------------------------------------------------
+// ---- where nobody looks
+// ------------------------------------------------------------------------------------------------
 
 /// An element as explicit little-endian files have it, of a sort with two bytes of length.
 std::string element(int group, int number, const std::string& sort, std::string value) {
     if (value.size() % 2 != 0) value += ' ';
-    const auto two = [](std::size_t n) { return std::string{static_cast<char>(n & 0xff), static_cast<char>(n >> 8 & 0xff)}; };
-    return two(static_cast<std::size_t>(group)) + two(static_cast<std::size_t>(number)) + sort + two(value.size()) + value;
+    const auto two = [](std::size_t n) {
+        return std::string{static_cast<char>(n & 0xff), static_cast<char>(n >> 8 & 0xff)};
+    };
+    return two(static_cast<std::size_t>(group)) + two(static_cast<std::size_t>(number)) + sort + two(value.size()) +
+           value;
 }
 std::string bytes_of(std::uint32_t n) {
     std::string bytes;
@@ -235,10 +274,14 @@ std::string bytes_of(std::uint32_t n) {
 }
 /// A sequence of one item, with lengths or with marks where they end.
 std::string sequence(int group, int number, const std::string& inside, bool has_length) {
-    const std::string tag{static_cast<char>(group & 0xff), static_cast<char>(group >> 8), static_cast<char>(number & 0xff), static_cast<char>(number >> 8)};
-    const std::string item("\xfe\xff\x00\xe0", 4), item_end("\xfe\xff\x0d\xe0\0\0\0\0", 8), end("\xfe\xff\xdd\xe0\0\0\0\0", 8);
-    const std::string all = has_length ? item + bytes_of(static_cast<std::uint32_t>(inside.size())) + inside : item + bytes_of(0xffffffffu) + inside + item_end + end;
-    return tag + std::string("SQ\0\0", 4) + bytes_of(has_length ? static_cast<std::uint32_t>(all.size()) : 0xffffffffu) + all;
+    const std::string tag{static_cast<char>(group & 0xff), static_cast<char>(group >> 8),
+                          static_cast<char>(number & 0xff), static_cast<char>(number >> 8)};
+    const std::string item("\xfe\xff\x00\xe0", 4), item_end("\xfe\xff\x0d\xe0\0\0\0\0", 8),
+        end("\xfe\xff\xdd\xe0\0\0\0\0", 8);
+    const std::string all = has_length ? item + bytes_of(static_cast<std::uint32_t>(inside.size())) + inside
+                                       : item + bytes_of(0xffffffffu) + inside + item_end + end;
+    return tag + std::string("SQ\0\0", 4) +
+           bytes_of(has_length ? static_cast<std::uint32_t>(all.size()) : 0xffffffffu) + all;
 }
 
 std::vector<std::string> kinds_of(const PrivacyReport& report) {
@@ -246,18 +289,24 @@ std::vector<std::string> kinds_of(const PrivacyReport& report) {
     for (const PrivacyFinding& f : report.findings) kinds.push_back(f.what + "=" + f.value);
     return kinds;
 }
-bool has(const std::vector<std::string>& all, const std::string& one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+bool has(const std::vector<std::string>& all, const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
 
 TEST(PrivacyReport, LooksIntoSequencesHoweverDeepAndHoweverTheyEnd) {
     const TemporaryFolder folder;
     for (const bool has_length : {true, false}) {
-        const std::string who = element(0x0010, 0x0010, "PN", "Doe^Jane"), study = element(0x0040, 0xa160, "LO", "seen at /home/jane/scans/1");
-        const std::string deep = sequence(0x0008, 0x1140, sequence(0x0040, 0xa730, who + study, has_length), has_length);
+        const std::string who = element(0x0010, 0x0010, "PN", "Doe^Jane"),
+                          study = element(0x0040, 0xa160, "LO", "seen at /home/jane/scans/1");
+        const std::string deep =
+            sequence(0x0008, 0x1140, sequence(0x0040, 0xa730, who + study, has_length), has_length);
         const std::string meta = element(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.1");
-        std::ofstream(folder / "a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM" + meta + deep + element(0x0010, 0x0020, "LO", "4711");
+        std::ofstream(folder / "a.dcm", std::ios::binary)
+            << std::string(128, '\0') + "DICM" + meta + deep + element(0x0010, 0x0020, "LO", "4711");
         const PrivacyReport report = privacy_report(folder / "a.dcm");
         const auto kinds = kinds_of(report);
-        EXPECT_TRUE(has(kinds, "patient's name (0010,0010), in a sequence=Doe^Jane")) << privacy_text("a.dcm", report, true);
+        EXPECT_TRUE(has(kinds, "patient's name (0010,0010), in a sequence=Doe^Jane"))
+            << privacy_text("a.dcm", report, true);
         EXPECT_TRUE(has(kinds, "a path, in a sequence=/home/jane/scans/1")) << privacy_text("a.dcm", report, true);
         EXPECT_TRUE(has(kinds, "patient's number (0010,0020)=4711")) << privacy_text("a.dcm", report, true);
         EXPECT_TRUE(report.unseen.empty()) << privacy_text("a.dcm", report, true);
@@ -268,8 +317,9 @@ TEST(PrivacyReport, ASequenceThatIsDamagedIsSaidAndTheRestIsSeen) {
     const TemporaryFolder folder;
     std::string deep = sequence(0x0008, 0x1140, element(0x0010, 0x0010, "PN", "Doe^Jane"), true);
     deep.replace(deep.find("PN") + 2, 2, "\xff\x7f");  // longer than the file
-    std::ofstream(folder / "a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM" + element(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.1") + deep +
-                                                              element(0x0010, 0x0020, "LO", "4711");
+    std::ofstream(folder / "a.dcm", std::ios::binary) << std::string(128, '\0') + "DICM" +
+                                                             element(0x0002, 0x0010, "UI", "1.2.840.10008.1.2.1") +
+                                                             deep + element(0x0010, 0x0020, "LO", "4711");
     const PrivacyReport report = privacy_report(folder / "a.dcm");
     EXPECT_TRUE(has(kinds_of(report), "patient's number (0010,0020)=4711"));
     ASSERT_EQ(report.unseen.size(), 1u);
@@ -302,10 +352,13 @@ std::string voxels_with(const std::string& word) {
 
 TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
     const TemporaryFolder folder;
-    const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 100 100 150\nencoding: ", meta = "ObjectType = Image\nNDims = 3\nCompressedData = ";
-    for (const auto& [word, what] : {std::pair<std::string, std::string>{"by Doe^Jane, 4", "a person's name as DICOM writes it, among the voxels=Doe^Jane"},
-                                     {"/home/jane/scans/1", "a path, among the voxels=/home/jane/scans/1"},
-                                     {"", ""}}) {
+    const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 100 100 150\nencoding: ",
+                      meta = "ObjectType = Image\nNDims = 3\nCompressedData = ";
+    for (const auto& [word, what] :
+         {std::pair<std::string, std::string>{"by Doe^Jane, 4",
+                                              "a person's name as DICOM writes it, among the voxels=Doe^Jane"},
+          {"/home/jane/scans/1", "a path, among the voxels=/home/jane/scans/1"},
+          {"", ""}}) {
         const std::string voxels = voxels_with(word), nifti = std::string(352, '\0') + voxels;
         for (const auto& [name, bytes] : {std::pair<const char*, std::string>{"a.nii", nifti},
                                           {"a.nii.gz", gzipped(nifti)},
@@ -315,8 +368,10 @@ TEST(PrivacyReport, LooksAmongVoxelsPackedOrNot) {
                                           {"gz.mha", meta + "True\nElementDataFile = LOCAL\n" + gzipped(voxels)}}) {
             std::ofstream(folder / name, std::ios::binary) << bytes;
             const PrivacyReport report = privacy_report(folder / name);
-            if (word.empty()) EXPECT_TRUE(report.findings.empty()) << privacy_text(name, report, true);
-            else EXPECT_EQ(kinds_of(report), std::vector<std::string>{what}) << name;
+            if (word.empty())
+                EXPECT_TRUE(report.findings.empty()) << privacy_text(name, report, true);
+            else
+                EXPECT_EQ(kinds_of(report), std::vector<std::string>{what}) << name;
         }
     }
 }
@@ -329,12 +384,15 @@ TEST(PrivacyReport, TheCornersOfTrianglesAreNobodysName) {
         voxels += n % 7 == 3 ? '^' : static_cast<char>('K' + n % 3);
         voxels += 'X';
     }
-    const std::string header = "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 20 20 10\nspacings: 1 1 1\nencoding: raw\nendian: little\n\n";
+    const std::string header =
+        "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 20 20 10\nspacings: 1 1 1\nencoding: raw\nendian: little\n\n";
     const std::string file = folder / "labels.nrrd";
     std::ofstream(file, std::ios::binary) << header << voxels;
-    for (const PrivacyFinding& found : privacy_report(file).findings) ADD_FAILURE() << found.what << ": " << found.value;
+    for (const PrivacyFinding& found : privacy_report(file).findings)
+        ADD_FAILURE() << found.what << ": " << found.value;
     // and a name beside them is still seen
-    std::ofstream(file, std::ios::binary) << header << voxels.substr(0, 4000) << " Muster^Maximilian " << voxels.substr(4019);
+    std::ofstream(file, std::ios::binary)
+        << header << voxels.substr(0, 4000) << " Muster^Maximilian " << voxels.substr(4019);
     EXPECT_EQ(privacy_report(file).findings.size(), 1u);
 }
 
@@ -344,9 +402,12 @@ TEST(PrivacyReport, SaysWhichVoxelsWereNotSeen) {
     std::string cut = gzipped(voxels_with(""));
     cut.replace(cut.size() / 2, 1000, 1000, '\xff');
     std::ofstream(folder / "a.nrrd", std::ios::binary) << nrrd + "gzip\n\n" + cut;
-    EXPECT_NE(privacy_text("a", privacy_report(folder / "a.nrrd"), false).find("damaged, and were not looked at to their end"), std::string::npos);
+    EXPECT_NE(privacy_text("a", privacy_report(folder / "a.nrrd"), false)
+                  .find("damaged, and were not looked at to their end"),
+              std::string::npos);
     std::ofstream(folder / "b.nrrd", std::ios::binary) << nrrd + "bzip2\n\nBZh";
-    EXPECT_NE(privacy_text("b", privacy_report(folder / "b.nrrd"), false).find("in another way than gzip"), std::string::npos);
+    EXPECT_NE(privacy_text("b", privacy_report(folder / "b.nrrd"), false).find("in another way than gzip"),
+              std::string::npos);
 }
 
 TEST(PrivacyReport, UnpacksWhatAPageHoldsAsBase64) {
@@ -354,8 +415,12 @@ TEST(PrivacyReport, UnpacksWhatAPageHoldsAsBase64) {
     std::string bytes(600, '\x01');
     for (std::size_t shift = 0; shift < 3; ++shift) {
         const std::string planted = bytes.substr(0, 300 + shift) + "/home/jane/scans/1" + bytes;
-        std::ofstream(folder / "report.html") << "<script>{\"positions\":\"" << base64({reinterpret_cast<const unsigned char*>(planted.data()), planted.size()}) << "\"}</script>";
-        EXPECT_EQ(kinds_of(privacy_report(folder / "report.html")), std::vector<std::string>{"a path, in base64=/home/jane/scans/1"}) << shift;
+        std::ofstream(folder / "report.html")
+            << "<script>{\"positions\":\""
+            << base64({reinterpret_cast<const unsigned char*>(planted.data()), planted.size()}) << "\"}</script>";
+        EXPECT_EQ(kinds_of(privacy_report(folder / "report.html")),
+                  std::vector<std::string>{"a path, in base64=/home/jane/scans/1"})
+            << shift;
     }
 }
 

@@ -8,13 +8,16 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "tests/support/json_schema.h"
 #include "tests/support/temporary_folder.h"
@@ -95,15 +98,18 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
         EXPECT_NE(bad.err, "") << what;
         EXPECT_FALSE(std::filesystem::exists(out)) << what;
     }
-    EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err, "there is no rehearsal `nobody`. Write `expert` or `medial-breach`.\n"));
+    EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err,
+                    "there is no rehearsal `nobody`. Write `expert` or `medial-breach`.\n"));
 }
 
 TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {
     // That an axis meets no bone is known once there is a bone
-    const std::string run = "run " KERF_SOURCE_DIR "/tests/golden/W0712.yaml --anatomy " KERF_SOURCE_DIR "/tests/golden/E0610.yaml";
+    const std::string run =
+        "run " KERF_SOURCE_DIR "/tests/golden/W0712.yaml --anatomy " KERF_SOURCE_DIR "/tests/golden/E0610.yaml";
     const std::string made = kerf(run).err;
     ASSERT_TRUE(has(made, "E0610")) << made;
-    const std::string hand = kerf(run + " --hand nobody").err, replay = kerf(run + " --replay " KERF_SOURCE_DIR "/README.md").err;
+    const std::string hand = kerf(run + " --hand nobody").err,
+                      replay = kerf(run + " --replay " KERF_SOURCE_DIR "/README.md").err;
     EXPECT_TRUE(has(hand, "there is no rehearsal `nobody`. Write `expert`.")) << hand;
     EXPECT_FALSE(has(hand, "E0610")) << hand;
     EXPECT_TRUE(has(replay, "README.md")) << replay;
@@ -114,12 +120,14 @@ TEST(Program, WhereNothingCanBeWrittenIsSaidBeforeTheWorkAndNoOtherFileIsWritten
     const TemporaryFolder folder;
     const std::string file = folder / "notes.txt";
     std::ofstream(file) << "mine";
-    for (const std::string& command : {"run " + pedicle_screw, "plan " + pedicle_screw, std::string("stability"), std::string("chart")})
+    for (const std::string& command :
+         {"run " + pedicle_screw, "plan " + pedicle_screw, std::string("stability"), std::string("chart")})
         for (const std::string& out : {file, file + "/deeper"}) {
             const Ended ended = kerf(command + " --out " + out);
             EXPECT_EQ(ended.exit_code, 2) << command;
             EXPECT_EQ(ended.out, "") << command;
-            EXPECT_EQ(ended.err, "kerf: `--out` is `" + out + "`, where nothing can be written: `" + file + "` is a file. Give another folder.\n");
+            EXPECT_EQ(ended.err, "kerf: `--out` is `" + out + "`, where nothing can be written: `" + file +
+                                     "` is a file. Give another folder.\n");
         }
     const Ended preview = kerf("preview " + pedicle_screw + " --out " + file);
     EXPECT_EQ(preview.exit_code, 2);
@@ -140,15 +148,19 @@ TEST(Program, ReportsFromTheSessionAloneByteForByteAndIntoNoOtherFile) {
     EXPECT_EQ(made.err, "");
     EXPECT_TRUE(contents_of(folder / "new/again.html") == page);
     EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(elsewhere.path()), std::filesystem::directory_iterator()), 1);
-    const Ended replayed = kerf("run " + pedicle_screw + " --set 'accuracy.spacing=0.5 mm' --replay session.db --out " + (folder / "replay"), "cd " + elsewhere.path() + " &&");
+    EXPECT_EQ(
+        std::distance(std::filesystem::directory_iterator(elsewhere.path()), std::filesystem::directory_iterator()), 1);
+    const Ended replayed = kerf(
+        "run " + pedicle_screw + " --set 'accuracy.spacing=0.5 mm' --replay session.db --out " + (folder / "replay"),
+        "cd " + elsewhere.path() + " &&");
     EXPECT_TRUE(has(replayed.out, "replay: the same bits")) << replayed.out << replayed.err;
     EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
     EXPECT_EQ(kerf("report " + (elsewhere / "session.db")).exit_code, 0);
     EXPECT_TRUE(contents_of(elsewhere / "report.html") == page);
 
     // Never in place of a session, and of nothing else
-    for (const std::string& wrong : {(elsewhere / "session.db") + " --out " + (elsewhere / "session.db"), (elsewhere / "none.db"), pedicle_screw, std::string()})
+    for (const std::string& wrong : {(elsewhere / "session.db") + " --out " + (elsewhere / "session.db"),
+                                     (elsewhere / "none.db"), pedicle_screw, std::string()})
         EXPECT_EQ(kerf("report " + wrong).exit_code, 2) << wrong;
     EXPECT_TRUE(contents_of(elsewhere / "session.db") == session);
 }
@@ -269,7 +281,8 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
 TEST(Program, AVariantIsRecordedAndItsReplayRefusesAnother) {
     // Given a procedure with a variant that is over soon
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
+    const std::string file =
+        variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
     const std::string record = folder / "record", again = " --out " + (folder / "again");
     ASSERT_EQ(kerf("run " + file + " --variant short --out " + record).exit_code, 1);
 
@@ -294,7 +307,8 @@ TEST(Program, AVariantIsRecordedAndItsReplayRefusesAnother) {
 
 TEST(Program, ExpandShowsWhereEveryValueComesFrom) {
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
+    const std::string file =
+        variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1 s}}\nrehearsals:\n");
     const Ended shown = kerf("expand " + file + " --variant short --set haptics.device=touch");
     EXPECT_EQ(shown.exit_code, 0) << shown.err;
     EXPECT_TRUE(shown.out.starts_with("# For training and research")) << shown.out;
@@ -305,10 +319,12 @@ TEST(Program, ExpandShowsWhereEveryValueComesFrom) {
 
 TEST(Program, ValidateLooksIntoEveryVariantAndMakesTheBoneWhenAsked) {
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1}}\nrehearsals:\n");
+    const std::string file =
+        variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1}}\nrehearsals:\n");
     const Ended checked = kerf("validate " + file);
     EXPECT_EQ(checked.exit_code, 2);
-    EXPECT_TRUE(has(checked.out, "In the variant `short`: time_limit is `1`, which has no unit. Write `1 s`.")) << checked.out;
+    EXPECT_TRUE(has(checked.out, "In the variant `short`: time_limit is `1`, which has no unit. Write `1 s`."))
+        << checked.out;
     EXPECT_EQ(kerf("validate " + file + " --set 'time_limit=2 s'").exit_code, 0);
 
     // The axis leaves the bone: nothing that the documents alone can tell
@@ -328,9 +344,11 @@ TEST(Program, DataThatAreNotThereAreMissedByTheFolderThatKerfDataNames) {
     const Ended unset = kerf(l3, "unset KERF_DATA;"), elsewhere = kerf(l3, "KERF_DATA=/nowhere");
     EXPECT_EQ(unset.exit_code, 2);
     EXPECT_TRUE(has(unset.out, "KERF_DATA is not set")) << unset.out;
-    EXPECT_TRUE(has(unset.out, "name the one that holds `volumes`, as in `export KERF_DATA=/home/me/data`")) << unset.out;
+    EXPECT_TRUE(has(unset.out, "name the one that holds `volumes`, as in `export KERF_DATA=/home/me/data`"))
+        << unset.out;
     EXPECT_EQ(elsewhere.exit_code, 2);
-    EXPECT_TRUE(has(elsewhere.out, "neither beside the document nor in `/nowhere`, which KERF_DATA names")) << elsewhere.out;
+    EXPECT_TRUE(has(elsewhere.out, "neither beside the document nor in `/nowhere`, which KERF_DATA names"))
+        << elsewhere.out;
 }
 
 TEST(Program, ExplainsEveryCodeItShows) {

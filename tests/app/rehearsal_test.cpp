@@ -4,6 +4,12 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
@@ -75,7 +81,8 @@ TEST(PedicleScrew, TheHoleIsAsFarOffItsAxisOnACoarserGrid) {
     ASSERT_TRUE(coarse);
     const double off = metric(outcome_of("expert").summary, "pilot-hole.offset");
     EXPECT_GT(off, 0.5e-3);
-    EXPECT_NEAR(metric(run_procedure(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"), off, 0.03e-3);
+    EXPECT_NEAR(metric(run_procedure(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"), off,
+                0.03e-3);
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
@@ -113,8 +120,9 @@ protected:
     }
     [[nodiscard]] std::optional<Scene> scene() const {
         Diagnostics diagnostics;
-        auto made = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
-                               std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam(), test::plugins(), diagnostics);
+        auto made =
+            make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
+                       std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam(), test::plugins(), diagnostics);
         EXPECT_TRUE(made) << to_text(diagnostics);
         return made;
     }
@@ -136,8 +144,9 @@ TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     EXPECT_TRUE(run.is_as_expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"),
-                         [](const auto& scan) { return std::string(scan.param).substr(0, std::string(scan.param).find('.')); });
+INSTANTIATE_TEST_SUITE_P(Vertebra, RealScan, testing::Values("l3.yaml", "t12.yaml"), [](const auto& scan) {
+    return std::string(scan.param).substr(0, std::string(scan.param).find('.'));
+});
 
 /// A bone out of a surface, when there is one.
 TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {

@@ -3,19 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace kerf {
 namespace {
 
-constexpr const char* text =
-    "haptics: {device: tuoch}\n"
-    "instruments:\n"
-    "  pilot: {plugin: kerf.drilling}\n"
-    "steps:\n"
-    "  - {id: first, instrument: pilot, axis: left}\n"
-    "  - {id: second, instrument: pilot, axis: right}\n"
-    "rehearsals:\n"
-    "  - {id: short, path: [{depth: -5 mm}]}\n"
-    "  - {id: deep, path: [{depth: 1 mm}, {depth: 5 mm}]}\n";
+constexpr const char* text = "haptics: {device: tuoch}\n"
+                             "instruments:\n"
+                             "  pilot: {plugin: kerf.drilling}\n"
+                             "steps:\n"
+                             "  - {id: first, instrument: pilot, axis: left}\n"
+                             "  - {id: second, instrument: pilot, axis: right}\n"
+                             "rehearsals:\n"
+                             "  - {id: short, path: [{depth: -5 mm}]}\n"
+                             "  - {id: deep, path: [{depth: 1 mm}, {depth: 5 mm}]}\n";
 
 Procedure procedure() {
     Procedure p;
@@ -86,9 +87,9 @@ TEST(RunChecks, ABladeThickerThanTheRegionIsRefused) {
         return found.empty() ? "" : found[0].code + " " + found[0].message;
     };
     EXPECT_EQ(told(3e-3, 3.5e-3), "");
-    EXPECT_EQ(told(4e-3, 3.5e-3),
-              "E0707 The blade sweeps 4 mm across; bone can be cut in a region of 30 mm × 3.5 mm × 54 mm. Take a blade that fits in, or plan the axis so "
-              "that the region is larger.");
+    EXPECT_EQ(told(4e-3, 3.5e-3), "E0707 The blade sweeps 4 mm across; bone can be cut in a region of 30 mm × 3.5 mm × "
+                                  "54 mm. Take a blade that fits in, or plan the axis so "
+                                  "that the region is larger.");
 }
 
 TEST(RunChecks, AToolThatIsRefusedIsShownWithTheReason) {

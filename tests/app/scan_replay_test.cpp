@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "app/scene.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -90,7 +93,8 @@ TEST(ScanReplay, IsRefusedWithAnotherScanUnderTheSameName) {
     EXPECT_NE(other->anatomy_hash, scene->anatomy_hash);
     EXPECT_NE(scene->anatomy_hash, hash_of_text(scene->anatomy.text));
     EXPECT_EQ(WEXITSTATUS(status), 2);
-    EXPECT_NE(test::contents_of(folder / "said.txt").find("another scan"), std::string::npos) << test::contents_of(folder / "said.txt");
+    EXPECT_NE(test::contents_of(folder / "said.txt").find("another scan"), std::string::npos)
+        << test::contents_of(folder / "said.txt");
 }
 
 }  // namespace

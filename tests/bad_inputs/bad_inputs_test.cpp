@@ -5,12 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
 
 #include "app/documents.h"
 #include "app/import_source.h"
@@ -37,14 +43,16 @@ constexpr double spacing = 1e-3;  // [m] of the bone that is made
 const std::vector<Input>& catalogue() {
     static const std::vector<Input> all = [] {
         std::vector<Input> inputs;
-        for (const auto& some : {image_inputs(), dicom_inputs(), surface_inputs(), markup_inputs(), document_inputs(), session_inputs()})
+        for (const auto& some :
+             {image_inputs(), dicom_inputs(), surface_inputs(), markup_inputs(), document_inputs(), session_inputs()})
             inputs.insert(inputs.end(), some.begin(), some.end());
         return inputs;
     }();
     return all;
 }
 
-// ---- what is done with an input ---------------------------------------------------------------------------------------
+// ---- what is done with an input
+// ---------------------------------------------------------------------------------------
 
 /// "E0665" or "loaded W0671"; then what a person is told.
 struct Ending {
@@ -57,7 +65,8 @@ Ending ending_of(const Diagnostics& found) {
     std::set<std::string> errors, warnings;
     for (const Diagnostic& d : found) (d.level == Diagnostic::Level::error ? errors : warnings).insert(d.code);
     Ending ending{errors.empty() ? "loaded" : "", to_text(found), ""};
-    for (const std::string& code : errors.empty() ? warnings : errors) ending.codes += (ending.codes.empty() ? "" : " ") + code;
+    for (const std::string& code : errors.empty() ? warnings : errors)
+        ending.codes += (ending.codes.empty() ? "" : " ") + code;
     return ending;
 }
 
@@ -69,7 +78,8 @@ std::string at_text(Vec3 mm) {
 
 /// Places on both sides of every face of the bone; what is mirrored at any plane gets some of them wrong.
 std::string misplaced(const Body& body) {
-    const Vec3 in_bone[]{{2, -3, -3}, {8, -3, -3}, {-3, -3, -3}, {2, 1.5, -3}, {2, -7.5, -3}, {2, -3, 2.5}, {2, -3, -8.5}};
+    const Vec3 in_bone[]{{2, -3, -3},   {8, -3, -3},  {-3, -3, -3}, {2, 1.5, -3},
+                         {2, -7.5, -3}, {2, -3, 2.5}, {2, -3, -8.5}};
     const Vec3 outside[]{{11, -3, -3}, {-6, -3, -3}, {2, 4.5, -3}, {2, -10.5, -3}, {2, -3, 5.5}, {2, -3, -11.5}};
     for (const Vec3 mm : in_bone)
         if (!(place_on_bone(body, 1e-3 * mm).distance < 0.0)) return at_text(mm) + " is not in bone";
@@ -84,10 +94,12 @@ std::string misread(const std::string& file) {
     const auto scan = open_scan(file, {}, {}, found);
     const auto image = scan ? scan->read(scan->grid().all(), 0, {}, found) : std::nullopt;
     if (!image) return "what import wrote cannot be read: " + to_text(found);
-    for (const Vec3 mm : {Vec3{2.3, -3.0, -3.0}, {6.0, -5.5, -6.6}, {-8.4, -12.2, -13.0}, {2.0, 8.0, 9.0}, {-9.0, 8.3, -12.5}}) {
+    for (const Vec3 mm :
+         {Vec3{2.3, -3.0, -3.0}, {6.0, -5.5, -6.6}, {-8.4, -12.2, -13.0}, {2.0, 8.0, 9.0}, {-9.0, 8.3, -12.5}}) {
         const double is = image->sample_trilinear(1e-3 * mm, -9999.0), ought = Bone::value(mm.x, mm.y, mm.z);
         // Half a HU is what whole numbers lose; a shift of a quarter of a millimetre along x would be 1 HU.
-        if (!(std::abs(is - ought) <= 0.51)) return at_text(mm) + " holds " + std::to_string(is) + ", should " + std::to_string(ought);
+        if (!(std::abs(is - ought) <= 0.51))
+            return at_text(mm) + " holds " + std::to_string(is) + ", should " + std::to_string(ought);
     }
     return "";
 }
@@ -128,11 +140,13 @@ Ending joined(const Diagnostics& by_import, const Diagnostics& by_anatomy, std::
 Ending as_scan(const Input& input, const std::string& folder) {
     const bool may_resample = option_of(input.how, "resample") == "true";
     const std::string out = folder + "/imported.nrrd";
-    const ImportOutcome imported = import_source({folder + "/" + input.source, out, option_of(input.how, "series"), may_resample, "mm", ""});
+    const ImportOutcome imported =
+        import_source({folder + "/" + input.source, out, option_of(input.how, "series"), may_resample, "mm", ""});
     std::string wrong = imported.error;
     std::string kept;
     if (!has_error(imported.diagnostics) && input.how.find("labels") == std::string::npos) wrong += misread(out);
-    const std::string source = "ct: {image: " + input.source + ", threshold: 0" + (input.how.empty() ? "" : ", " + input.how) + "}";
+    const std::string source =
+        "ct: {image: " + input.source + ", threshold: 0" + (input.how.empty() ? "" : ", " + input.how) + "}";
     const Diagnostics made = make_bone(folder, source, wrong);
     return joined(imported.diagnostics, made, wrong);
 }
@@ -140,8 +154,9 @@ Ending as_scan(const Input& input, const std::string& folder) {
 Ending as_surface(const Input& input, const std::string& folder) {
     const std::string unit = option_of(input.how, "unit"), frame = option_of(input.how, "frame");
     const std::string out = folder + "/imported.stl";
-    const ImportOutcome imported = import_source(
-        {folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "", false, unit.empty() ? "mm" : unit, frame});
+    const ImportOutcome imported =
+        import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "", false,
+                       unit.empty() ? "mm" : unit, frame});
     std::string wrong = imported.error;
     const std::string how = (unit.empty() ? "unit: mm" + std::string(input.how.empty() ? "" : ", ") : "") + input.how;
     const Diagnostics made = make_bone(folder, "mesh: {file: " + input.source + ", " + how + "}", wrong);
@@ -161,7 +176,8 @@ Ending as_surface(const Input& input, const std::string& folder) {
 const std::string hole =
     "apiVersion: kerf/v1\nkind: Procedure\nmetadata: {id: hole, title: A hole, version: 0.1.0, status: draft}\n"
     "needs: {landmarks: [way], zones: [nerve], tissues: [bone]}\nanatomy: anatomy.yaml\naccuracy: {spacing: 1 mm}\n"
-    "haptics: {device: touch}\ninstruments:\n  drill:\n    plugin: kerf.drilling\n    tool: twist_drill\n    force: drill_cutting\n"
+    "haptics: {device: touch}\ninstruments:\n  drill:\n    plugin: kerf.drilling\n    tool: twist_drill\n    force: "
+    "drill_cutting\n"
     "    parameters: {diameter: 4 mm}\n    drives: {spindle_speed: 1000 rpm}\nsteps:\n  - id: drill\n    title: Drill\n"
     "    instrument: drill\n    axis: way\n    goals: [{depth: {at_least: 10 mm}}]\n"
     "rehearsals:\n  - id: expert\n    expect: pass\n    path: [{depth: -5 mm}, {depth: 12 mm}]\n";
@@ -169,7 +185,8 @@ const std::string hole =
 const std::string phantom = "phantom: {parts: [{id: block, box: {centre: 2.5 -3 -3 mm, size: 14 12 14 mm}}]}";
 
 Ending as_markups(const Input& input, const std::string& folder) {
-    std::string anatomy = with_replaced(anatomy_of(phantom), "landmarks:\n", "landmarks:\n  markups: [{file: " + input.source + ", tolerance: 1 mm}]\n");
+    std::string anatomy = with_replaced(anatomy_of(phantom), "landmarks:\n",
+                                        "landmarks:\n  markups: [{file: " + input.source + ", tolerance: 1 mm}]\n");
     write_file_of(folder + "/anatomy.yaml", anatomy);
     write_file_of(folder + "/hole.yaml", hole);
     Diagnostics found;
@@ -177,18 +194,24 @@ Ending as_markups(const Input& input, const std::string& folder) {
     Ending ending = ending_of(found);
     if (!documents) return ending;
     const auto& points = documents->anatomy.points;
-    const auto entry = std::find_if(points.begin(), points.end(), [](const LandmarkPoint& p) { return p.id == "entry"; });
-    if (entry == points.end()) ending.wrong = "there is no `entry`";
-    else if (length(entry->at - 1e-3 * Vec3{3, -4, 5}) > 1e-9) ending.wrong = "`entry` is at " + at_text(1e3 * entry->at);
+    const auto entry =
+        std::find_if(points.begin(), points.end(), [](const LandmarkPoint& p) { return p.id == "entry"; });
+    if (entry == points.end())
+        ending.wrong = "there is no `entry`";
+    else if (length(entry->at - 1e-3 * Vec3{3, -4, 5}) > 1e-9)
+        ending.wrong = "`entry` is at " + at_text(1e3 * entry->at);
     return ending;
 }
 
 Ending as_document(const Input& input, const std::string& folder) {
     Diagnostics found;
     const bool is_anatomy = input.source == "anatomy.yaml";
-    if (is_anatomy) write_file_of(folder + "/hole.yaml", hole);
-    else write_file_of(folder + "/anatomy.yaml", anatomy_of(phantom));
-    const auto documents = check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins(), found);
+    if (is_anatomy)
+        write_file_of(folder + "/hole.yaml", hole);
+    else
+        write_file_of(folder + "/anatomy.yaml", anatomy_of(phantom));
+    const auto documents =
+        check_documents({folder + "/" + (is_anatomy ? "hole.yaml" : input.source)}, plugins(), found);
     Ending ending = ending_of(found);
     if (!documents) return ending;
     const auto body = make_body(documents->anatomy, spacing, found);
@@ -210,26 +233,41 @@ Ending as_report(const Input& input, const std::string& folder) {
     std::string error;
     const auto run = read_run(folder + "/" + input.source, error);
     if (!run) return {"refused", error, error.empty() ? "no word why" : ""};
-    const bool is_whole = run->ticks.size() == 200 && std::abs(run->ticks.back().device_from_handle.position.x - 0.0199) < 1e-12;
+    const bool is_whole =
+        run->ticks.size() == 200 && std::abs(run->ticks.back().device_from_handle.position.x - 0.0199) < 1e-12;
     const std::string page = report_html(run->summary, run->ticks, run->events, run->bone_after);
     if (page.find(notice_line) == std::string::npos) return {"loaded", "", "the page has no notice"};
-    return {run->missing.empty() ? "loaded" : "loaded as incomplete", run->missing, is_whole ? "" : "the ticks are not those that were recorded"};
+    return {run->missing.empty() ? "loaded" : "loaded as incomplete", run->missing,
+            is_whole ? "" : "the ticks are not those that were recorded"};
 }
 
 std::string carried_out(const Input& input, const std::string& folder) {
     Ending ending;
     switch (input.way) {
-        case Way::scan: ending = as_scan(input, folder); break;
-        case Way::surface: ending = as_surface(input, folder); break;
-        case Way::markups: ending = as_markups(input, folder); break;
-        case Way::document: ending = as_document(input, folder); break;
-        case Way::session: ending = as_session(input, folder); break;
-        case Way::report: ending = as_report(input, folder); break;
+        case Way::scan:
+            ending = as_scan(input, folder);
+            break;
+        case Way::surface:
+            ending = as_surface(input, folder);
+            break;
+        case Way::markups:
+            ending = as_markups(input, folder);
+            break;
+        case Way::document:
+            ending = as_document(input, folder);
+            break;
+        case Way::session:
+            ending = as_session(input, folder);
+            break;
+        case Way::report:
+            ending = as_report(input, folder);
+            break;
     }
     return ending.codes + '\0' + ending.wrong + '\0' + ending.told;
 }
 
-// ---- the table --------------------------------------------------------------------------------------------------------
+// ---- the table
+// --------------------------------------------------------------------------------------------------------
 
 struct Row {
     const Input* input = nullptr;
@@ -252,8 +290,8 @@ class Table : public testing::Environment {
         add("input", "must end", "ended", "ms", "MB");
         int loaded = 0;
         for (const Row& row : rows()) {
-            add(row.input->name.c_str(), row.input->ends.c_str(), row.got.c_str(), std::to_string(static_cast<int>(row.ms)).c_str(),
-                std::to_string(static_cast<int>(row.mb)).c_str());
+            add(row.input->name.c_str(), row.input->ends.c_str(), row.got.c_str(),
+                std::to_string(static_cast<int>(row.ms)).c_str(), std::to_string(static_cast<int>(row.mb)).c_str());
             loaded += row.input->ends.starts_with("loaded");
         }
         text += std::to_string(rows().size()) + " inputs: " + std::to_string(loaded) + " to be loaded, " +
@@ -284,7 +322,8 @@ TEST_P(BadInput, EndsAsItsRowSays) {
     const std::string told = outcome.result.substr(second + 1);
     EXPECT_EQ(codes, input.ends) << input.name << ": " << told;
     EXPECT_EQ(outcome.result.substr(first + 1, second - first - 1), "") << input.name << ": " << told;
-    EXPECT_NE(told.find(input.words), std::string::npos) << input.name << ": `" << input.words << "` is not in: " << told;
+    EXPECT_NE(told.find(input.words), std::string::npos)
+        << input.name << ": `" << input.words << "` is not in: " << told;
     EXPECT_LT(outcome.ms, most_ms) << input.name;
     EXPECT_LT(outcome.mb, most_mb) << input.name;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <fstream>
@@ -17,8 +18,8 @@
 namespace kerf::test {
 namespace {
 
-constexpr int most_ms = 20'000;                              // then it is stopped
-constexpr rlim_t most_address_space = 16ull << 30;           // [bytes] so that a fault cannot take the machine along
+constexpr int most_ms = 20'000;                     // then it is stopped
+constexpr rlim_t most_address_space = 16ull << 30;  // [bytes] so that a fault cannot take the machine along
 
 /// [kB] of a line of /proc/self/status.
 std::int64_t status_of(const std::string& key) {
@@ -95,8 +96,10 @@ Guarded guarded(const std::function<std::string()>& work) {
     waitpid(child, &status, 0);
     outcome.ms = elapsed();
     if (!outcome.fault.empty()) return outcome;
-    if (WIFSIGNALED(status)) outcome.fault = "signal " + std::to_string(WTERMSIG(status));
-    else if (bytes.size() < sizeof(Sent)) outcome.fault = "ended with " + std::to_string(WEXITSTATUS(status));
+    if (WIFSIGNALED(status))
+        outcome.fault = "signal " + std::to_string(WTERMSIG(status));
+    else if (bytes.size() < sizeof(Sent))
+        outcome.fault = "ended with " + std::to_string(WEXITSTATUS(status));
     if (!outcome.fault.empty()) return outcome;
     Sent sent;
     std::copy_n(bytes.data(), sizeof sent, reinterpret_cast<char*>(&sent));

@@ -14,8 +14,8 @@ struct Guarded {
     double mb = 0.0;     ///< [MB] at most beyond what was there before, in the process or in one that it started
 };
 
-/// Does the work in a child of this process, so that nothing of it can end this one, and measures what it took. Its threads and
-/// memory are gone afterwards.   Pre: this process has one thread.
+/// Does the work in a child of this process, so that nothing of it can end this one, and measures what it took. Its
+/// threads and memory are gone afterwards.   Pre: this process has one thread.
 [[nodiscard]] Guarded guarded(const std::function<std::string()>& work);
 
 }  // namespace kerf::test

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 
 #include "core/import/image/dicom_file.h"
 #include "tests/fuzz/scratch_file.h"
@@ -36,6 +40,7 @@ bool kerf::fuzz::reads(std::string_view input) {
     const auto voxels = read_dicom_voxels(slice, trouble);
     require(voxels.size() == static_cast<std::size_t>(slice.rows) * static_cast<std::size_t>(slice.columns),
             "a slice without trouble has all its voxels");
-    require(std::none_of(voxels.begin(), voxels.end(), [](float value) { return std::isinf(value); }), "values are finite");
+    require(std::none_of(voxels.begin(), voxels.end(), [](float value) { return std::isinf(value); }),
+            "values are finite");
     return true;
 }

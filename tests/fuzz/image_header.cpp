@@ -3,7 +3,9 @@
 // may be in the file itself. The voxels are read where the header promises few.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/import/image/image_file.h"
 #include "core/import/image/scan.h"

@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/procedure/shapes.h"
@@ -443,7 +445,9 @@ std::string recorded_session(const std::string& sql) {
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
     // What only describes the file would be most of it
-    if (sqlite3_exec(open, ("DELETE FROM columns;" + sql + "PRAGMA page_size=512; VACUUM").c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) std::abort();
+    if (sqlite3_exec(open, ("DELETE FROM columns;" + sql + "PRAGMA page_size=512; VACUUM").c_str(), nullptr, nullptr,
+                     nullptr) != SQLITE_OK)
+        std::abort();
     sqlite3_close(open);
     return test::contents_of(path);
 }
@@ -453,7 +457,8 @@ void write_sessions() {
         "device_from_handle_x, device_from_handle_y, device_from_handle_z, device_from_handle_qw, "
         "device_from_handle_qx, device_from_handle_qy, device_from_handle_qz";
     const std::string keys =
-        "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value TEXT); INSERT INTO session VALUES('procedure_text','kind: Procedure'),"
+        "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value "
+        "TEXT); INSERT INTO session VALUES('procedure_text','kind: Procedure'),"
         "('condition.variant','left'),('anatomy_hash','0123456789abcdef'),('hash','0123456789abcdef');";
     const std::string ticks = keys + "CREATE TABLE ticks(tick INTEGER, " + poses + ");";
     const auto rows = [](int count) {
@@ -470,7 +475,8 @@ void write_sessions() {
     write("session", "good-sorted",
           database(keys + "CREATE TABLE ticks(tick INTEGER PRIMARY KEY, " + poses + ") WITHOUT ROWID;" + rows(20)));
     write("session", "good-recorded", recorded_session(""));
-    write("session", "good-without-result", recorded_session("DELETE FROM session WHERE key LIKE 'result.%'; DELETE FROM surface;"));
+    write("session", "good-without-result",
+          recorded_session("DELETE FROM session WHERE key LIKE 'result.%'; DELETE FROM surface;"));
     write("session", "bad-endless-pages", endless(database(ticks + rows(2))));
     write("session", "bad-gap", database(ticks + rows(5) + "DELETE FROM ticks WHERE tick=2"));
     write("session", "bad-no-tables", database("CREATE TABLE x(y)"));
@@ -482,10 +488,10 @@ void write_sessions() {
               "device_from_handle_qw, 0.0 AS device_from_handle_qx, 0.0 AS device_from_handle_qy, 0.0 AS "
               "device_from_handle_qz FROM n"));
     // Written as short, since who writes it computes it
-    std::string large = database(
-        "CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE session(key TEXT, value TEXT AS (printf('%.*c', 000000009, 'x')));"
-        "INSERT INTO session VALUES('procedure_text'); CREATE TABLE ticks(tick INTEGER, " +
-        poses + ");" + rows(2));
+    std::string large = database("CREATE TABLE events(tick INTEGER, time REAL, id TEXT, detail TEXT); CREATE TABLE "
+                                 "session(key TEXT, value TEXT AS (printf('%.*c', 000000009, 'x')));"
+                                 "INSERT INTO session VALUES('procedure_text'); CREATE TABLE ticks(tick INTEGER, " +
+                                 poses + ");" + rows(2));
     large.replace(large.find("000000009"), 9, "900000000");
     write("session", "bad-large-value", large);
 }

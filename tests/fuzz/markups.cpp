@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "tests/fuzz/diagnosed.h"
 #include "tests/fuzz/scratch_file.h"

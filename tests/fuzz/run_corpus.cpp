@@ -2,9 +2,11 @@
 // Runs a target once over the files of a folder: what `./dev fuzz` starts from, and all that it ever found. Files whose
 // name begins with `good` must be read: a corpus that the readers refuse at the first byte would find nothing.
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "tests/fuzz/fuzz_target.h"

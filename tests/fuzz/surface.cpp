@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The first byte says of which format the others are: s, o or p.
 #include <algorithm>
+#include <cstdint>
+#include <string_view>
 
 #include "core/import/surface/read_surface.h"
 #include "tests/fuzz/fuzz_target.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
+#include <string_view>
 
 #include "core/procedure/read_procedure.h"
 #include "tests/core/procedure/catalog.h"

@@ -2,8 +2,8 @@
 // Every code has a golden file: a document with this mistake, and word for word what a person is told about it.
 //
 // E0412.yaml is the document, E0412.txt the text. An anatomy is checked with the procedure hole.yaml; a first line
-// `# with: --variant V` is taken as from the command line. Mistakes that share a code with another have names in place of it. After a change that is meant, KERF_UPDATE_GOLDEN=1 writes the texts
-// anew: read them before they are committed.
+// `# with: --variant V` is taken as from the command line. Mistakes that share a code with another have names in place
+// of it. After a change that is meant, KERF_UPDATE_GOLDEN=1 writes the texts anew: read them before they are committed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +13,9 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/documents.h"
 #include "app/findings.h"
@@ -31,7 +34,8 @@ const fs::path golden = KERF_SOURCE_DIR "/tests/golden";
 
 std::string name_of(int number) { return explanation_of(*find_code(std::to_string(number))).substr(0, 5); }
 
-/// A copy of the golden folder in which data files may be made; the program is in it meanwhile, and knows of no other data.
+/// A copy of the golden folder in which data files may be made; the program is in it meanwhile, and knows of no other
+/// data.
 class GoldenFolder {
 public:
     GoldenFolder() : before_(fs::current_path()) {
@@ -62,11 +66,13 @@ Diagnostics check(const std::string& file) {
 }
 
 Diagnostics cause(int number) {
-    if (const auto direct = test::direct_causes().find(number); direct != test::direct_causes().end()) return direct->second();
+    if (const auto direct = test::direct_causes().find(number); direct != test::direct_causes().end())
+        return direct->second();
     const GoldenFolder folder;
     if (const auto maker = test::makers_of_input().find(number); maker != test::makers_of_input().end())
         maker->second(fs::current_path().string());
-    const std::string warning = "W" + name_of(number).substr(1) + ".yaml", error = "E" + name_of(number).substr(1) + ".yaml";
+    const std::string warning = "W" + name_of(number).substr(1) + ".yaml",
+                      error = "E" + name_of(number).substr(1) + ".yaml";
     return check(fs::exists(warning) ? warning : error);
 }
 
@@ -80,14 +86,17 @@ TEST_P(Golden, TextIsWhatAPersonIsTold) {
     if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) std::ofstream(file, std::ios::binary) << text;
 
     EXPECT_EQ(text, test::contents_of(file.string()));
-    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) { return d.code == name_of(number); })) << text;
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) { return d.code == name_of(number); }))
+        << text;
     EXPECT_EQ(text.find("/tmp/"), std::string::npos) << text;
 }
 
 TEST_P(Golden, SaysWhatToDo) {
-    const std::regex advice(
-        "(^|[.;:] |, )(Write|Remove|Put|Check|Name|Give|Choose|Add|Fill|Keep|Move|Turn|Exchange|Mend|Save|Begin|Take|Repeat|Point|Export|Crop|Copy|Run|"
-        "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
+    const std::regex advice("(^|[.;:] |, "
+                            ")(Write|Remove|Put|Check|Name|Give|Choose|Add|Fill|Keep|Move|Turn|Exchange|Mend|Save|"
+                            "Begin|Take|Repeat|Point|Export|Crop|Copy|Run|"
+                            "Use|Try|Replace|End|Correct|Lower|Allow|Indent|Start|See|Free|Change|Rename|Resample|Swap|"
+                            "Say|Join|Close|Place|Make|write|allow|let|export)( |$)");
     for (const Diagnostic& d : cause(GetParam())) {
         if (d.level == Diagnostic::Level::warning) continue;
         EXPECT_TRUE(!d.write.empty() || std::regex_search(d.message, advice)) << to_text({d});
@@ -117,7 +126,8 @@ std::vector<int> all_numbers() {
     for (const CodeEntry& entry : all_codes()) numbers.push_back(entry.number);
     return numbers;
 }
-INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()), [](const auto& of) { return name_of(of.param); });
+INSTANTIATE_TEST_SUITE_P(Codes, Golden, testing::ValuesIn(all_numbers()),
+                         [](const auto& of) { return name_of(of.param); });
 
 TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
     // Given every code that stands in the source, as text or in the list of codes
@@ -128,7 +138,8 @@ TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
             if (!entry.is_regular_file() || name == "codes.cpp") continue;
             const std::string text = test::contents_of(entry.path().string());
             const std::regex code(name == "read_codes.h" ? R"(= ([1-9]\d{2}),)" : R"re("[EW]0(\d{3})")re");
-            for (std::sregex_iterator at(text.begin(), text.end(), code), end; at != end; ++at) written.insert(std::stoi((*at)[1]));
+            for (std::sregex_iterator at(text.begin(), text.end(), code), end; at != end; ++at)
+                written.insert(std::stoi((*at)[1]));
         }
 
     // Then the catalogue has them, and has no other
@@ -136,7 +147,8 @@ TEST(Codes, AllThatTheSourceHoldsAreExplainedAndNoOthers) {
     for (const CodeEntry& entry : all_codes()) explained.insert(entry.number);
     EXPECT_EQ(written, explained) << "add an entry to core/procedure/codes.cpp, and tests/golden/E….yaml";
     EXPECT_EQ(explained.size(), all_codes().size()) << "a number stands there twice";
-    EXPECT_TRUE(std::is_sorted(all_codes().begin(), all_codes().end(), [](const auto& a, const auto& b) { return a.number < b.number; }));
+    EXPECT_TRUE(std::is_sorted(all_codes().begin(), all_codes().end(),
+                               [](const auto& a, const auto& b) { return a.number < b.number; }));
 }
 
 TEST(Codes, AreExplainedInSentences) {
@@ -152,7 +164,8 @@ TEST(Codes, AreFoundAsTheyStandBeforeAMessage) {
     EXPECT_EQ(find_code("E0412")->number, 412);
     EXPECT_EQ(find_code("412"), find_code("e0412"));
     EXPECT_TRUE(explanation_of(*find_code("W0310")).starts_with("W0310  "));
-    for (const char* nothing : {"", "E", "E9999", "E0412x", "-412", "E 412", "99999999999999999999"}) EXPECT_EQ(find_code(nothing), nullptr) << nothing;
+    for (const char* nothing : {"", "E", "E9999", "E0412x", "-412", "E 412", "99999999999999999999"})
+        EXPECT_EQ(find_code(nothing), nullptr) << nothing;
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -21,7 +23,8 @@ namespace {
 void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 /// The block's document with `ct` in place of its phantom.
-void write_anatomy(const std::string& folder, int code, const std::string& ct, const std::string& midline = "9 0 0 mm") {
+void write_anatomy(const std::string& folder, int code, const std::string& ct,
+                   const std::string& midline = "9 0 0 mm") {
     std::string text = contents_of(folder + "/block.yaml");
     const std::size_t from = text.find("phantom:"), to = text.find("tissues:");
     text.replace(from, to - from, "ct: " + ct + "\n");
@@ -33,18 +36,25 @@ void write_anatomy(const std::string& folder, int code, const std::string& ct, c
 
 /// The block as a scanner would see it: 24 × 24 × 32 voxels of 1 mm, 1000 HU within 10 mm of the middle, −1000 around.
 struct Scan {
-    std::vector<std::pair<std::string, std::string>> header{
-        {"NDims", "3"},          {"BinaryData", "True"},      {"TransformMatrix", "1 0 0 0 1 0 0 0 1"}, {"Offset", "-12 -12 -16"},
-        {"DimSize", "24 24 32"}, {"ElementSpacing", "1 1 1"}, {"ElementType", "MET_FLOAT"}};
+    std::vector<std::pair<std::string, std::string>> header{{"NDims", "3"},
+                                                            {"BinaryData", "True"},
+                                                            {"TransformMatrix", "1 0 0 0 1 0 0 0 1"},
+                                                            {"Offset", "-12 -12 -16"},
+                                                            {"DimSize", "24 24 32"},
+                                                            {"ElementSpacing", "1 1 1"},
+                                                            {"ElementType", "MET_FLOAT"}};
     float odd = -1000.0f;  ///< of the first voxel
     std::size_t missing = 0;
 
     /// An empty value takes the key away.
     void set(const std::string& key, const std::string& value) {
         const auto found = std::find_if(header.begin(), header.end(), [&](const auto& h) { return h.first == key; });
-        if (found == header.end()) header.emplace_back(key, value);
-        else if (value.empty()) header.erase(found);
-        else found->second = value;
+        if (found == header.end())
+            header.emplace_back(key, value);
+        else if (value.empty())
+            header.erase(found);
+        else
+            found->second = value;
     }
 
     void write_to(const std::string& file) const {
@@ -56,7 +66,9 @@ struct Scan {
         for (int k = -16; k < 16; ++k)
             for (int j = -12; j < 12; ++j)
                 for (int i = -12; i < 12; ++i) {
-                    const float value = bytes.empty() ? odd : std::max({std::abs(i), std::abs(j), std::abs(k)}) <= 10 ? 1000.0f : -1000.0f;
+                    const float value = bytes.empty()                                             ? odd
+                                        : std::max({std::abs(i), std::abs(j), std::abs(k)}) <= 10 ? 1000.0f
+                                                                                                  : -1000.0f;
                     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
                 }
         out << bytes.substr(0, bytes.size() - missing);
@@ -87,7 +99,8 @@ struct Slices {
                     const double x = -22.0 + 4 * c, y = -22.0 + 4 * r + tilt * heights[n];
                     values.push_back(std::max({std::abs(x), std::abs(y), std::abs(heights[n])}) <= 10 ? 1000 : -1000);
                 }
-            files.push_back(ct_slice(12, 12, 4.0, {-22, -22 + tilt * heights[n], heights[n]}, static_cast<int>(n) + 1, values));
+            files.push_back(
+                ct_slice(12, 12, 4.0, {-22, -22 + tilt * heights[n], heights[n]}, static_cast<int>(n) + 1, values));
         }
     }
     void write_to(const std::string& folder) const {
@@ -96,7 +109,8 @@ struct Slices {
     }
 };
 
-std::function<void(const std::string&)> slices(int code, const std::function<void(Slices&)>& change, const std::string& more = "") {
+std::function<void(const std::string&)> slices(int code, const std::function<void(Slices&)>& change,
+                                               const std::string& more = "") {
     return [=](const std::string& folder) {
         Slices series;
         change(series);
@@ -137,7 +151,8 @@ struct Surface {
 };
 
 /// The block's document with a surface in place of its phantom.
-std::function<void(const std::string&)> surface(int code, const std::string& text, const std::string& file = "block.obj",
+std::function<void(const std::string&)> surface(int code, const std::string& text,
+                                                const std::string& file = "block.obj",
                                                 const std::string& more = "unit: mm, frame: LPS") {
     return [=](const std::string& folder) {
         write(folder + "/" + file, text);
@@ -156,7 +171,8 @@ std::string moebius_strip() {
         const double turn = 2.0 * 3.14159265358979 * i / 12.0, half = 0.5 * turn;
         for (const double side : {-4.0, 4.0}) {
             const double out = 15.0 + side * std::cos(half);
-            strip.vertex(std::round(100 * out * std::cos(turn)) / 100, std::round(100 * out * std::sin(turn)) / 100, std::round(100 * side * std::sin(half)) / 100);
+            strip.vertex(std::round(100 * out * std::cos(turn)) / 100, std::round(100 * out * std::sin(turn)) / 100,
+                         std::round(100 * side * std::sin(half)) / 100);
         }
     }
     for (int i = 0; i < 12; ++i) {
@@ -172,8 +188,10 @@ std::string far_stl() {
     std::string bytes(80, '\0');
     const auto put = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
     const float x = 1000.0f, s = 10.0f;
-    const float v[8][3] = {{x - s, -s, -s}, {x + s, -s, -s}, {x - s, s, -s}, {x + s, s, -s}, {x - s, -s, s}, {x + s, -s, s}, {x - s, s, s}, {x + s, s, s}};
-    const int faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    const float v[8][3] = {{x - s, -s, -s}, {x + s, -s, -s}, {x - s, s, -s}, {x + s, s, -s},
+                           {x - s, -s, s},  {x + s, -s, s},  {x - s, s, s},  {x + s, s, s}};
+    const int faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                              {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     put(std::uint32_t{12});
     for (const auto& face : faces) {
         for (int i = 0; i < 3; ++i) put(0.0f);
@@ -185,11 +203,13 @@ std::string far_stl() {
 }
 
 /// The block's document with a file of markups beside its own landmarks.
-std::function<void(const std::string&)> markups(int code, const std::string& text, const std::string& file = "entry.mrk.json") {
+std::function<void(const std::string&)> markups(int code, const std::string& text,
+                                                const std::string& file = "entry.mrk.json") {
     return [=](const std::string& folder) {
         write(folder + "/" + file, text);
         std::string document = contents_of(folder + "/block.yaml");
-        document.replace(document.find("landmarks:\n"), 11, "landmarks:\n  markups: [{file: " + file + ", tolerance: 1 mm}]\n");
+        document.replace(document.find("landmarks:\n"), 11,
+                         "landmarks:\n  markups: [{file: " + file + ", tolerance: 1 mm}]\n");
         char name[16];
         std::snprintf(name, sizeof name, "/E%04d.yaml", code);
         write(folder + name, document);
@@ -355,19 +375,22 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
 
 const std::map<int, std::function<Diagnostics()>>& direct_causes() {
     static const std::map<int, std::function<Diagnostics()>> causes{
-        {601, [] {
+        {601,
+         [] {
              Diagnostics found;
              Anatomy anatomy = block_of(0.02);
              anatomy.phantom.parts[0].subtract = true;
              (void)make_body(anatomy, 1e-3, found);
              return found;
          }},
-        {602, [] {
+        {602,
+         [] {
              Diagnostics found;
              (void)make_body(block_of(2.0), 0.05e-3, found);
              return found;
          }},
-        {628, [] {
+        {628,
+         [] {
              Diagnostics found;
              const TemporaryFolder folder;
              const std::filesystem::path before = std::filesystem::current_path();

@@ -13,7 +13,8 @@ namespace kerf::test {
 /// Writes what the code is about into the folder: data files, and the document E….yaml that names them.
 [[nodiscard]] const std::map<int, std::function<void(const std::string& folder)>>& makers_of_input();
 
-/// Codes that no document leads to, since other checks come before: what the function says when it is asked all the same.
+/// Codes that no document leads to, since other checks come before: what the function says when it is asked all the
+/// same.
 [[nodiscard]] const std::map<int, std::function<Diagnostics()>>& direct_causes();
 
 }  // namespace kerf::test

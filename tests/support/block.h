@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/field/body.h"
 #include "core/field/tool_solid.h"
@@ -50,8 +51,6 @@ inline ToolSolid blade_outline(double radius, double half_width, double depth, d
 }
 
 /// A tool pose at `tip`, its +z (out of the tip) along `direction`.
-inline Pose pointing(Vec3 tip, Vec3 direction) {
-    return {tip, quat_between({0, 0, 1}, normalized(direction))};
-}
+inline Pose pointing(Vec3 tip, Vec3 direction) { return {tip, quat_between({0, 0, 1}, normalized(direction))}; }
 
 }  // namespace kerf::test

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -12,7 +13,8 @@
 
 namespace kerf::test {
 
-/// A DICOM file, element by element, that a test can spoil at one place. Explicit, little endian, unless `syntax` says otherwise.
+/// A DICOM file, element by element, that a test can spoil at one place. Explicit, little endian, unless `syntax` says
+/// otherwise.
 class DicomWriter {
 public:
     using Tag = std::uint32_t;  ///< group << 16 | element
@@ -69,7 +71,8 @@ public:
         return found == elements_.end() ? std::string() : found->second.value;
     }
 
-    std::string syntax = "1.2.840.10008.1.2.1";  ///< explicit; 1.2.840.10008.1.2 is implicit, 1.2.840.10008.1.2.2 big endian
+    std::string syntax =
+        "1.2.840.10008.1.2.1";  ///< explicit; 1.2.840.10008.1.2 is implicit, 1.2.840.10008.1.2.2 big endian
 
     [[nodiscard]] std::string bytes() const {
         std::string group2;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -31,9 +32,11 @@ inline Json as_json(const YAML::Node& node) {
             for (const auto& entry : node) map[entry.first.Scalar()] = as_json(entry.second);
             return map;
         }
-        case YAML::NodeType::Scalar: break;
+        case YAML::NodeType::Scalar:
+            break;
         case YAML::NodeType::Null:
-        case YAML::NodeType::Undefined: return nullptr;
+        case YAML::NodeType::Undefined:
+            return nullptr;
     }
     const std::string& text = node.Scalar();
     if (node.Tag() == "!") return text;  // in quotation marks
@@ -70,7 +73,8 @@ private:
     }
 
     std::size_t count(const Json& value, const Json& schemas, const std::string& at) const {
-        return static_cast<std::size_t>(std::count_if(schemas.begin(), schemas.end(), [&](const Json& s) { return breach(value, s, at).empty(); }));
+        return static_cast<std::size_t>(
+            std::count_if(schemas.begin(), schemas.end(), [&](const Json& s) { return breach(value, s, at).empty(); }));
     }
 
     std::string breach(const Json& value, const Json& schema, const std::string& at) const {
@@ -79,14 +83,20 @@ private:
         return {};
     }
 
-    std::string breach(const Json& value, const Json& schema, const std::string& rule, const Json& wanted, const std::string& at) const {
-        static const std::set<std::string> remarks{"$schema", "$comment", "title", "description", "examples", "default", "definitions",
-                                                   "patternErrorMessage", "then"};
+    std::string breach(const Json& value, const Json& schema, const std::string& rule, const Json& wanted,
+                       const std::string& at) const {
+        static const std::set<std::string> remarks{"$schema",  "$comment", "title",       "description",
+                                                   "examples", "default",  "definitions", "patternErrorMessage",
+                                                   "then"};
         const auto unless = [&](bool is_kept) { return is_kept ? std::string() : at + ": " + rule; };
         if (remarks.contains(rule)) return {};
-        if (rule == "$ref") return breach(value, root_["definitions"][wanted.get<std::string>().substr(std::string("#/definitions/").size())], at);
+        if (rule == "$ref")
+            return breach(value,
+                          root_["definitions"][wanted.get<std::string>().substr(std::string("#/definitions/").size())],
+                          at);
         if (rule == "type")
-            return unless(wanted.is_array() ? std::any_of(wanted.begin(), wanted.end(), [&](const Json& t) { return is_type(value, t); })
+            return unless(wanted.is_array() ? std::any_of(wanted.begin(), wanted.end(),
+                                                          [&](const Json& t) { return is_type(value, t); })
                                             : is_type(value, wanted));
         if (rule == "enum") return unless(std::find(wanted.begin(), wanted.end(), value) != wanted.end());
         if (rule == "const") return unless(value == wanted);
@@ -94,7 +104,8 @@ private:
             return unless(!value.is_string() || has_match(value.get<std::string>(), wanted.get<std::string>()));
         if (rule == "minimum") return unless(!value.is_number() || value.get<double>() >= wanted.get<double>());
         if (rule == "maximum") return unless(!value.is_number() || value.get<double>() <= wanted.get<double>());
-        if (rule == "multipleOf") return unless(!value.is_number() || std::remainder(value.get<double>(), wanted.get<double>()) == 0.0);
+        if (rule == "multipleOf")
+            return unless(!value.is_number() || std::remainder(value.get<double>(), wanted.get<double>()) == 0.0);
         if (rule == "minItems") return unless(!value.is_array() || value.size() >= wanted.get<std::size_t>());
         if (rule == "maxItems") return unless(!value.is_array() || value.size() <= wanted.get<std::size_t>());
         if (rule == "minProperties") return unless(!value.is_object() || value.size() >= wanted.get<std::size_t>());
@@ -113,13 +124,18 @@ private:
         }
         if (!value.is_object()) return {};
         if (rule == "required")
-            return unless(std::all_of(wanted.begin(), wanted.end(), [&](const Json& key) { return value.contains(key.get<std::string>()); }));
+            return unless(std::all_of(wanted.begin(), wanted.end(),
+                                      [&](const Json& key) { return value.contains(key.get<std::string>()); }));
         for (const auto& [key, member] : value.items()) {
             std::string found;
-            if (rule == "propertyNames") found = breach(key, wanted, at + "." + key);
-            else if (rule == "properties" && wanted.contains(key)) found = breach(member, wanted[key], at + "." + key);
-            else if (rule == "additionalProperties" && !(schema.contains("properties") && schema["properties"].contains(key)))
-                found = wanted.is_boolean() ? (wanted.get<bool>() ? "" : at + ": " + key) : breach(member, wanted, at + "." + key);
+            if (rule == "propertyNames")
+                found = breach(key, wanted, at + "." + key);
+            else if (rule == "properties" && wanted.contains(key))
+                found = breach(member, wanted[key], at + "." + key);
+            else if (rule == "additionalProperties" &&
+                     !(schema.contains("properties") && schema["properties"].contains(key)))
+                found = wanted.is_boolean() ? (wanted.get<bool>() ? "" : at + ": " + key)
+                                            : breach(member, wanted, at + "." + key);
             if (!found.empty()) return found;
         }
         if (rule == "propertyNames" || rule == "properties" || rule == "additionalProperties") return {};

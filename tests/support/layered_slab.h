@@ -48,9 +48,11 @@ inline double exact_thrust(const ToolSetup& setup, const Pose& pose, double angl
         const double cos_i = std::sqrt(std::cos(p) * std::cos(p) + std::sin(p) * std::sin(p) * cos_beta * cos_beta);
         const double n_z = std::sin(p) * cos_beta / cos_i, width = (last - first) / pieces / std::sin(p) * cos_i;
         const double x = along * c - b * s, y = along * s + b * c;
-        thrust += (resistance_at(x, y, r) + resistance_at(-x, -y, r)) * width * n_z * force_per_width(feed_per_lip * n_z, lip);
+        thrust += (resistance_at(x, y, r) + resistance_at(-x, -y, r)) * width * n_z *
+                  force_per_width(feed_per_lip * n_z, lip);
         const double r_chisel = (i + 0.5) * r_c / pieces;
-        thrust += (resistance_at(-r_chisel * s, r_chisel * c, r_chisel) + resistance_at(r_chisel * s, -r_chisel * c, r_chisel)) *
+        thrust += (resistance_at(-r_chisel * s, r_chisel * c, r_chisel) +
+                   resistance_at(r_chisel * s, -r_chisel * c, r_chisel)) *
                   r_c / pieces * force_per_width(feed_per_lip, chisel);
     }
     return thrust;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs tests as in a program that has set the locale of its user: numbers with a comma, or an i whose capital has a dot.
+// Runs tests as in a program that has set the locale of its user: numbers with a comma, or an i whose capital has a
+// dot.
 #include <gtest/gtest.h>
 
 #include <clocale>

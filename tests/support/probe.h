@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <limits>
+#include <span>
 
 #include "core/haptics/simulation.h"
 #include "kerf/force.hpp"
@@ -56,8 +61,9 @@ inline ToolSetup probe(double k, double fault_from = 1e18, double fault_until = 
             return KERF_OK;
         }};
     using Table = ForceTable<Touch>;
-    static constexpr kerf_force force{sizeof(kerf_force), sizeof(Touch::State), alignof(Touch::State), nullptr, 0, nullptr, 0, 5000,
-                                      &Table::begin,      &Table::resist,       &Table::commit};
+    static constexpr kerf_force force{
+        sizeof(kerf_force), sizeof(Touch::State), alignof(Touch::State), nullptr, 0, nullptr, 0, 5000,
+        &Table::begin,      &Table::resist,       &Table::commit};
     static constexpr kerf_component components[] = {
         {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},
         {sizeof(kerf_component), KERF_KIND_FORCE, "touch", "", nullptr, 0, 0, nullptr, &force, nullptr}};

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+
 #include "tests/support/drill_rig.h"
 
-/// The sawing plugin as the host loads it. The bone's face is z = 0; the saw comes from above and feeds along −z, its teeth go
-/// along x, and y is across the blade.
+/// The sawing plugin as the host loads it. The bone's face is z = 0; the saw comes from above and feeds along −z, its
+/// teeth go along x, and y is across the blade.
 namespace kerf::test {
 
 /// The motor follows at once unless `set` says otherwise: most questions are about the law at speed.

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
 #include "core/field/bone_view.h"
 
 /// What `BoneView` answers, point by point and straight down: the reference for the batch kernel.
@@ -105,10 +111,11 @@ private:
     /// −1 or 1 beyond the region's faces across an axis, 0 on one, else between.
     [[nodiscard]] double side(std::size_t axis, double v) const {
         const Lattice lattice = grid().lattice();
-        return !lattice.is_bounded ? 0.5
-               : v < lattice.low[axis] ? -1.0
-               : v > lattice.high[axis] ? 1.0
-               : v > lattice.low[axis] && v < lattice.high[axis] ? 0.5 : 0.0;
+        return !lattice.is_bounded                               ? 0.5
+               : v < lattice.low[axis]                           ? -1.0
+               : v > lattice.high[axis]                          ? 1.0
+               : v > lattice.low[axis] && v < lattice.high[axis] ? 0.5
+                                                                 : 0.0;
     }
     [[nodiscard]] bool can_be_cut(Vec3 point) const {
         const Vec3 g = grid() * point;
@@ -124,7 +131,9 @@ private:
     }
     /// Of the field that has the surface; tool frame, unit or zero.
     [[nodiscard]] Vec3 committed_normal(Vec3 point, const BrickPlace& place, bool is_cut) const {
-        const std::int16_t* brick = !place.is_inside ? nullptr : is_cut ? committed.stored(place.brick) : body.surface.stored(place.brick);
+        const std::int16_t* brick = !place.is_inside ? nullptr
+                                    : is_cut         ? committed.stored(place.brick)
+                                                     : body.surface.stored(place.brick);
         if (brick == nullptr) return {0, 0, 0};
         std::array<float, 3> slope = trilinear_gradient(brick, place);
         const Vec3 g = grid() * point;
@@ -135,7 +144,8 @@ private:
         const float to_unit = length > 0.0f ? 1.0f / length : 0.0f;
         const Frame f = frame_of(body_from_tool);
         const auto along = [&](Vec3 axis) {  // of the tool, in the body
-            return static_cast<double>((static_cast<float>(axis.x) * (slope[0] * to_unit) + static_cast<float>(axis.y) * (slope[1] * to_unit)) +
+            return static_cast<double>((static_cast<float>(axis.x) * (slope[0] * to_unit) +
+                                        static_cast<float>(axis.y) * (slope[1] * to_unit)) +
                                        static_cast<float>(axis.z) * (slope[2] * to_unit));
         };
         return {along(f.x), along(f.y), along(f.z)};
@@ -145,7 +155,8 @@ private:
         constexpr int y = stored_edge, z = stored_edge * stored_edge;
         const auto lerp = [](float a, float b, float t) { return a + (b - a) * t; };
         const auto bilinear = [&](int a, int b, int c, int d, float s, float t) {
-            return lerp(lerp(static_cast<float>(a), static_cast<float>(b), s), lerp(static_cast<float>(c), static_cast<float>(d), s), t);
+            return lerp(lerp(static_cast<float>(a), static_cast<float>(b), s),
+                        lerp(static_cast<float>(c), static_cast<float>(d), s), t);
         };
         const auto along_x = [&](int i) { return lerp(v[i], v[i + 1], at.fx); };
         return {bilinear(v[1] - v[0], v[y + 1] - v[y], v[z + 1] - v[z], v[z + y + 1] - v[z + y], at.fy, at.fz),

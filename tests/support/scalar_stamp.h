@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -29,7 +33,8 @@ struct ScalarStamp {
                     cell.first[2] += static_cast<float>(at.first_z);
                     std::int16_t lowest, highest;
                     portable_kernel().raise(solid.single(), cell, static_cast<float>(PoseStamp::band(g.spacing)),
-                                            static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(), lowest, highest, nullptr);
+                                            static_cast<float>(1.0 / g.quantum()), raised.data() + at.first_sample(),
+                                            lowest, highest, nullptr);
                 }
                 const std::int16_t* to = raised.data();
                 for_each_sample(i, j, k, samples, [&](int, int, int, std::int16_t& v) { v = to[&v - samples]; });
@@ -63,7 +68,8 @@ private:
         for (int z = k * brick_edge; z <= (k + 1) * brick_edge; ++z)
             for (int y = j * brick_edge; y <= (j + 1) * brick_edge; ++y)
                 for (int x = i * brick_edge; x <= (i + 1) * brick_edge; ++x, ++v)
-                    if (!body.region.is_bounded() || body.region.contains(g.sample_position(x, y, z))) what(x, y, z, *v);
+                    if (!body.region.is_bounded() || body.region.contains(g.sample_position(x, y, z)))
+                        what(x, y, z, *v);
     }
 };
 

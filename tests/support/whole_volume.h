@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +17,8 @@ struct SolidVolume {
     std::vector<std::uint8_t> solid;
 
     [[nodiscard]] std::size_t at(int i, int j, int k) const {
-        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) * static_cast<std::size_t>(size[0]) +
+        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(j)) *
+                   static_cast<std::size_t>(size[0]) +
                static_cast<std::size_t>(i);
     }
 };
@@ -27,7 +30,8 @@ inline SolidVolume solid_volume(const Body& body, const CutField& cut) {
     for (int k = 0; k < v.size[2]; ++k)
         for (int j = 0; j < v.size[1]; ++j)
             for (int i = 0; i < v.size[0]; ++i)
-                v.solid[v.at(i, j, k)] = body.surface.sample(i, j, k) < 0 && cut.sample(i, j, k) < 0 && body.region.contains(g.sample_position(i, j, k));
+                v.solid[v.at(i, j, k)] = body.surface.sample(i, j, k) < 0 && cut.sample(i, j, k) < 0 &&
+                                         body.region.contains(g.sample_position(i, j, k));
     return v;
 }
 
@@ -43,7 +47,8 @@ inline std::vector<std::uint32_t> flooded(const SolidVolume& v, std::vector<std:
         queue.assign(1, seed);
         for (std::size_t n = 0; n < queue.size(); ++n) {
             const std::size_t s = queue[n];
-            const int i = static_cast<int>(s % nx), j = static_cast<int>(s % layer / nx), k = static_cast<int>(s / layer);
+            const int i = static_cast<int>(s % nx), j = static_cast<int>(s % layer / nx),
+                      k = static_cast<int>(s / layer);
             const auto go = [&](bool is_there, std::size_t to) {
                 if (!is_there || v.solid[to] == 0 || label[to] != 0) return;
                 label[to] = last;

@@ -12,13 +12,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 
 namespace kerf {
 namespace {
 
-constexpr rlim_t most_seconds = 10;                       // for one slice
-constexpr rlim_t most_memory = 1024ull * 1024 * 1024;     // [bytes] beyond what this process has
+constexpr rlim_t most_seconds = 10;                    // for one slice
+constexpr rlim_t most_memory = 1024ull * 1024 * 1024;  // [bytes] beyond what this process has
 
 std::size_t size_of(const DicomSlice& slice) {
     return static_cast<std::size_t>(slice.rows) * static_cast<std::size_t>(slice.columns) *

@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <fstream>
+#include <system_error>
 
 namespace kerf {
 namespace {
@@ -15,7 +17,7 @@ constexpr std::uint64_t preamble = 128;          // [bytes]
 constexpr std::uint32_t undefined = 0xffffffff;  // a length that the end is marked for
 constexpr int most_nested = 16;
 constexpr int most_elements = 100'000;
-constexpr std::uint32_t most_kept = 1024;        // [bytes] of a value that may be asked for
+constexpr std::uint32_t most_kept = 1024;  // [bytes] of a value that may be asked for
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
 constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
 
@@ -88,8 +90,8 @@ std::uint32_t bits(const unsigned char* bytes, int count, bool is_big) {
 
 struct Element {
     std::uint32_t tag = 0, length = 0;
-    bool is_unknown = false;  ///< sort UN: if its length is undefined, it is implicit inside
-    bool is_sequence = false; ///< as it says; implicit elements do not
+    bool is_unknown = false;   ///< sort UN: if its length is undefined, it is implicit inside
+    bool is_sequence = false;  ///< as it says; implicit elements do not
 };
 
 Element next_element(Bytes& bytes, Encoding encoding) {
@@ -133,11 +135,15 @@ public:
             last = e.tag;
             if (e.tag == pixel_data) return voxels(e, encoding);
             if ((e.tag >> 16) % 2 != 0) ++found_.file.private_elements;
-            const bool is_sequence = e.is_sequence || e.length == undefined || (nested_ && begins_with_item(e, encoding));
+            const bool is_sequence =
+                e.is_sequence || e.length == undefined || (nested_ && begins_with_item(e, encoding));
             if (is_sequence) ++found_.file.sequences;
-            if (is_sequence && nested_) look_into(e, encoding, 0);
-            else if (e.length <= most_kept) found_.values[e.tag] = bytes_.keep(e.length);
-            else skip(e, encoding, 0);
+            if (is_sequence && nested_)
+                look_into(e, encoding, 0);
+            else if (e.length <= most_kept)
+                found_.values[e.tag] = bytes_.keep(e.length);
+            else
+                skip(e, encoding, 0);
         }
     }
 
@@ -191,7 +197,8 @@ private:
                 const Element inner = counted(encoding);
                 if (inner.tag == item_end) break;
                 const bool is_voxels = inner.tag == pixel_data;  // of an icon: fragments are no items with elements
-                if (!is_voxels && (inner.is_sequence || inner.length == undefined || begins_with_item(inner, encoding))) {
+                if (!is_voxels &&
+                    (inner.is_sequence || inner.length == undefined || begins_with_item(inner, encoding))) {
                     look_into(inner, encoding, depth + 1);
                 } else if (is_voxels || inner.length > most_kept) {
                     skip(inner, encoding, depth + 1);
@@ -239,8 +246,10 @@ std::string transfer_syntax_of(Bytes& bytes) {
     while (bytes.left() >= 8 && bits(bytes.peek<2>().data(), 2, false) == 2) {
         const Element e = next_element(bytes, {});
         if (e.length == undefined) throw Fault{"its first group has no length"};
-        if (e.tag == transfer_syntax && e.length <= most_kept) syntax = trimmed(bytes.keep(e.length));
-        else bytes.skip(e.length);
+        if (e.tag == transfer_syntax && e.length <= most_kept)
+            syntax = trimmed(bytes.keep(e.length));
+        else
+            bytes.skip(e.length);
     }
     if (syntax.empty()) throw Fault{"it does not say how it is encoded"};
     return syntax;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -10,23 +11,23 @@
 
 namespace kerf {
 
-/// A DICOM file's outermost elements: short values as bytes, and where its voxels lie. What reads this never believes a length:
-/// Debian's GDCM stops the program at a malformed header, so it never sees one.
+/// A DICOM file's outermost elements: short values as bytes, and where its voxels lie. What reads this never believes a
+/// length: Debian's GDCM stops the program at a malformed header, so it never sees one.
 class DicomElements {
 public:
     struct Piece {
         std::uint64_t offset = 0, size = 0;  ///< [bytes] in the file
     };
 
-    bool is_dicom = false;         ///< the word DICM stands where it should
-    std::string fault;             ///< why the elements cannot be as they say; empty: they can
-    std::string encoding;          ///< UID of the transfer syntax
+    bool is_dicom = false;  ///< the word DICM stands where it should
+    std::string fault;      ///< why the elements cannot be as they say; empty: they can
+    std::string encoding;   ///< UID of the transfer syntax
     bool is_big_endian = false;
-    bool has_voxels = false;       ///< an element with pixel data
-    bool is_encapsulated = false;  ///< they are compressed, in pieces of which the first is a table
-    std::vector<Piece> voxels;     ///< one, or all fragments
+    bool has_voxels = false;           ///< an element with pixel data
+    bool is_encapsulated = false;      ///< they are compressed, in pieces of which the first is a table
+    std::vector<Piece> voxels;         ///< one, or all fragments
     std::size_t private_elements = 0;  ///< of manufacturers: nobody else knows what they hold
-    std::size_t sequences = 0;         ///< elements with elements in them, which are passed over unless somebody asks for them
+    std::size_t sequences = 0;  ///< elements with elements in them, which are passed over unless somebody asks for them
 
     /// Without the blanks around it; empty if it is not there.
     [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;
@@ -41,11 +42,13 @@ public:
     [[nodiscard]] std::optional<int> word(std::uint16_t group, std::uint16_t element, bool is_signed = false) const;
 
 private:
-    friend DicomElements read_dicom_elements(const std::string& file, const std::function<void(std::uint32_t, const std::string*)>& nested);
+    friend DicomElements read_dicom_elements(const std::string& file,
+                                             const std::function<void(std::uint32_t, const std::string*)>& nested);
     std::map<std::uint32_t, std::string> values_;
 };
 
-/// What is to be done with an element within a sequence: its group and number, and its bytes; none if they are too many to be a text.
+/// What is to be done with an element within a sequence: its group and number, and its bytes; none if they are too many
+/// to be a text.
 using NestedDicomElement = std::function<void(std::uint32_t tag, const std::string* value)>;
 
 /// Walks from element to element, up to the pixel data and over them. A length that goes beyond the file or its

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <fstream>
 #include <limits>
+#include <optional>
 
 #include "core/import/image/dicom_codec.h"
 #include "core/import/image/dicom_elements.h"
@@ -13,7 +17,7 @@
 namespace kerf {
 namespace {
 
-constexpr int least_edge = 2, most_edge = 4096;               // [voxels]
+constexpr int least_edge = 2, most_edge = 4096;                // [voxels]
 constexpr double least_spacing = 1e-6, most_spacing = 100e-3;  // [m]
 constexpr double most_scale = 1e9;                             // [–] with it 32 bits are still a float
 constexpr double straight = 1e-3;                              // [–] of a unit vector
@@ -31,7 +35,8 @@ bool is_unit(Vec3 v) { return std::abs(length(v) - 1.0) < straight; }
 
 /// Whether its pixels can be got at all.
 void check_encoding(const DicomElements& of) {
-    static constexpr std::array<const char*, 3> plain{"1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2"};
+    static constexpr std::array<const char*, 3> plain{"1.2.840.10008.1.2", "1.2.840.10008.1.2.1",
+                                                      "1.2.840.10008.1.2.2"};
     const bool is_plain = std::find(plain.begin(), plain.end(), of.encoding) != plain.end();
     if (!is_plain && !can_unpack(of.encoding))
         throw Trouble{"it is encoded in a way that cannot be read; plain, run length, JPEG, JPEG-LS and JPEG 2000 can"};
@@ -53,8 +58,7 @@ void read_place(const DicomElements& of, DicomSlice& slice) {
         throw Trouble{"its orientation (0020,0037) is no pair of unit vectors at right angles"};
     if (length(slice.origin) > 100.0) throw Trouble{"its position is more than 100 m away"};
     for (const double s : {slice.between_rows, slice.between_columns})
-        if (!(s >= least_spacing && s <= most_spacing))
-            throw Trouble{"its pixel spacing is outside 0.001 mm … 100 mm"};
+        if (!(s >= least_spacing && s <= most_spacing)) throw Trouble{"its pixel spacing is outside 0.001 mm … 100 mm"};
     if (const auto tilt = of.number(0x0018, 0x1120)) slice.tilt = *tilt * 3.14159265358979323846 / 180.0;
 }
 
@@ -144,8 +148,9 @@ std::vector<char> raw_pixels(const DicomSlice& slice) {
         return pixels;
     }
     const std::size_t bytes = static_cast<std::size_t>(slice.bits_allocated / 8);
-    const std::string stored = bytes_of(in, slice.voxels.front(),
-                                        static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) * bytes);
+    const std::string stored =
+        bytes_of(in, slice.voxels.front(),
+                 static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) * bytes);
     std::vector<char> pixels(stored.begin(), stored.end());
     if (slice.is_big_endian)
         for (auto at = pixels.begin(); at != pixels.end(); at += static_cast<std::ptrdiff_t>(bytes))

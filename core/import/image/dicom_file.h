@@ -11,9 +11,9 @@ namespace kerf {
 
 struct DicomHeader {
     enum class Kind {
-        other,    ///< no DICOM file
-        no_slice, ///< DICOM without voxels: a directory, a report, a plan
-        damaged,  ///< its elements cannot be as they say
+        other,     ///< no DICOM file
+        no_slice,  ///< DICOM without voxels: a directory, a report, a plan
+        damaged,   ///< its elements cannot be as they say
         slice,
     };
     Kind kind = Kind::other;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -115,8 +116,8 @@ void check_alike(const std::vector<DicomSlice>& slices) {
 
 SliceStack stack_of(std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
-    SliceStack stack{first.columns, first.rows, first.between_columns * first.along_row,
-                     first.between_rows * first.down_column, {}};
+    SliceStack stack{
+        first.columns, first.rows, first.between_columns * first.along_row, first.between_rows * first.down_column, {}};
     const Vec3 normal = stack.normal();
     std::stable_sort(slices.begin(), slices.end(), [&](const DicomSlice& a, const DicomSlice& b) {
         const double along_a = dot(a.origin, normal), along_b = dot(b.origin, normal);
@@ -182,8 +183,7 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
                           rounded(shape.tilt / degree, 1) +
                           " deg, as with a tilted gantry). They were put straight by resampling.");
     if (!shape.is_even() || shape.is_crooked())
-        tell("W0672", "The slices lie " + millimetres(shape.least) + " to " + millimetres(shape.most) +
-                          " mm apart" +
+        tell("W0672", "The slices lie " + millimetres(shape.least) + " to " + millimetres(shape.most) + " mm apart" +
                           (shape.gaps.empty() ? "" : ", with " + counted(shape.gaps.size(), "gap", "gaps")) +
                           ". They were resampled every " + millimetres(shape.least) +
                           " mm, linearly between neighbours.");
@@ -198,8 +198,8 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
     if (has_frame_each(series.slices))
         tell("W0673", "Every slice names a frame of reference of its own, as after careless anonymising. The positions "
                       "were believed to be in one.");
-    const auto lossy = std::count_if(series.slices.begin(), series.slices.end(),
-                                     [](const DicomSlice& s) { return s.is_lossy; });
+    const auto lossy =
+        std::count_if(series.slices.begin(), series.slices.end(), [](const DicomSlice& s) { return s.is_lossy; });
     if (lossy > 0)
         tell("W0673", counted(static_cast<std::size_t>(lossy), "slice was", "slices were") +
                           " compressed with loss: borders may have moved.");
@@ -221,8 +221,8 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
         if (header.kind == DicomHeader::Kind::damaged && ++damaged == 1) first_damaged = &header;
     }
     if (damaged > 0)
-        throw Refusal{"E0668", counted(damaged, "file is", "files are") + " damaged; of the first: " +
-                                   first_damaged->trouble + ". Copy the folder again."};
+        throw Refusal{"E0668", counted(damaged, "file is", "files are") +
+                                   " damaged; of the first: " + first_damaged->trouble + ". Copy the folder again."};
     if (slices.empty())
         throw Refusal{"E0660", headers.empty() ? "the folder is empty. Name the folder with the DICOM files."
                                                : "none of the folder's " + counted(headers.size(), "file", "files") +
@@ -242,7 +242,8 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
                                    " cannot be used; of the first: " + first_unusable->trouble +
                                    ". Export the series as single-frame CT slices."};
     if (series.slices.size() < 2)
-        throw Refusal{"E0669", "the series has one slice, a volume needs at least 2. Name the folder with all of them."};
+        throw Refusal{"E0669",
+                      "the series has one slice, a volume needs at least 2. Name the folder with all of them."};
     check_alike(series.slices);
     series.stack = stack_of(series.slices);
     series.shape = shape_of(series.stack);

@@ -9,8 +9,8 @@
 #include "core/import/image/slice_stack.h"
 #include "core/procedure/source.h"
 
-/// Which of a folder's files are the slices of one volume, in which order, and whether they can be one. Plain functions of
-/// headers: nothing here reads a file.
+/// Which of a folder's files are the slices of one volume, in which order, and whether they can be one. Plain functions
+/// of headers: nothing here reads a file.
 ///
 ///     E0660  no slice in the folder
 ///     E0661  several series, and none was chosen

@@ -10,16 +10,17 @@
 
 namespace kerf {
 
-/// What one DICOM file says of its slice, as far as place and values need it, and nothing of whose it is. Frame: LPS, metres.
+/// What one DICOM file says of its slice, as far as place and values need it, and nothing of whose it is. Frame: LPS,
+/// metres.
 struct DicomSlice {
-    std::string file;              ///< to read its voxels from; never shown or written
-    std::string series;            ///< UID, to tell one series from another; never shown or written
-    std::string frame_of_reference;///< UID, the same; empty if not said
-    int series_number = 0;         ///< 0: none
+    std::string file;                ///< to read its voxels from; never shown or written
+    std::string series;              ///< UID, to tell one series from another; never shown or written
+    std::string frame_of_reference;  ///< UID, the same; empty if not said
+    int series_number = 0;           ///< 0: none
     int instance = 0;
-    std::string modality;          ///< "CT" …; at most two letters, else empty
-    bool is_localizer = false;     ///< an overview, not a slice of a volume
-    bool is_lossy = false;         ///< its values were changed by compression
+    std::string modality;       ///< "CT" …; at most two letters, else empty
+    bool is_localizer = false;  ///< an overview, not a slice of a volume
+    bool is_lossy = false;      ///< its values were changed by compression
 
     int columns = 0, rows = 0;
     double between_columns = 0.0, between_rows = 0.0;  ///< [m] centre to centre: along a row, down a column
@@ -29,12 +30,12 @@ struct DicomSlice {
 
     int bits_allocated = 16, bits_stored = 16, high_bit = 15;
     bool is_signed = false;
-    std::optional<int> padding;       ///< raw value of pixels that were never measured
+    std::optional<int> padding;           ///< raw value of pixels that were never measured
     double slope = 1.0, intercept = 0.0;  ///< value = slope × raw + intercept
 
-    std::string encoding;         ///< UID of the transfer syntax
+    std::string encoding;  ///< UID of the transfer syntax
     bool is_big_endian = false;
-    bool is_compressed = false;   ///< in fragments, of which the first is a table
+    bool is_compressed = false;                ///< in fragments, of which the first is a table
     std::vector<DicomElements::Piece> voxels;  ///< where they lie in the file
 
     [[nodiscard]] Vec3 normal() const noexcept { return cross(along_row, down_column); }

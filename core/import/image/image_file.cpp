@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/import/image/packed_bytes.h"
@@ -176,7 +180,8 @@ std::uint64_t unpacked_bytes(const std::string& file, std::uint64_t offset, std:
     if (!bytes.is_open()) refuse("E0620", "the file cannot be opened.", "Check the permissions.");
     const std::uint64_t total = bytes.take(nullptr, wanted);
     if (bytes.is_damaged())
-        refuse("E0626", "its compressed data are damaged after " + std::to_string(total) + " bytes.", "Copy the file again.");
+        refuse("E0626", "its compressed data are damaged after " + std::to_string(total) + " bytes.",
+               "Copy the file again.");
     return total;
 }
 
@@ -211,14 +216,15 @@ Number nifti_field(const std::string& header, std::size_t at, bool is_swapped) {
 
 std::optional<ImageFile::Number> nifti_number(int type) {
     using Number = ImageFile::Number;
-    static const std::map<int, Number> known{{256, Number::int8},  {2, Number::uint8},    {4, Number::int16},    {512, Number::uint16},
-                                             {8, Number::int32},   {768, Number::uint32}, {16, Number::float32}, {64, Number::float64}};
+    static const std::map<int, Number> known{{256, Number::int8},   {2, Number::uint8},   {4, Number::int16},
+                                             {512, Number::uint16}, {8, Number::int32},   {768, Number::uint32},
+                                             {16, Number::float32}, {64, Number::float64}};
     const auto found = known.find(type);
     return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Rotation of `qform` times the spacing: unit quaternion (a, b, c, d) of which b, c, d are written; the sign of the third
-/// axis is `pixdim[0]`. Source: nifti1.h, method 2.
+/// Rotation of `qform` times the spacing: unit quaternion (a, b, c, d) of which b, c, d are written; the sign of the
+/// third axis is `pixdim[0]`. Source: nifti1.h, method 2.
 Placement placement_by_quaternion(Vec3 bcd, Vec3 spacing, double sign, Vec3 origin) {
     const double b = bcd.x, c = bcd.y, d = bcd.z;
     const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
@@ -234,7 +240,8 @@ double disagreement(const Placement& a, const Placement& b, const std::array<int
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 apart = a.origin - b.origin;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            if (corner >> axis & 1) apart = apart + static_cast<double>(size[axis] - 1) * (a.steps[axis] - b.steps[axis]);
+            if (corner >> axis & 1)
+                apart = apart + static_cast<double>(size[axis] - 1) * (a.steps[axis] - b.steps[axis]);
         most = std::max(most, length(apart));
     }
     return most;
@@ -331,7 +338,8 @@ ImageFile check_nifti(const std::string& file, bool is_packed) {
     for (const std::size_t at : {std::size_t{112}, std::size_t{116}})
         if (!std::isfinite(nifti_field<float>(header, at, is_swapped)))
             refuse("E0622", "`scl_slope` or `scl_inter` is no finite number.", "Export the image again.");
-    if (const auto slope = static_cast<double>(nifti_field<float>(header, 112, is_swapped)); slope != 0.0) {  // 0 means that neither counts
+    if (const auto slope = static_cast<double>(nifti_field<float>(header, 112, is_swapped));
+        slope != 0.0) {  // 0 means that neither counts
         image.slope = slope;
         image.intercept = static_cast<double>(nifti_field<float>(header, 116, is_swapped));
     }
@@ -365,19 +373,42 @@ void add(Fields& fields, std::string_view name, std::string_view value) {
 
 ImageFile::Number named_number(const std::string& type) {
     using Number = ImageFile::Number;
-    static const std::map<std::string, Number> known{
-        {"signed char", Number::int8},     {"int8", Number::int8},           {"int8_t", Number::int8},
-        {"uchar", Number::uint8},          {"unsigned char", Number::uint8}, {"uint8", Number::uint8},
-        {"uint8_t", Number::uint8},        {"short", Number::int16},         {"short int", Number::int16},
-        {"signed short", Number::int16},   {"signed short int", Number::int16}, {"int16", Number::int16},
-        {"int16_t", Number::int16},        {"ushort", Number::uint16},       {"unsigned short", Number::uint16},
-        {"unsigned short int", Number::uint16}, {"uint16", Number::uint16},  {"uint16_t", Number::uint16},
-        {"int", Number::int32},            {"signed int", Number::int32},    {"int32", Number::int32},
-        {"int32_t", Number::int32},        {"uint", Number::uint32},         {"unsigned int", Number::uint32},
-        {"uint32", Number::uint32},        {"uint32_t", Number::uint32},     {"float", Number::float32},
-        {"double", Number::float64},       {"met_char", Number::int8},       {"met_uchar", Number::uint8},
-        {"met_short", Number::int16},      {"met_ushort", Number::uint16},   {"met_int", Number::int32},
-        {"met_uint", Number::uint32},      {"met_float", Number::float32},   {"met_double", Number::float64}};
+    static const std::map<std::string, Number> known{{"signed char", Number::int8},
+                                                     {"int8", Number::int8},
+                                                     {"int8_t", Number::int8},
+                                                     {"uchar", Number::uint8},
+                                                     {"unsigned char", Number::uint8},
+                                                     {"uint8", Number::uint8},
+                                                     {"uint8_t", Number::uint8},
+                                                     {"short", Number::int16},
+                                                     {"short int", Number::int16},
+                                                     {"signed short", Number::int16},
+                                                     {"signed short int", Number::int16},
+                                                     {"int16", Number::int16},
+                                                     {"int16_t", Number::int16},
+                                                     {"ushort", Number::uint16},
+                                                     {"unsigned short", Number::uint16},
+                                                     {"unsigned short int", Number::uint16},
+                                                     {"uint16", Number::uint16},
+                                                     {"uint16_t", Number::uint16},
+                                                     {"int", Number::int32},
+                                                     {"signed int", Number::int32},
+                                                     {"int32", Number::int32},
+                                                     {"int32_t", Number::int32},
+                                                     {"uint", Number::uint32},
+                                                     {"unsigned int", Number::uint32},
+                                                     {"uint32", Number::uint32},
+                                                     {"uint32_t", Number::uint32},
+                                                     {"float", Number::float32},
+                                                     {"double", Number::float64},
+                                                     {"met_char", Number::int8},
+                                                     {"met_uchar", Number::uint8},
+                                                     {"met_short", Number::int16},
+                                                     {"met_ushort", Number::uint16},
+                                                     {"met_int", Number::int32},
+                                                     {"met_uint", Number::uint32},
+                                                     {"met_float", Number::float32},
+                                                     {"met_double", Number::float64}};
     const auto found = known.find(lower(type));
     if (found == known.end())
         refuse("E0625",
@@ -394,7 +425,8 @@ std::vector<Segment> segments_of(const Fields& remarks, int layers) {
         const auto at = remarks.find(key);
         if (at == remarks.end()) return otherwise;
         const auto value = numbers_of<int>(at->second, key);
-        if (value.size() != 1) refuse("E0622", "`" + key + "` must be one whole number.", "Export the segmentation again.");
+        if (value.size() != 1)
+            refuse("E0622", "`" + key + "` must be one whole number.", "Export the segmentation again.");
         return value[0];
     };
     std::vector<Segment> segments;
@@ -402,10 +434,13 @@ std::vector<Segment> segments_of(const Fields& remarks, int layers) {
         const std::string prefix = "Segment" + std::to_string(n) + "_";
         const auto name = remarks.find(prefix + "Name");
         if (name == remarks.end()) break;
-        Segment segment{std::string(trimmed(name->second)), whole(prefix + "LabelValue", 1), whole(prefix + "Layer", 0)};
+        Segment segment{std::string(trimmed(name->second)), whole(prefix + "LabelValue", 1),
+                        whole(prefix + "Layer", 0)};
         if (segment.layer < 0 || segment.layer >= layers)
-            refuse("E0622", "`" + prefix + "Layer` is " + std::to_string(segment.layer) + ", but the layers are 0 … " +
-                                std::to_string(layers - 1) + ".", "Export the segmentation again.");
+            refuse("E0622",
+                   "`" + prefix + "Layer` is " + std::to_string(segment.layer) + ", but the layers are 0 … " +
+                       std::to_string(layers - 1) + ".",
+                   "Export the segmentation again.");
         segments.push_back(std::move(segment));
     }
     return segments;
@@ -554,9 +589,11 @@ ImageFile check_meta(const std::string& file) {
     const auto matrix = numbers_of<double>(rotation ? *rotation : "1 0 0 0 1 0 0 0 1", "TransformMatrix");
     const std::string* offset = find(fields, {"offset", "position", "origin"});
     if (!offset)
-        refuse("E0627", "the header has no `Offset`: nobody can tell where in the patient the voxels are.", "Export the image with its position.");
+        refuse("E0627", "the header has no `Offset`: nobody can tell where in the patient the voxels are.",
+               "Export the image with its position.");
     if (!rotation)
-        image.doubts.push_back("The header has no `TransformMatrix`; the axes were taken to point to the patient's left, back and head.");
+        image.doubts.push_back(
+            "The header has no `TransformMatrix`; the axes were taken to point to the patient's left, back and head.");
     const auto origin = numbers_of<double>(*offset, "Offset");
     if (matrix.size() != 9 || origin.size() != 3)
         refuse("E0627", "`TransformMatrix` needs nine numbers, `Offset` three.", "Export the image again.");
@@ -611,7 +648,8 @@ std::optional<ImageFile> check_image_file(const std::string& file, Diagnostics& 
     } catch (const Refusal& refusal) {
         diagnostics.push_back(error_about(file, refusal.code, refusal.message + " " + refusal.advice));
     } catch (const std::exception& error) {  // no memory, or a name that is no path
-        diagnostics.push_back(error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + "."));
+        diagnostics.push_back(
+            error_about(file, "E0620", std::string("the file cannot be checked: ") + error.what() + "."));
     }
     return std::nullopt;
 }

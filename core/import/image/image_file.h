@@ -37,14 +37,14 @@ struct ImageFile {
     Format format = Format::nifti;
     std::array<int, 3> size{};
     std::array<double, 12> lps_from_index{};  ///< 3×4, row by row [m], as the header places the voxels; may be sheared
-    int layers = 1;           ///< numbers per voxel: of a segmentation whose structures overlap; else 1
-    Number number = Number::int16;  ///< what a voxel is stored as, in one layer
+    int layers = 1;                           ///< numbers per voxel: of a segmentation whose structures overlap; else 1
+    Number number = Number::int16;            ///< what a voxel is stored as, in one layer
     bool is_big_endian = false;
     double slope = 1.0, intercept = 0.0;  ///< value = slope × stored + intercept
-    std::vector<Segment> segments;  ///< named ones; empty: only numbers
+    std::vector<Segment> segments;        ///< named ones; empty: only numbers
     Packing packing = Packing::raw;
-    std::string data_file;          ///< beside or the same as the header
-    std::uint64_t data_offset = 0;  ///< [bytes] in the unpacked file for gzip_file, else in data_file
+    std::string data_file;            ///< beside or the same as the header
+    std::uint64_t data_offset = 0;    ///< [bytes] in the unpacked file for gzip_file, else in data_file
     std::vector<std::string> doubts;  ///< what the header leaves open, and what was taken; a sentence each
 
     [[nodiscard]] std::uint64_t voxels() const noexcept {

@@ -13,7 +13,8 @@ struct PackedBytes::Stream {
     std::ifstream in;
     Packing packing = Packing::none;
     z_stream unpacker{};
-    std::vector<unsigned char> packed = std::vector<unsigned char>(1 << 16), nowhere = std::vector<unsigned char>(1 << 18);
+    std::vector<unsigned char> packed = std::vector<unsigned char>(1 << 16),
+                               nowhere = std::vector<unsigned char>(1 << 18);
     bool is_open = false, is_damaged = false;
     bool is_over = false;  ///< behind the last piece; what else there may be is not unpacked
 
@@ -26,7 +27,8 @@ struct PackedBytes::Stream {
     }
 };
 
-PackedBytes::PackedBytes(const std::string& file, std::uint64_t offset, Packing packing) : stream_(std::make_unique<Stream>()) {
+PackedBytes::PackedBytes(const std::string& file, std::uint64_t offset, Packing packing)
+    : stream_(std::make_unique<Stream>()) {
     Stream& s = *stream_;
     s.packing = packing;
     s.in.open(file, std::ios::binary);
@@ -44,7 +46,8 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     if (!s.is_open) return 0;
     if (s.packing == Packing::none) {
         if (into == nullptr) {
-            s.in.seekg(static_cast<std::streamoff>(count), std::ios::cur);  // whoever checks a raw file asks for its size
+            s.in.seekg(static_cast<std::streamoff>(count),
+                       std::ios::cur);  // whoever checks a raw file asks for its size
             return s.in ? count : 0;
         }
         s.in.read(into, static_cast<std::streamsize>(count));
@@ -52,7 +55,8 @@ std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     }
     std::uint64_t taken = 0;
     while (taken < count && !s.is_damaged && !s.is_over && s.refill()) {
-        const std::uint64_t room = std::min<std::uint64_t>(count - taken, into == nullptr ? s.nowhere.size() : 1u << 30);
+        const std::uint64_t room =
+            std::min<std::uint64_t>(count - taken, into == nullptr ? s.nowhere.size() : 1u << 30);
         s.unpacker.next_out = into == nullptr ? s.nowhere.data() : reinterpret_cast<unsigned char*>(into + taken);
         s.unpacker.avail_out = static_cast<unsigned>(room);
         const int status = inflate(&s.unpacker, Z_NO_FLUSH);

@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// The bytes of a file from some place on, one after another; unpacked on the way if they are packed as gzip or zlib pack. Gzip in several
-/// pieces, as bgzip writes it, is one. No more is in memory than a buffer.   [main]
+/// The bytes of a file from some place on, one after another; unpacked on the way if they are packed as gzip or zlib
+/// pack. Gzip in several pieces, as bgzip writes it, is one. No more is in memory than a buffer.   [main]
 class PackedBytes {
 public:
     enum class Packing { none, deflated };
@@ -18,8 +18,8 @@ public:
     PackedBytes(const PackedBytes&) = delete;
     PackedBytes& operator=(const PackedBytes&) = delete;
 
-    /// The next `count` bytes, into a buffer of that size or, if it is null, nowhere. Returns how many there were: fewer at the end of the
-    /// file, or where it is damaged.
+    /// The next `count` bytes, into a buffer of that size or, if it is null, nowhere. Returns how many there were:
+    /// fewer at the end of the file, or where it is damaged.
     std::uint64_t take(char* into, std::uint64_t count);
 
     [[nodiscard]] bool is_open() const noexcept;

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "core/import/image/image_file.h"
@@ -29,10 +32,14 @@ Diagnostic refused(const std::string& file, const char* code, std::string messag
 
 /// One layer's numbers out of `bytes`, `count` voxels of `layers` numbers each.
 template <class Stored>
-void append(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header, int layer) {
+void append(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header,
+            int layer) {
     for (std::size_t n = 0; n < count; ++n) {
         char one[sizeof(Stored)];
-        std::memcpy(one, bytes.data() + (n * static_cast<std::size_t>(header.layers) + static_cast<std::size_t>(layer)) * sizeof one, sizeof one);
+        std::memcpy(
+            one,
+            bytes.data() + (n * static_cast<std::size_t>(header.layers) + static_cast<std::size_t>(layer)) * sizeof one,
+            sizeof one);
         if (header.is_big_endian) std::reverse(std::begin(one), std::end(one));
         Stored stored;
         std::memcpy(&stored, one, sizeof stored);
@@ -40,31 +47,42 @@ void append(std::vector<float>& values, const std::vector<char>& bytes, std::siz
     }
 }
 
-void append_row(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header, int layer) {
+void append_row(std::vector<float>& values, const std::vector<char>& bytes, std::size_t count, const ImageFile& header,
+                int layer) {
     using Number = ImageFile::Number;
     const auto as = [&]<class Stored>(Stored) { append<Stored>(values, bytes, count, header, layer); };
     switch (header.number) {
-        case Number::int8: return as(std::int8_t{});
-        case Number::uint8: return as(std::uint8_t{});
-        case Number::int16: return as(std::int16_t{});
-        case Number::uint16: return as(std::uint16_t{});
-        case Number::int32: return as(std::int32_t{});
-        case Number::uint32: return as(std::uint32_t{});
-        case Number::float32: return as(float{});
-        case Number::float64: return as(double{});
+        case Number::int8:
+            return as(std::int8_t{});
+        case Number::uint8:
+            return as(std::uint8_t{});
+        case Number::int16:
+            return as(std::int16_t{});
+        case Number::uint16:
+            return as(std::uint16_t{});
+        case Number::int32:
+            return as(std::int32_t{});
+        case Number::uint32:
+            return as(std::uint32_t{});
+        case Number::float32:
+            return as(float{});
+        case Number::float64:
+            return as(double{});
     }
 }
 
 /// Row by row; what lies between the rows of the range is passed over.
 std::vector<float> values_of(const ImageFile& header, const VoxelGrid& grid, const VoxelRange& range, int layer) {
-    const bool is_packed = header.packing != ImageFile::Packing::raw, is_all = header.packing == ImageFile::Packing::gzip_file;
+    const bool is_packed = header.packing != ImageFile::Packing::raw,
+               is_all = header.packing == ImageFile::Packing::gzip_file;
     PackedBytes bytes(header.data_file, is_all ? 0 : header.data_offset,
                       is_packed ? PackedBytes::Packing::deflated : PackedBytes::Packing::none);
     const Refusal changed{"E0628", "the file is another one than when it was looked at: voxels are missing now."};
     std::uint64_t at = 0;  // of the voxels' bytes
     if (is_all && bytes.take(nullptr, header.data_offset) != header.data_offset) throw changed;
 
-    const std::uint64_t per_voxel = static_cast<std::uint64_t>(header.bytes_per_voxel()) * static_cast<std::uint64_t>(header.layers);
+    const std::uint64_t per_voxel =
+        static_cast<std::uint64_t>(header.bytes_per_voxel()) * static_cast<std::uint64_t>(header.layers);
     const auto columns = static_cast<std::size_t>(range.size[0]);
     std::vector<char> row(columns * per_voxel);
     std::vector<float> values;

@@ -15,7 +15,8 @@ namespace kerf {
 /// Error (E062x, codes in core/import/image/image_file.h): nothing is left half-read. Never throws.   [main]
 [[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagnostics);
 
-/// The same of a file whose header is known, and of it only some voxels of one layer. Pre: the range lies in the image.   [main]
+/// The same of a file whose header is known, and of it only some voxels of one layer. Pre: the range lies in the image.
+/// [main]
 [[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, const ImageFile& header,
                                                    const VoxelRange& range, int layer, Diagnostics& diagnostics);
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <system_error>
 
 #include "core/import/image/dicom_elements.h"
 #include "core/import/image/read_image.h"
@@ -31,21 +33,21 @@ std::optional<std::vector<std::string>> files_in(const std::string& folder, Diag
         }
         if (!at->is_symlink(ignored) && at->is_regular_file(ignored)) files.push_back(at->path().string());
         if (files.size() > most_files) {
-            diagnostics.push_back(error_about(folder, "E0670",
-                     "the folder holds more than 20000 files. Name the folder of one series."));
+            diagnostics.push_back(
+                error_about(folder, "E0670", "the folder holds more than 20000 files. Name the folder of one series."));
             return std::nullopt;
         }
     }
     if (error) {
-        diagnostics.push_back(error_about(folder, "E0670",
-                 "the folder cannot be read. Check its permissions."));
+        diagnostics.push_back(error_about(folder, "E0670", "the folder cannot be read. Check its permissions."));
         return std::nullopt;
     }
     std::sort(files.begin(), files.end());
     return files;
 }
 
-// ---- a sheared file ---------------------------------------------------------------------------------------------------
+// ---- a sheared file
+// ---------------------------------------------------------------------------------------------------
 
 /// The axes of a grid in another order: what is slices of a stack, and rows and columns in it.
 struct AxisOrder {
@@ -120,14 +122,13 @@ std::optional<VoxelImage> read_slices(const DicomSeries& series, const VoxelGrid
                                       const std::string& source, const Progress& progress, Diagnostics& diagnostics) {
     std::string trouble;
     const auto read = [&](std::size_t n) {
-        if (progress)
-            progress(static_cast<double>(n) / static_cast<double>(series.slices.size()), "reading slices");
+        if (progress) progress(static_cast<double>(n) / static_cast<double>(series.slices.size()), "reading slices");
         return read_dicom_voxels(series.slices[n], trouble);
     };
     VoxelImage image = straightened(series.stack, series.shape, grid, range, read);
     if (image.values.empty()) {
-        diagnostics.push_back(error_about(source, "E0674",
-                 "a slice cannot be read: " + trouble + ". Export the series again, without compression."));
+        diagnostics.push_back(error_about(
+            source, "E0674", "a slice cannot be read: " + trouble + ". Export the series again, without compression."));
         return std::nullopt;
     }
     return image;
@@ -186,8 +187,9 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
         return scan;
     }
     if (read_dicom_elements(path).is_dicom) {
-        diagnostics.push_back(error_about(path, "E0669",
-                 "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them."));
+        diagnostics.push_back(error_about(
+            path, "E0669",
+            "this is one DICOM file; a volume needs all slices of its series. Name the folder that holds them."));
         return std::nullopt;
     }
     scan.file_ = check_image_file(path, diagnostics);
@@ -204,8 +206,8 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
 
     const auto order = slices_of(scan.grid_);
     if (!order) {
-        diagnostics.push_back(error_about(path, "E0632",
-                 "no two of the image's axes are at right angles. Resample the image onto a straight grid."));
+        diagnostics.push_back(error_about(
+            path, "E0632", "no two of the image's axes are at right angles. Resample the image onto a straight grid."));
         return std::nullopt;
     }
     const StackOfImage of = stack_of(scan.grid_, *order);
@@ -216,8 +218,8 @@ std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choic
     scan.notes_.push_back(sheared);
     scan.grid_ = straight_grid(of.stack, shape);
     if (scan.grid_.size[0] == 0) {
-        diagnostics.push_back(error_about(path, "E0669",
-                 "put straight, the volume has more than 512 million voxels. Crop the image."));
+        diagnostics.push_back(
+            error_about(path, "E0669", "put straight, the volume has more than 512 million voxels. Crop the image."));
         return std::nullopt;
     }
     return scan;

@@ -37,7 +37,8 @@ public:
     [[nodiscard]] std::optional<VoxelImage> read(const VoxelRange& range, int layer, const Progress& progress,
                                                  Diagnostics& diagnostics) const;
 
-    /// 64-bit FNV-1a of its files' bytes, slices in the order in which they lie; none if one cannot be read again.   [main]
+    /// 64-bit FNV-1a of its files' bytes, slices in the order in which they lie; none if one cannot be read again.
+    /// [main]
     [[nodiscard]] std::optional<std::uint64_t> hash() const;
 
 private:
@@ -57,8 +58,8 @@ private:
 ///     E0674  a slice whose voxels cannot be decoded (when reading)
 ///     E0632  an image that is sheared within its slices
 ///
-/// Error: these, E062x (core/import/image/image_file.h) and E066x (core/import/image/dicom_series.h). Warnings come along with a
-/// result. Never throws.   [main]
+/// Error: these, E062x (core/import/image/image_file.h) and E066x (core/import/image/dicom_series.h). Warnings come
+/// along with a result. Never throws.   [main]
 [[nodiscard]] std::optional<Scan> open_scan(const std::string& path, const SeriesChoice& choice,
                                             const Progress& progress, Diagnostics& diagnostics);
 

@@ -9,8 +9,8 @@
 namespace kerf {
 namespace {
 
-constexpr double wide = 1.25;                 // times the usual distance: a slice is missing
-constexpr double same_plane = 1e-3;           // times the usual distance, and no less than a micrometre
+constexpr double wide = 1.25;        // times the usual distance: a slice is missing
+constexpr double same_plane = 1e-3;  // times the usual distance, and no less than a micrometre
 constexpr double most_voxels = 512.0 * 1024 * 1024;
 constexpr float unmeasured = std::numeric_limits<float>::quiet_NaN();
 
@@ -54,7 +54,8 @@ public:
         const auto between = [](float a, float b, float share) { return share > 0.0f ? a + share * (b - a) : a; };
         const float upper = between(voxel(c, r), column_share_ > 0.0f ? voxel(c + 1, r) : 0.0f, column_share_);
         if (!(row_share_ > 0.0f)) return upper;
-        return between(upper, between(voxel(c, r + 1), column_share_ > 0.0f ? voxel(c + 1, r + 1) : 0.0f, column_share_),
+        return between(upper,
+                       between(voxel(c, r + 1), column_share_ > 0.0f ? voxel(c + 1, r + 1) : 0.0f, column_share_),
                        row_share_);
     }
 
@@ -146,7 +147,7 @@ VoxelGrid straight_grid(const SliceStack& stack, const StackShape& shape) {
     VoxelGrid grid;
     if (!(columns * rows * (steps + 1.0) <= most_voxels)) return grid;
     grid.size = {static_cast<int>(columns), static_cast<int>(rows), static_cast<int>(steps) + 1};
-        grid.place(stack.along_row, stack.down_column, whole / steps * stack.normal(),
+    grid.place(stack.along_row, stack.down_column, whole / steps * stack.normal(),
                stack.origins[0] + low.columns * stack.along_row + low.rows * stack.down_column);
     return grid;
 }

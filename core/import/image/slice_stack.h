@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,14 +24,14 @@ struct SliceStack {
 
 /// What the places of slices amount to.
 struct StackShape {
-    double distance = 0.0;      ///< [m] between neighbouring planes, as most are
-    double least = 0.0;         ///< [m] the smallest one
-    double most = 0.0;          ///< [m] the largest one
-    double unevenness = 0.0;    ///< [m] the most by which a slice lies off the even line through all
-    double tilt = 0.0;          ///< [rad] between the normal and the line through the origins
-    double shift = 0.0;         ///< [voxels] by which the slices slide over each other in all
-    double crookedness = 0.0;   ///< [voxels] the most by which a slice lies beside that line
-    std::size_t repeated = 0;   ///< slices in the plane of the one before
+    double distance = 0.0;     ///< [m] between neighbouring planes, as most are
+    double least = 0.0;        ///< [m] the smallest one
+    double most = 0.0;         ///< [m] the largest one
+    double unevenness = 0.0;   ///< [m] the most by which a slice lies off the even line through all
+    double tilt = 0.0;         ///< [rad] between the normal and the line through the origins
+    double shift = 0.0;        ///< [voxels] by which the slices slide over each other in all
+    double crookedness = 0.0;  ///< [voxels] the most by which a slice lies beside that line
+    std::size_t repeated = 0;  ///< slices in the plane of the one before
     struct Gap {
         std::size_t behind = 0;  ///< the slice before it
         double width = 0.0;      ///< [m]
@@ -55,9 +56,9 @@ struct StackShape {
 using SliceReader = std::function<std::vector<float>(std::size_t slice)>;
 
 /// The voxels of a range of the straight grid. Each lies between two slices and gets the value between the two at its
-/// own place: linear along the normal, bilinear in each slice. Only the slices that the range needs are asked for, each once,
-/// in order. What lies outside all slices, or was not measured, gets the smallest value that was.
-/// No values: a slice could not be read.   [main]
+/// own place: linear along the normal, bilinear in each slice. Only the slices that the range needs are asked for, each
+/// once, in order. What lies outside all slices, or was not measured, gets the smallest value that was. No values: a
+/// slice could not be read.   [main]
 [[nodiscard]] VoxelImage straightened(const SliceStack& stack, const StackShape& shape, const VoxelGrid& grid,
                                       const VoxelRange& range, const SliceReader& read);
 

@@ -16,7 +16,8 @@ namespace kerf {
 struct VoxelRange {
     std::array<int, 3> first{}, size{};
     [[nodiscard]] std::size_t voxels() const noexcept {
-        return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+        return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+               static_cast<std::size_t>(size[2]);
     }
 };
 

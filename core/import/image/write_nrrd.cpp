@@ -4,10 +4,12 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kerf {
@@ -20,7 +22,9 @@ std::string number_text(double value) {
     return {text.data(), end.ptr};
 }
 
-std::string vector_text(Vec3 mm) { return "(" + number_text(mm.x) + "," + number_text(mm.y) + "," + number_text(mm.z) + ")"; }
+std::string vector_text(Vec3 mm) {
+    return "(" + number_text(mm.x) + "," + number_text(mm.y) + "," + number_text(mm.z) + ")";
+}
 
 std::string header_of(const VoxelGrid& grid, const std::string& remark, bool as_short) {
     std::string text = "NRRD0004\n# " + remark + "\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <span>
@@ -10,8 +11,8 @@
 
 namespace kerf {
 
-/// A volume as .nrrd: LPS, millimetres, compressed, slab by slab, so that it never lies in memory twice. Readers see the old file
-/// or the whole new one. It holds the voxels and where they are, and nothing of whose they are.
+/// A volume as .nrrd: LPS, millimetres, compressed, slab by slab, so that it never lies in memory twice. Readers see
+/// the old file or the whole new one. It holds the voxels and where they are, and nothing of whose they are.
 class NrrdWriter {
 public:
     /// `remark`: one line of comment. `as_short`: values are whole and fit into 16 bits; else they are floats.

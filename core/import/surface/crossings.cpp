@@ -2,6 +2,7 @@
 #include "core/import/surface/crossings.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/import/surface/orient3d.h"
 
@@ -27,7 +28,8 @@ int axis_across(Vec3 a, Vec3 b, Vec3 c) noexcept {
 }
 
 bool lies_on(Point2 p, Point2 a, Point2 b) noexcept {  // given that they lie on one line
-    return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+    return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+           p.y <= std::max(a.y, b.y);
 }
 
 bool segments_meet(Point2 p, Point2 q, Point2 a, Point2 b) noexcept {
@@ -40,7 +42,8 @@ bool segments_meet(Point2 p, Point2 q, Point2 a, Point2 b) noexcept {
 /// In a common plane.
 bool meet_in_plane(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
     const int axis = axis_across(a, b, c);
-    const Point2 p2 = without(axis, p), q2 = without(axis, q), a2 = without(axis, a), b2 = without(axis, b), c2 = without(axis, c);
+    const Point2 p2 = without(axis, p), q2 = without(axis, q), a2 = without(axis, a), b2 = without(axis, b),
+                 c2 = without(axis, c);
     if (segments_meet(p2, q2, a2, b2) || segments_meet(p2, q2, b2, c2) || segments_meet(p2, q2, c2, a2)) return true;
     const int one = turn(a2, b2, p2), two = turn(b2, c2, p2), three = turn(c2, a2, p2);
     return one == two && two == three;  // wholly within
@@ -98,7 +101,8 @@ bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other) 
     };
     if (is_aside(a, b) || is_aside(b, a)) return false;
     for (std::size_t i = 0; i < 3; ++i)
-        if (segment_meets(a[i], a[(i + 1) % 3], b[0], b[1], b[2]) || segment_meets(b[i], b[(i + 1) % 3], a[0], a[1], a[2]))
+        if (segment_meets(a[i], a[(i + 1) % 3], b[0], b[1], b[2]) ||
+            segment_meets(b[i], b[(i + 1) % 3], a[0], a[1], a[2]))
             return true;
     return false;
 }

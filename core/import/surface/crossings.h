@@ -12,8 +12,8 @@ namespace kerf {
 /// Two faces of one surface that meet elsewhere than at corners and sides they share.
 using Crossing = std::array<std::uint32_t, 2>;  ///< the smaller number first
 
-/// All of them, by number; decided exactly. Corners at the same place count as shared, whatever their number. Faces that
-/// have the same three corners, and faces without area, are not crossings but flaws of their own.
+/// All of them, by number; decided exactly. Corners at the same place count as shared, whatever their number. Faces
+/// that have the same three corners, and faces without area, are not crossings but flaws of their own.
 [[nodiscard]] std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree);
 
 /// Whether a face has no area: it is nowhere wider than a nanometre. (Exactly none it has only in its file's unit;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "core/import/import_report.h"
 #include "core/import/surface/crossings.h"
@@ -35,7 +37,8 @@ std::vector<std::uint32_t> vertices_by_place(const SurfaceMesh& mesh) {
 void count_duplicates(const SurfaceMesh& mesh, SurfaceDiagnosis& found) {
     const std::vector<std::uint32_t> order = vertices_by_place(mesh);
     for (std::size_t i = 1; i < order.size(); ++i)
-        if (mesh.vertices[order[i]] == mesh.vertices[order[i - 1]]) count(found.duplicate_vertices, mesh.vertices[order[i]]);
+        if (mesh.vertices[order[i]] == mesh.vertices[order[i - 1]])
+            count(found.duplicate_vertices, mesh.vertices[order[i]]);
 
     std::vector<Triangle> sorted = mesh.triangles;
     for (Triangle& t : sorted) std::sort(t.begin(), t.end());
@@ -82,7 +85,8 @@ std::vector<SurfacePiece> pieces_in(const SurfaceMesh& mesh, const std::vector<H
         part.triangles.push_back({first, first + 1, first + 2});
     }
     std::vector<SurfacePiece> found;
-    for (const SurfaceMesh& part : parts) found.push_back({part.triangles.size(), signed_volume_of(part), bounds_of(part)});
+    for (const SurfaceMesh& part : parts)
+        found.push_back({part.triangles.size(), signed_volume_of(part), bounds_of(part)});
     std::stable_sort(found.begin(), found.end(), [](const SurfacePiece& a, const SurfacePiece& b) {
         return std::abs(a.volume) > std::abs(b.volume);
     });
@@ -137,15 +141,20 @@ SurfaceDiagnosis diagnose(const SurfaceMesh& mesh, double unit) {
     count_duplicates(mesh, found);
     for (const Triangle& t : mesh.triangles) {
         const auto [a, b, c] = mesh.corners(t);
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) count(found.collapsed_faces, a);
-        else if (is_flat(a, b, c)) count(found.flat_faces, a);
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+            count(found.collapsed_faces, a);
+        else if (is_flat(a, b, c))
+            count(found.flat_faces, a);
     }
     const std::vector<HalfEdge> edges = half_edges_of(mesh);
     for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
         const Vec3 at = 0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high]);
-        if (last - first == 1) count(found.open_edges, at);
-        else if (last - first > 2) count(found.crowded_edges, at);
-        else if (balance_of(first, last) != 0) count(found.turned_edges, at);
+        if (last - first == 1)
+            count(found.open_edges, at);
+        else if (last - first > 2)
+            count(found.crowded_edges, at);
+        else if (balance_of(first, last) != 0)
+            count(found.turned_edges, at);
     });
     for (const BorderLoop& loop : border_loops_of(edges)) found.openings.push_back(opening_of(mesh, loop));
     std::stable_sort(found.openings.begin(), found.openings.end(),
@@ -188,7 +197,8 @@ std::vector<std::string> to_notes(const SurfaceDiagnosis& d) {
     say(d.flat_faces, "face without area", "faces without area");
     say(d.crowded_edges, "edge of more than two faces", "edges of more than two faces");
     say(d.pinched_vertices, "vertex where the surface touches itself", "vertices where the surface touches itself");
-    say(d.turned_edges, "edge between faces that look to different sides", "edges between faces that look to different sides");
+    say(d.turned_edges, "edge between faces that look to different sides",
+        "edges between faces that look to different sides");
     say(d.crossings, "pair of faces that cut through one another", "pairs of faces that cut through one another");
     if (d.open_edges.count > 0) {
         std::string note = "Found " + counted(d.open_edges.count, "edge", "edges") + " with a face on one side only";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace kerf {
 
@@ -39,7 +40,8 @@ std::vector<BorderLoop> border_loops_of(const std::vector<HalfEdge>& edges) {
     std::sort(steps.begin(), steps.end(),
               [](const Step& a, const Step& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
     const auto next_from = [&](std::uint32_t v) {
-        auto at = std::lower_bound(steps.begin(), steps.end(), v, [](const Step& s, std::uint32_t n) { return s.from < n; });
+        auto at =
+            std::lower_bound(steps.begin(), steps.end(), v, [](const Step& s, std::uint32_t n) { return s.from < n; });
         while (at != steps.end() && at->from == v && at->is_used) ++at;
         return at != steps.end() && at->from == v ? at : steps.end();
     };

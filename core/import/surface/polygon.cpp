@@ -2,6 +2,7 @@
 #include "core/import/surface/polygon.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace kerf {
 namespace {
@@ -11,7 +12,8 @@ Vec3 normal_of(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& corner
     Vec3 sum{};
     const Vec3 origin = mesh.vertices[corners[0]];
     for (std::size_t i = 0; i < corners.size(); ++i)
-        sum = sum + cross(mesh.vertices[corners[i]] - origin, mesh.vertices[corners[(i + 1) % corners.size()]] - origin);
+        sum =
+            sum + cross(mesh.vertices[corners[i]] - origin, mesh.vertices[corners[(i + 1) % corners.size()]] - origin);
     return sum;
 }
 

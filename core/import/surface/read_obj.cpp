@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "core/import/surface/polygon.h"
 #include "core/import/surface/read_surface.h"
@@ -39,7 +45,8 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
                 *number = *value;
             }
             if (!is_finite(at)) return refuse("E0645", "has a coordinate that is no finite number.");
-            if (file.mesh.vertices.size() == 3 * most_faces) return refuse("E0642", "is one vertex too many: 150 million at most.");
+            if (file.mesh.vertices.size() == 3 * most_faces)
+                return refuse("E0642", "is one vertex too many: 150 million at most.");
             file.mesh.vertices.push_back(at);
         } else if (word == "f") {
             corners.clear();
@@ -51,11 +58,13 @@ std::optional<SurfaceFile> read_obj(std::string_view bytes, SurfaceError& error)
                 if (*index == 0 || at < 0 || at >= count)
                     return refuse("E0646", "names vertex " + std::to_string(*index) + "; before it there are " +
                                                std::to_string(count) + ".");
-                if (corners.size() == most_corners) return refuse("E0643", "is a face of more than " + std::to_string(most_corners) + " corners.");
+                if (corners.size() == most_corners)
+                    return refuse("E0643", "is a face of more than " + std::to_string(most_corners) + " corners.");
                 corners.push_back(static_cast<std::uint32_t>(at));
             }
             if (corners.size() < 3) return refuse("E0643", "is a face of fewer than three corners.");
-            if (file.mesh.triangles.size() + corners.size() > most_faces) return refuse("E0642", "is one face too many: 50 million at most.");
+            if (file.mesh.triangles.size() + corners.size() > most_faces)
+                return refuse("E0642", "is one face too many: 50 million at most.");
             add_polygon(file.mesh, corners);
         }
         // All else (normals, textures, groups, materials, lines) is no surface.

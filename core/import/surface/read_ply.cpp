@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/import/surface/polygon.h"
 #include "core/import/surface/read_surface.h"
@@ -14,11 +24,22 @@ namespace {
 enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 std::optional<Number> number_type(std::string_view word) {
-    constexpr std::array<std::pair<std::string_view, Number>, 16> names{
-        {{"char", Number::int8},     {"int8", Number::int8},       {"uchar", Number::uint8},   {"uint8", Number::uint8},
-         {"short", Number::int16},   {"int16", Number::int16},     {"ushort", Number::uint16}, {"uint16", Number::uint16},
-         {"int", Number::int32},     {"int32", Number::int32},     {"uint", Number::uint32},   {"uint32", Number::uint32},
-         {"float", Number::float32}, {"float32", Number::float32}, {"double", Number::float64}, {"float64", Number::float64}}};
+    constexpr std::array<std::pair<std::string_view, Number>, 16> names{{{"char", Number::int8},
+                                                                         {"int8", Number::int8},
+                                                                         {"uchar", Number::uint8},
+                                                                         {"uint8", Number::uint8},
+                                                                         {"short", Number::int16},
+                                                                         {"int16", Number::int16},
+                                                                         {"ushort", Number::uint16},
+                                                                         {"uint16", Number::uint16},
+                                                                         {"int", Number::int32},
+                                                                         {"int32", Number::int32},
+                                                                         {"uint", Number::uint32},
+                                                                         {"uint32", Number::uint32},
+                                                                         {"float", Number::float32},
+                                                                         {"float32", Number::float32},
+                                                                         {"double", Number::float64},
+                                                                         {"float64", Number::float64}}};
     for (const auto& [name, type] : names)
         if (word == name) return type;
     return std::nullopt;
@@ -107,10 +128,14 @@ std::optional<Header> read_header(std::string_view bytes, SurfaceError& error) {
         }
         if (word == "format") {
             const std::string_view form = lines.word();
-            if (form == "ascii") header.form = Form::text;
-            else if (form == "binary_little_endian") header.form = Form::little_endian;
-            else if (form == "binary_big_endian") header.form = Form::big_endian;
-            else return refuse("names a format that does not exist.");
+            if (form == "ascii")
+                header.form = Form::text;
+            else if (form == "binary_little_endian")
+                header.form = Form::little_endian;
+            else if (form == "binary_big_endian")
+                header.form = Form::big_endian;
+            else
+                return refuse("names a format that does not exist.");
             if (lines.word() != "1.0") return refuse("names a version other than 1.0.");
             has_form = true;
         } else if (word == "element") {
@@ -154,8 +179,8 @@ std::size_t least_size(const Element& element, Form form) noexcept {
 
 std::size_t index_of(const Element& element, std::string_view name) noexcept {
     const auto& all = element.properties;
-    return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.name == name; }) -
-                                    all.begin());
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.name == name; }) - all.begin());
 }
 
 }  // namespace
@@ -173,8 +198,9 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
     for (const Element& element : header->elements)
         if (element.name == "vertex") vertices = element.count;
     const auto truncated = [&](const Element& element) {
-        error = {"E0644", "the file ends, or has something that is no number, before the " + std::to_string(element.count) +
-                              " rows of `" + element.name + "` that it promises.",
+        error = {"E0644",
+                 "the file ends, or has something that is no number, before the " + std::to_string(element.count) +
+                     " rows of `" + element.name + "` that it promises.",
                  "Copy or export it again."};
         return std::nullopt;
     };
@@ -187,12 +213,14 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
         const std::size_t list = std::min(index_of(element, "vertex_indices"), index_of(element, "vertex_index"));
         const std::size_t none = element.properties.size();
         if (is_vertex) {
-            if (std::any_of(axes.begin(), axes.end(), [&](std::size_t a) { return a == none || element.properties[a].count_type; })) {
+            if (std::any_of(axes.begin(), axes.end(),
+                            [&](std::size_t a) { return a == none || element.properties[a].count_type; })) {
                 error = malformed("the vertices have no x, y and z.");
                 return std::nullopt;
             }
             if (element.count > 3 * most_faces) {
-                error = {"E0642", "the file has more than 150 million vertices.", "Export the surface with fewer faces."};
+                error = {"E0642", "the file has more than 150 million vertices.",
+                         "Export the surface with fewer faces."};
                 return std::nullopt;
             }
             file.holds_floats = element.properties[axes[0]].type == Number::float32;
@@ -215,7 +243,9 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
                 if (!(*value >= 0.0 && *value <= 4294967295.0) || *value != std::floor(*value) ||
                     (is_polygon && *value > static_cast<double>(most_corners))) {
                     error = malformed("row " + std::to_string(r + 1) + " of `" + element.name + "` has a list of " +
-                                      (is_polygon ? "more than " + std::to_string(most_corners) + " corners" : "an impossible length") + ".");
+                                      (is_polygon ? "more than " + std::to_string(most_corners) + " corners"
+                                                  : "an impossible length") +
+                                      ".");
                     return std::nullopt;
                 }
                 for (double i = 0.0; i < *value; i += 1.0) {
@@ -258,7 +288,8 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
         }
     }
     if (file.mesh.triangles.empty()) {
-        error = {"E0647", "the file has no face.", "Export the surface again; point clouds and strips of triangles are not read."};
+        error = {"E0647", "the file has no face.",
+                 "Export the surface again; point clouds and strips of triangles are not read."};
         return std::nullopt;
     }
     return file;

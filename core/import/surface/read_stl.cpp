@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "core/import/surface/read_surface.h"
 #include "core/import/surface/text_lines.h"
@@ -64,7 +69,8 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
     bool is_ended = false;
     TextLines lines(bytes);
     const auto malformed = [&](const std::string& what) {
-        error = {"E0643", "line " + std::to_string(lines.number()) + " " + what, "Export the surface again, as binary STL."};
+        error = {"E0643", "line " + std::to_string(lines.number()) + " " + what,
+                 "Export the surface again, as binary STL."};
         return std::nullopt;
     };
     while (lines.next()) {
@@ -83,7 +89,8 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
             }
             corners[known++] = at;
         } else if (is_word(word, "endloop")) {
-            if (known != 3) return malformed("ends a face with " + std::to_string(known) + " corners; three are needed.");
+            if (known != 3)
+                return malformed("ends a face with " + std::to_string(known) + " corners; three are needed.");
             known = 0;
             if (file.mesh.triangles.size() == most_faces) {
                 error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};
@@ -99,7 +106,8 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
         }
     }
     if (!is_ended) {
-        error = {"E0644", "the file ends in the middle, after " + std::to_string(file.mesh.triangles.size()) + " faces.",
+        error = {"E0644",
+                 "the file ends in the middle, after " + std::to_string(file.mesh.triangles.size()) + " faces.",
                  "Copy or export it again."};
         return std::nullopt;
     }
@@ -129,8 +137,7 @@ std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error)
                      std::to_string((bytes.size() - header_size) / face_size) + ".",
                  "Copy or export it again."};
     } else if (bytes.size() - promised >= face_size) {
-        error = {"E0643",
-                 "the file holds more faces than the " + std::to_string(count) + " it promises.",
+        error = {"E0643", "the file holds more faces than the " + std::to_string(count) + " it promises.",
                  "Export the surface again."};
     } else if (count > most_faces) {
         error = {"E0642", "the file has more than 50 million faces.", "Export the surface with fewer faces."};

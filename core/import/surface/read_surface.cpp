@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace kerf {
 namespace {
@@ -36,18 +37,22 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
     const std::uintmax_t size = std::filesystem::file_size(file, wrong);
     if (wrong) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
     if (size > most_bytes)
-        return refuse({"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
+        return refuse(
+            {"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
     try {
         std::string bytes(size, '\0');
         std::ifstream in(file, std::ios::binary);
         in.read(bytes.data(), static_cast<std::streamsize>(size));
         if (!in) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
         SurfaceError error;
-        std::optional<SurfaceFile> surface = is_stl ? read_stl(bytes, error) : is_obj ? read_obj(bytes, error) : read_ply(bytes, error);
+        std::optional<SurfaceFile> surface = is_stl   ? read_stl(bytes, error)
+                                             : is_obj ? read_obj(bytes, error)
+                                                      : read_ply(bytes, error);
         if (!surface) return refuse(error);
         return surface;
     } catch (const std::exception& e) {
-        return refuse({"E0642", std::string("reading stopped: ") + e.what() + ".", "Export the surface with fewer faces."});
+        return refuse(
+            {"E0642", std::string("reading stopped: ") + e.what() + ".", "Export the surface with fewer faces."});
     }
 }
 

@@ -2,7 +2,10 @@
 #include "core/import/surface/repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -66,9 +69,8 @@ void drop_duplicates(SurfaceMesh& mesh, std::vector<std::string>& notes) {
         in_order(0, 1);
         all.push_back({t, f, is_even});
     }
-    std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {
-        return std::tie(a.sorted, a.face) < std::tie(b.sorted, b.face);
-    });
+    std::sort(all.begin(), all.end(),
+              [](const Entry& a, const Entry& b) { return std::tie(a.sorted, a.face) < std::tie(b.sorted, b.face); });
     std::vector<std::uint8_t> is_dropped(mesh.triangles.size(), 0);
     std::size_t copies = 0, cancelled = 0;
     for (std::size_t i = 0, j; i < all.size(); i = j) {
@@ -87,7 +89,8 @@ void drop_duplicates(SurfaceMesh& mesh, std::vector<std::string>& notes) {
     std::erase_if(mesh.triangles, [&](const Triangle&) { return is_dropped[at++] != 0; });
     if (copies > 0) notes.push_back("Left out " + counted(copies, "face", "faces") + " that are there twice.");
     if (cancelled > 0)
-        notes.push_back("Left out " + counted(cancelled, "face", "faces") + " that lie back to back, with nothing between them.");
+        notes.push_back("Left out " + counted(cancelled, "face", "faces") +
+                        " that lie back to back, with nothing between them.");
 }
 
 // ---- borders --------------------------------------------------------------------------------------------------------
@@ -117,13 +120,16 @@ void join_borders(SurfaceMesh& mesh, std::vector<std::string>& notes) {
             for (const std::uint32_t u : found->second)
                 if (length(mesh.vertices[u] - mesh.vertices[v]) <= joining_distance) other = std::min(other, u);
         }
-        if (other == v) kept[cell].push_back(v);
-        else ++joined;
+        if (other == v)
+            kept[cell].push_back(v);
+        else
+            ++joined;
         name[v] = other;
     }
     if (joined == 0) return;
     rename(mesh, name);
-    notes.push_back("Joined " + counted(joined, "vertex", "vertices") + " of borders that lay within 1 µm of each other.");
+    notes.push_back("Joined " + counted(joined, "vertex", "vertices") +
+                    " of borders that lay within 1 µm of each other.");
 }
 
 /// A hole is closed by a fan around the middle of its border.
@@ -136,7 +142,8 @@ void close_hole(SurfaceMesh& mesh, const std::vector<std::uint32_t>& loop) {
     for (const std::uint32_t v : loop) sum = sum + mesh.vertices[v];
     const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.push_back(sum / static_cast<double>(loop.size()));
-    for (std::size_t i = 0; i < loop.size(); ++i) mesh.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], middle});
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        mesh.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], middle});
 }
 
 std::optional<SurfaceError> close_holes(SurfaceMesh& mesh, double up_to, std::vector<std::string>& notes) {
@@ -212,10 +219,12 @@ std::optional<SurfaceError> make_faces_agree(SurfaceMesh& mesh, std::vector<std:
                     state[n.face] = wanted;
                     members.push_back(n.face);
                 } else if (state[n.face] != wanted) {
-                    return SurfaceError{"E0651",
-                                        "the faces cannot all look outwards: going round along the surface one comes back "
-                                        "on its other side, near " + place_text(a) + ".",
-                                        "Mend the surface in the program that made it."};
+                    return SurfaceError{
+                        "E0651",
+                        "the faces cannot all look outwards: going round along the surface one comes back "
+                        "on its other side, near " +
+                            place_text(a) + ".",
+                        "Mend the surface in the program that made it."};
                 }
             }
         }
@@ -237,11 +246,13 @@ std::optional<SurfaceError> check_edges(const SurfaceMesh& mesh) {
     for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
         if (balance_of(first, last) == 0) return;
         if (count++ == 0)
-            wrong = SurfaceError{"E0650", place_text(0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high])), ""};
+            wrong =
+                SurfaceError{"E0650", place_text(0.5 * (mesh.vertices[first->low] + mesh.vertices[first->high])), ""};
     });
     if (wrong) {
-        wrong->message = counted(count, "edge", "edges") + " where faces meet that have no common inside, the first at " +
-                         wrong->message + "; along every edge as many faces must look to one side as to the other.";
+        wrong->message = counted(count, "edge", "edges") +
+                         " where faces meet that have no common inside, the first at " + wrong->message +
+                         "; along every edge as many faces must look to one side as to the other.";
         wrong->advice = "Mend the surface in the program that made it.";
     }
     return wrong;
@@ -342,8 +353,10 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
         ++turned;
     }
     if (turned > 0)
-        notes.push_back("Turned " + (turned == parts.size() ? std::string("the whole surface") : counted(turned, "piece", "pieces")) +
-                        ": it was inside out.");
+        notes.push_back(
+            "Turned " +
+            (turned == parts.size() ? std::string("the whole surface") : counted(turned, "piece", "pieces")) +
+            ": it was inside out.");
 
     std::size_t cavities = 0, decided = 0;
     double hollow = 0.0;
@@ -358,7 +371,8 @@ std::optional<SurfaceError> turn_pieces(SurfaceMesh& mesh, InnerPieces inner, st
                                     "a piece of " + rounded(volume * 1e9, 1) + " mm3 lies inside another, at " +
                                         place_text(parts[p].mesh.vertices[0]) +
                                         ", and its faces say that there is bone on both sides of it.",
-                                    "If it is a cavity, write `repair: {inner: hollow}`; if it bounds nothing, `repair: {inner: solid}`."};
+                                    "If it is a cavity, write `repair: {inner: hollow}`; if it bounds nothing, "
+                                    "`repair: {inner: solid}`."};
             ++decided;
             if (inner == InnerPieces::solid) {
                 is_dropped[p] = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,9 +30,11 @@ std::size_t weld(SurfaceMesh& mesh);
 /// joins borders that lie within a micrometre of each other, turns faces like their neighbours, closes holes, turns
 /// pieces. Each step that did something adds a note.
 /// Error: as above, and E0647 when no face is left; `mesh` is of no use then.   Pre: metres, LPS.   [any] pure.
-[[nodiscard]] std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules, std::vector<std::string>& notes);
+[[nodiscard]] std::optional<SurfaceError> repair(SurfaceMesh& mesh, const RepairRules& rules,
+                                                 std::vector<std::string>& notes);
 
-/// Takes out of a mended surface all pieces that lie inside others, turned inside out: the rooms in it that hold no bone.
+/// Takes out of a mended surface all pieces that lie inside others, turned inside out: the rooms in it that hold no
+/// bone.
 [[nodiscard]] SurfaceMesh taken_cavities(SurfaceMesh& mesh);
 
 }  // namespace kerf

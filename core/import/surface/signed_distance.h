@@ -3,14 +3,15 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "core/import/surface/triangle_tree.h"
 
 namespace kerf {
 
-/// Distance to a closed surface [m], negative inside; exact. A pure function of the point: what it remembers of the last
-/// ones only saves work. Two points between which the surface does not pass, because their distances sum up to more than
-/// the way between them, lie on the same side.
+/// Distance to a closed surface [m], negative inside; exact. A pure function of the point: what it remembers of the
+/// last ones only saves work. Two points between which the surface does not pass, because their distances sum up to
+/// more than the way between them, lie on the same side.
 class SignedDistance {
 public:
     /// `tree` must live longer.

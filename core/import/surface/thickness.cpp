@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace kerf {
 namespace {
@@ -22,7 +23,8 @@ Vec3 normal_of(const SurfaceMesh& mesh, std::uint32_t face) noexcept {
 
 }  // namespace
 
-std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTree& tree, const Box& region, double fineness) {
+std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTree& tree, const Box& region,
+                                      double fineness) {
     std::vector<WallSample> walls;
     for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
         const auto [a, b, c] = mesh.corners(mesh.triangles[face]);
@@ -49,8 +51,8 @@ std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTre
 }
 
 std::optional<WallSample> thinnest(const std::vector<WallSample>& walls) {
-    const auto least = std::min_element(walls.begin(), walls.end(),
-                                        [](const WallSample& a, const WallSample& b) { return a.thickness < b.thickness; });
+    const auto least = std::min_element(
+        walls.begin(), walls.end(), [](const WallSample& a, const WallSample& b) { return a.thickness < b.thickness; });
     return least == walls.end() ? std::nullopt : std::optional(*least);
 }
 

@@ -18,8 +18,8 @@ struct WallSample {
 /// At points of the surface in `region`, at most about `fineness` [m] apart and no more than 256 on a face. Left out is
 /// what is no wall but a crest: where the surface on the other side leans by more than 37°.
 /// In the order of the faces.   Pre: closed, metres.   [any] pure.
-[[nodiscard]] std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTree& tree, const Box& region,
-                                                    double fineness);
+[[nodiscard]] std::vector<WallSample> measure_walls(const SurfaceMesh& mesh, const TriangleTree& tree,
+                                                    const Box& region, double fineness);
 
 /// The thinnest; empty if there is none.
 [[nodiscard]] std::optional<WallSample> thinnest(const std::vector<WallSample>& walls);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace kerf {
@@ -62,7 +63,9 @@ double component(Vec3 v, int axis) noexcept { return axis == 0 ? v.x : axis == 1
 
 }  // namespace
 
-double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept { return std::sqrt(squared_to_triangle(p, a, b, c)); }
+double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
+    return std::sqrt(squared_to_triangle(p, a, b, c));
+}
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) {
     items_.reserve(mesh.triangles.size());
@@ -102,7 +105,8 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
     node.centre = area > 0.0 ? weighted / area : plain / static_cast<double>(count);
     double radius = 0.0;
     for (std::uint32_t i = first; i < first + count; ++i)
-        for (const Vec3 p : {items_[i].a, items_[i].b, items_[i].c}) radius = std::max(radius, squared(p - node.centre));
+        for (const Vec3 p : {items_[i].a, items_[i].b, items_[i].c})
+            radius = std::max(radius, squared(p - node.centre));
     node.radius = std::sqrt(radius);
     nodes_.push_back(node);
     if (count <= most_in_leaf) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -40,7 +41,8 @@ public:
         std::uint32_t face = 0;  ///< number in the mesh
     };
     /// The first triangle beyond `from` along a ray, other than `ignored`.   [any] pure.
-    [[nodiscard]] std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double from, std::uint32_t ignored) const noexcept;
+    [[nodiscard]] std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double from,
+                                               std::uint32_t ignored) const noexcept;
 
     /// visit(face, other) for all pairs of triangles whose boxes meet, face < other.
     template <class Visit>

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "tests/bench/as_printed/printed_rig.h"
@@ -32,7 +33,8 @@ struct Sawing {
             }
             if (info.id == "hsieh_2006") setup.force_parameters = test::values(info.parameters, set);
         }
-        simulation = std::make_unique<Simulation>(body, setup, test::outline(setup), test::gains(), test::at_depth(depth));
+        simulation =
+            std::make_unique<Simulation>(body, setup, test::outline(setup), test::gains(), test::at_depth(depth));
     }
     TickResult go(double rate) {
         depth += rate * Simulation::dt;

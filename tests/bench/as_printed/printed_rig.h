@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
-#include "conformance/chart/measure.h"
-#include "conformance/chart/methods.h"
 #include "kerf/units.hpp"
+#include "studies/chart/measure.h"
+#include "studies/chart/methods.h"
 
 /// The papers' laws as the host loads them, in a cortical block.
 namespace kerf::test {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "tests/bench/as_printed/printed_rig.h"
 
 namespace kerf::as_printed {
@@ -13,7 +15,8 @@ using namespace literals;
 TEST(TouchCount, SomeTwoThousandPointsForTheLargestDrill) {  // 00-04
     const double tool[] = {5.4_mm, 118.0_deg, 0.15, 120.0_mm};
     kerf_bone_query query{};
-    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t,
+                      kerf_bone_sample* out) {
         for (std::uint32_t i = 0; i < count; ++i) out[i] = {};
     };
     int points = 0;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "tests/bench/as_printed/printed_rig.h"
 
@@ -56,7 +59,8 @@ struct InWholeBone {
 
     InWholeBone() {
         query.tissue_count = 1;
-        query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+        query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t count, const kerf_vec3*, std::uint32_t,
+                          kerf_bone_sample* out) {
             for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
         };
         for (const auto& info : test::printed_plugins().catalog())
@@ -91,8 +95,8 @@ TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equa
     EXPECT_GT(InWholeBone().t_thrust(), 100.0_Nmm);
 }
 
-// 00-18: the paper's device has no torques, so its T_thrust is rendered along the axis. By which length is not said, and that decides what
-// it costs.
+// 00-18: the paper's device has no torques, so its T_thrust is rendered along the axis. By which length is not said,
+// and that decides what it costs.
 TEST(Tsai2007, TThrustAddedToTheThrustIsAHundredthOfItOrAThird) {
     InWholeBone bone;
     bone.tool[0] = 3.2_mm;

@@ -2,7 +2,12 @@
 // A batch gives every point the bits it would get alone, with either kernel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <vector>
@@ -68,14 +73,15 @@ struct Seen {
     int engaged = 0, behind = 0, mixed = 0, normals = 0, pending = 0, air = 0;
 };
 
-/// The committed surface is known to the bit. Depths in pending solids are taken in single precision: coordinates of up to
-/// 16 mm to a nanometre, their sums to two or three.
+/// The committed surface is known to the bit. Depths in pending solids are taken in single precision: coordinates of up
+/// to 16 mm to a nanometre, their sums to two or three.
 void compare_surface(const test::ScalarBoneQuery& scalar, Vec3 point, const kerf_surface_point& answer, Seen& seen) {
     constexpr double tolerance = 4e-9;  // [m]
     const kerf_surface_point committed = scalar.nearest_committed(point);
     const double pending = scalar.deepest_pending(point);
     if (!(pending > committed.distance - tolerance)) {
-        ASSERT_EQ(std::memcmp(&committed, &answer, sizeof answer), 0) << "distance " << committed.distance << " and " << answer.distance;
+        ASSERT_EQ(std::memcmp(&committed, &answer, sizeof answer), 0)
+            << "distance " << committed.distance << " and " << answer.distance;
         return;
     }
     ASSERT_NEAR(answer.distance, std::max(pending, committed.distance), tolerance);
@@ -101,8 +107,11 @@ void compare_with(const BlockKernel& kernel, const test::DrilledBlock& hole, std
     hole.view.sample(points.data(), static_cast<std::uint32_t>(count), direction, samples.data());
     hole.view.nearest(points.data(), static_cast<std::uint32_t>(count), nearest.data());
     std::vector<Vec3> directions;
-    for (std::size_t i = 0; i < count; ++i) directions.push_back(normalized(Vec3{i % 3 == 0 ? 1.0 : 0.1, i % 5 == 0 ? -1.0 : 0.2, i % 2 == 0 ? 1.0 : -1.0}));
-    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), Directions::each(directions.data()), each_its_way.data());
+    for (std::size_t i = 0; i < count; ++i)
+        directions.push_back(
+            normalized(Vec3{i % 3 == 0 ? 1.0 : 0.1, i % 5 == 0 ? -1.0 : 0.2, i % 2 == 0 ? 1.0 : -1.0}));
+    hole.view.sample(points.data(), static_cast<std::uint32_t>(count), Directions::each(directions.data()),
+                     each_its_way.data());
     for (std::size_t i = 0; i < count; ++i) {
         const kerf_bone_sample sample = scalar.sample(points[i], direction);
         ASSERT_EQ(std::memcmp(&sample, &samples[i], sizeof sample), 0)
@@ -174,7 +183,9 @@ TEST(BatchQuery, GivesTheScalarBitsForAnyNumberOfPoints) {
     test::DrilledBlock hole(h);
     hole.move(4.0_mm, 0.01, 2000, true);
     Seen seen;
-    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5}, std::size_t{15}, std::size_t{63}, std::size_t{64}, std::size_t{65}, block_capacity - 1, block_capacity, block_capacity + 1, block_capacity + 73})
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{5},
+                                    std::size_t{15}, std::size_t{63}, std::size_t{64}, std::size_t{65},
+                                    block_capacity - 1, block_capacity, block_capacity + 1, block_capacity + 73})
         compare(hole, count, seen);
 }
 

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "core/field/cut_log.h"
 #include "core/field/pose_stamp.h"
@@ -143,7 +149,8 @@ TEST_F(BothKernels, FindTheSamePlacesAndThoseOfOnePoint) {
     EXPECT_GT(outside, 1000u);
 }
 
-/// Places at random in so many bricks and, now and then, outside; behind the last the last again, as `place` leaves them.
+/// Places at random in so many bricks and, now and then, outside; behind the last the last again, as `place` leaves
+/// them.
 PlaceBlock random_places(Numbers& numbers, std::size_t bricks) {
     PlaceBlock places;
     places.count = 1 + numbers.below(block_capacity);
@@ -174,7 +181,8 @@ TEST_F(BothKernels, InterpolateAlike) {
         field.assign(stored_samples, 32767);
         field.resize(2 * stored_samples, -32767);
         while (field.size() < bricks * stored_samples)
-            field.push_back(numbers.below(4) == 0 ? std::int16_t{-32767} : static_cast<std::int16_t>(32767.9 * numbers.sound()));
+            field.push_back(numbers.below(4) == 0 ? std::int16_t{-32767}
+                                                  : static_cast<std::int16_t>(32767.9 * numbers.sound()));
     }
     int uniform = 0;
     for (int n = 0; n < blocks; ++n) {
@@ -188,7 +196,8 @@ TEST_F(BothKernels, InterpolateAlike) {
                 of_field.push_back(stored_samples * static_cast<std::int32_t>(numbers.below(n % 4 == 0 ? 2 : bricks)));
             }
         for (std::size_t b = 0; b <= bricks; ++b)
-            stored.push_back(numbers.below(3) == 0 ? -1 : stored_samples * static_cast<std::int32_t>(numbers.below(bricks)));
+            stored.push_back(numbers.below(3) == 0 ? -1
+                                                   : stored_samples * static_cast<std::int32_t>(numbers.below(bricks)));
         const PlaceBlock at = random_places(numbers, bricks);
         const FieldShape bone{start[0].data(), samples[0].data(), 2 * stored_samples, stored_samples};
         const FieldShape cut{start[1].data(), samples[1].data(), 2 * stored_samples, stored_samples};
@@ -237,7 +246,8 @@ TEST_F(BothKernels, TellEdgesTheSameAndNothingBehindTheLast) {
             }
         }
         const std::size_t tissues = 1 + numbers.below(KERF_MAX_TISSUES);
-        const SampleColumns columns{engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity, tissues, 3};
+        const SampleColumns columns{engagement.data(), gap.data(), weight[0].data(), density[0].data(), block_capacity,
+                                    tissues,           3};
         std::vector<kerf_bone_sample> samples[2];
         for (const std::size_t k : {0u, 1u}) {
             samples[k].resize(block_capacity + 1);
@@ -321,8 +331,9 @@ TEST_F(BothKernels, FindTheSameTangentsAndNoneCrossesTheSolid) {
 TEST_F(BothKernels, RaiseTheSameValues) {
     const ToolSolid solids[] = {
         test::drill_outline(1.6_mm, 59.0_deg, 30.0_mm),
-        ToolSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-3.0_mm, 1.5_mm}, {-3.5_mm, 2.5_mm}, {-9.0_mm, 2.5_mm}}),  // a step drill
-        ToolSolid({{0.3_mm, 1.0_mm}, {-1.0_mm, 1.5_mm}}),                                                     // a flat face
+        ToolSolid(
+            {{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-3.0_mm, 1.5_mm}, {-3.5_mm, 2.5_mm}, {-9.0_mm, 2.5_mm}}),  // a step drill
+        ToolSolid({{0.3_mm, 1.0_mm}, {-1.0_mm, 1.5_mm}}),                                               // a flat face
         test::blade_outline(10.0_mm, 3.0_mm, 1.0_mm, 1.0_mm),
     };
     constexpr double h = 0.25_mm, quantum = 4.0 * h / 32767.0, band = 2.0 * h;
@@ -338,7 +349,7 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         cell.has_edges = true;
         const Vec3 origin = corner + rotate(turn, {4.0 * h, 0.0, 0.0});  // counted from another sample
         const Vec3 axes[] = {rotate(turn, {h, 0, 0}), rotate(turn, {0, h, 0}), rotate(turn, {0, 0, h})};
-        const auto put = [](Vec3 v, float (&to)[3]) {
+        const auto put = [](Vec3 v, float(&to)[3]) {
             to[0] = static_cast<float>(v.x);
             to[1] = static_cast<float>(v.y);
             to[2] = static_cast<float>(v.z);
@@ -352,11 +363,12 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         std::array<bool, layers> is_of_cell;
         for (std::size_t s = 0; s < layers; ++s) {
             // What is there already, or a quantum beside it, or anything
-            const double x = static_cast<double>(s % 9), y = static_cast<double>(s / 9 % 9), z = static_cast<double>(s / 81);
+            const double x = static_cast<double>(s % 9), y = static_cast<double>(s / 9 % 9),
+                         z = static_cast<double>(s / 81);
             const double d = solid.distance(corner + x * axes[0] + y * axes[1] + z * axes[2]);
             const int near = quantised(-d, quantum), beside = near + static_cast<int>(numbers.below(3)) - 1;
-            before[s] = static_cast<std::int16_t>(
-                std::clamp(numbers.below(3) == 0 ? static_cast<int>(numbers.below(65535)) - 32767 : beside, -32767, 32767));
+            before[s] = static_cast<std::int16_t>(std::clamp(
+                numbers.below(3) == 0 ? static_cast<int>(numbers.below(65535)) - 32767 : beside, -32767, 32767));
             is_of_cell[s] = static_cast<int>(y) >= first_y && static_cast<int>(y) < first_y + 3;
             const bool reaches = is_of_cell[s] && d <= band;
             expected[s] = reaches ? std::max(before[s], static_cast<std::int16_t>(near)) : before[s];
@@ -366,15 +378,17 @@ TEST_F(BothKernels, RaiseTheSameValues) {
         for (const std::size_t k : {0u, 1u}) {
             after[k] = before;
             std::int16_t lowest = 0, highest = 0, least = 32767, most = -32767;
-            const bool is_raised = (k == 0 ? plain : *fast)
-                                       .raise(solid.single(), cell, static_cast<float>(band), static_cast<float>(1.0 / quantum),
-                                              after[k].data() + first_y * stored_edge, lowest, highest, nullptr);
+            const bool is_raised =
+                (k == 0 ? plain : *fast)
+                    .raise(solid.single(), cell, static_cast<float>(band), static_cast<float>(1.0 / quantum),
+                           after[k].data() + first_y * stored_edge, lowest, highest, nullptr);
             ASSERT_EQ(is_raised, after[k] != before);
             for (std::size_t s = 0; s < layers; ++s) {
-                // Single precision: coordinates of 5 mm are known to 0.5 nm, a fifteenth of a quantum, so it is one off at
-                // most; and at the band's end a sample may count or not.
+                // Single precision: coordinates of 5 mm are known to 0.5 nm, a fifteenth of a quantum, so it is one off
+                // at most; and at the band's end a sample may count or not.
                 const bool is_at_end = std::abs(expected[s] - -16384) < 3 || std::abs(after[k][s] - -16384) < 3;
-                ASSERT_TRUE(is_at_end || std::abs(after[k][s] - expected[s]) <= 1) << s << ": " << after[k][s] << ", " << expected[s];
+                ASSERT_TRUE(is_at_end || std::abs(after[k][s] - expected[s]) <= 1)
+                    << s << ": " << after[k][s] << ", " << expected[s];
                 if (!is_of_cell[s]) {
                     ASSERT_EQ(after[k][s], before[s]);
                     continue;
@@ -415,8 +429,8 @@ TEST_F(BothKernels, FindTheSameSamples) {
 
 TEST_F(BothKernels, FindTheSameDeepestSolid) {
     const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm),
-                                      ToolSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}}),
-                                      test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm)};
+                                ToolSolid({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.0_mm, 0.5_mm}, {-3.0_mm, 1.0_mm}}),
+                                test::blade_outline(10.0_mm, 2.0_mm, 2.0_mm, 1.5_mm)};
     std::size_t found = 0, outside = 0;
     for (int n = 0; n < blocks; ++n) {
         const ToolSolid& solid = solids[n % 3];

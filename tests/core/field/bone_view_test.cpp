@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
 #include "tests/support/block.h"
 #include "tests/support/scalar_bone_query.h"
 
@@ -145,7 +150,9 @@ TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
     double worst = 0.0, squares = 0.0, worst_by_differences = 0.0;
     for (int level = 0; level < levels; ++level)
         for (int n = 0; n < around; ++n) {
-            const double angle = 2.0 * pi * n / around, z = -2.35_mm - 0.11_mm * level;  // what waits to be committed ends 1.2 voxels behind the drill's 2 mm
+            const double angle = 2.0 * pi * n / around,
+                         z = -2.35_mm -
+                             0.11_mm * level;  // what waits to be committed ends 1.2 voxels behind the drill's 2 mm
             const double r = 1.6_mm + (n % 5 - 2) * 0.02_mm;
             const Vec3 p{r * std::cos(angle), r * std::sin(angle), z}, inwards{-std::cos(angle), -std::sin(angle), 0.0};
             kerf_surface_point wall;
@@ -153,7 +160,8 @@ TEST(BoneView, ANormalIsOffByLessThanTheWallTurnsInHalfAVoxel) {
             const double error = angle_between(wall.normal, inwards);
             worst = std::max(worst, error);
             squares += error * error;
-            worst_by_differences = std::max(worst_by_differences, angle_between(scalar.normal_by_differences(p), inwards));
+            worst_by_differences =
+                std::max(worst_by_differences, angle_between(scalar.normal_by_differences(p), inwards));
         }
 
     // Then they are off by what a gradient within one cell can be, about three times as much as central differences

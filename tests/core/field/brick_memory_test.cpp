@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -20,7 +21,8 @@ std::string flags_of(const void* place) {
     bool is_it = false;
     for (std::string line; std::getline(in, line);) {
         unsigned long long first = 0, end = 0;
-        if (std::sscanf(line.c_str(), "%llx-%llx ", &first, &end) == 2) is_it = first <= reinterpret_cast<std::uintptr_t>(place) && reinterpret_cast<std::uintptr_t>(place) < end;
+        if (std::sscanf(line.c_str(), "%llx-%llx ", &first, &end) == 2)
+            is_it = first <= reinterpret_cast<std::uintptr_t>(place) && reinterpret_cast<std::uintptr_t>(place) < end;
         if (is_it && line.starts_with("VmFlags:")) return line + " ";
     }
     return {};
@@ -35,7 +37,8 @@ std::size_t resident() {
 }
 
 TEST(BrickMemory, LargeOnesAreInHugePagesWhereTheSystemHasThem) {
-    if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "this system has no huge pages";
+    if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage/enabled"))
+        GTEST_SKIP() << "this system has no huge pages";
     void* memory = map_brick_memory(large);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % (std::size_t{2} << 20), 0u) << "begins with a huge page";
     const std::string flags = flags_of(memory);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 #include "core/field/removed_volume.h"
 #include "tests/support/block.h"
@@ -23,7 +25,9 @@ struct Blocks {
     CutField cut_of_a{a, 0}, cut_of_b{b, 0};
 
     [[nodiscard]] Pose b_from_a() const { return {{0, 0, -5.0_mm - gap}, {1, 0, 0, 0}}; }  // b's face over a's
-    [[nodiscard]] std::optional<Bridge> bridge() const { return bridge_between({&a, &cut_of_a}, {&b, &cut_of_b}, b_from_a()); }
+    [[nodiscard]] std::optional<Bridge> bridge() const {
+        return bridge_between({&a, &cut_of_a}, {&b, &cut_of_b}, b_from_a());
+    }
     [[nodiscard]] double to_a(Vec3 p) const { return test::box_distance(p, low, high); }
     [[nodiscard]] double to_b(Vec3 p) const { return test::box_distance(b_from_a() * p, low, high); }
     /// Of all points outside of both whose distances together are at most `width`.
@@ -48,8 +52,8 @@ TEST(Bridge, FillsWhatLiesBetweenFacesThatSeeEachOtherAndGrowsNoSkinBesides) {
         const std::optional<Bridge> bridge = blocks.bridge();
         ASSERT_TRUE(bridge.has_value());
         EXPECT_NEAR(bridge->span, gap, 0.02 * gap);
-        // Then it fills what lies between the faces of 16 mm², and is nowhere larger than the place where the true distances
-        // together are small enough: around edges its own are a little too large
+        // Then it fills what lies between the faces of 16 mm², and is nowhere larger than the place where the true
+        // distances together are small enough: around edges its own are a little too large
         const double volume = bone_volume(bridge->bone, CutField(bridge->bone, 0));
         EXPECT_GT(volume, 0.99 * gap * 16e-6) << gap;
         EXPECT_LT(volume, 1.01 * blocks.volume_within(1.05 * gap + 0.5 * h)) << gap;

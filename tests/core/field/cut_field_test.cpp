@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "core/field/bone_surface.h"
 #include "core/field/cut_log.h"
@@ -132,16 +135,18 @@ TEST(CutField, AFastSweepMissesNoVoxelAndTakesNoneBeside) {
         }
 }
 
-// A ridge is what lies between two sub-poses and in neither: most of them where a face draws back, as behind a short tool that advances
-// askew, or before one that is withdrawn.
+// A ridge is what lies between two sub-poses and in neither: most of them where a face draws back, as behind a short
+// tool that advances askew, or before one that is withdrawn.
 TEST(CutField, NoRidgeStaysWhereAToolGoesToAndFroAndTurns) {
     constexpr double h = 0.25_mm;
     const Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 5.0_mm}, h);
     const Grid& g = body.grid();
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const ToolSolid disc({{0.0, 1.5_mm}, {-0.3_mm, 2.0_mm}, {-0.5_mm, 2.0_mm}}), drop({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.5_mm, 0.5_mm}});
-    const ToolSolid drill = test::drill_outline(1.0_mm, 45.0_deg, 1.4_mm), blade = ToolSolid::prism({{0.0, 1.5_mm}, {-1.0_mm, 1.8_mm}}, 0.6_mm);
+    const ToolSolid disc({{0.0, 1.5_mm}, {-0.3_mm, 2.0_mm}, {-0.5_mm, 2.0_mm}}),
+        drop({{0.0, 0.0}, {-1.0_mm, 1.5_mm}, {-2.5_mm, 0.5_mm}});
+    const ToolSolid drill = test::drill_outline(1.0_mm, 45.0_deg, 1.4_mm),
+                    blade = ToolSolid::prism({{0.0, 1.5_mm}, {-1.0_mm, 1.8_mm}}, 0.6_mm);
     for (const ToolSolid* solid : {&disc, &drop, &drill, &blade}) {
         int ridges = 0, missed = 0, of_to_alone = 0;
         for (int n = 0; n < 120; ++n) {
@@ -149,8 +154,10 @@ TEST(CutField, NoRidgeStaysWhereAToolGoesToAndFroAndTurns) {
             const Vec3 axis = normalized(Vec3{unit(random), unit(random), unit(random)});
             record.from = test::pointing({unit(random) * 1.0_mm, unit(random) * 1.0_mm, unit(random) * 1.0_mm}, axis);
             const double along = (n % 2 == 0 ? 1.0 : -1.0) * 0.05_mm * (1 + n % 7), turn = n % 3 == 0 ? 0.05 : 0.0;
-            record.to = {record.from.position + along * axis + 0.05_mm * (n % 4) * Vec3{unit(random), unit(random), unit(random)},
-                         normalized(quat_from_rotation_vector(turn * Vec3{unit(random), unit(random), unit(random)}) * record.from.rotation)};
+            record.to = {record.from.position + along * axis +
+                             0.05_mm * (n % 4) * Vec3{unit(random), unit(random), unit(random)},
+                         normalized(quat_from_rotation_vector(turn * Vec3{unit(random), unit(random), unit(random)}) *
+                                    record.from.rotation)};
             CutField cut(body, 256);
             CutRecord begun = record;
             begun.to = begun.from;
@@ -246,12 +253,15 @@ TEST(BoneSurface, IsClosedAndEnclosesWhatIsLeft) {
     EXPECT_NEAR(test::volume(mesh) * 1e9 / exact, 1.0, 0.01);
 }
 
-// ---- more than can be counted -----------------------------------------------------------------------------------------
+// ---- more than can be counted
+// -----------------------------------------------------------------------------------------
 
 TEST(Fields, MoreBricksThanCanBeCountedAreRefusedBeforeMemoryIsTaken) {
     const Grid grid{{150, 150, 150}, 1e-3, {}};  // 3.4 million bricks; their samples would take 5 GB
     EXPECT_THROW((void)LevelSet::build(grid, [](Vec3) { return 0.0; }), std::length_error);
-    EXPECT_THROW((void)DensityField::build(grid, [](std::size_t) { return true; }, [](Vec3) { return 1.0; }), std::length_error);
+    EXPECT_THROW((void)DensityField::build(
+                     grid, [](std::size_t) { return true; }, [](Vec3) { return 1.0; }),
+                 std::length_error);
     Body body;
     body.surface = LevelSet::build(grid, [](Vec3) { return -1.0; });
     EXPECT_LT(body.surface.memory_bytes(), 20'000'000u);  // a table: it is the same everywhere

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -127,8 +130,8 @@ TEST(CutLog, DrawnBackAToolHasNotPassedWhatItCutLast) {
     EXPECT_LT(waiting_after(1.0_mm, 3.0_mm), in_the_hole) << "drawn back and gone aside";
 }
 
-// A round wall is known no better than h²/(8 r): on a coarse grid a drill in its own hole seems to stand in bone all the way, and records that
-// took nothing pushed the front out of the list of those that wait.
+// A round wall is known no better than h²/(8 r): on a coarse grid a drill in its own hole seems to stand in bone all
+// the way, and records that took nothing pushed the front out of the list of those that wait.
 TEST(CutLog, OutOfItsHoleAndInAgainADrillTakesNothing) {
     const auto at = [](double depth) { return test::pointing({0, 0, -depth}, {0, 0, -1}); };
     for (const double h : {1.0_mm, 0.7_mm, 0.5_mm, 0.25_mm}) {
@@ -157,7 +160,8 @@ TEST(CutLog, AScratchOfAFewHundredthsOfAVoxelIsTaken) {
     for (const double h : {1.0_mm, 0.25_mm}) {
         const double deep = 0.05 * h;
         Cutting cutting(h, test::pointing({-3.0_mm, 0, -deep}, {0, 0, -1}));
-        for (double depth : {2.0_mm, -1.0_mm}) cutting.move_to(test::pointing({-3.0_mm, 0, -depth}, {0, 0, -1}));  // deeper than the scratch
+        for (double depth : {2.0_mm, -1.0_mm})
+            cutting.move_to(test::pointing({-3.0_mm, 0, -depth}, {0, 0, -1}));  // deeper than the scratch
         for (double x = -3.0_mm; x < 3.0_mm; x += 0.01_mm) cutting.move_to(test::pointing({x, 0, -deep}, {0, 0, -1}));
         cutting.end();
         std::size_t removing = 0;
@@ -207,9 +211,9 @@ TEST(CutLog, WhereTheToolTurnsARecordEndsHoweverFarItGoesInThatTick) {
                  {"aside and back", at(0.7 * h, 2.0_mm - 0.2 * h)}};
     for (const auto& [name, next] : turns) {
         Cutting cutting(h, at(0, -1.0_mm));
-        cutting.move_to(at(0, 2.0_mm));                         // closes a record
+        cutting.move_to(at(0, 2.0_mm));  // closes a record
         const Pose deepest = at(0, 2.0_mm + 0.04 * h);
-        cutting.move_to(deepest);                               // too little for one
+        cutting.move_to(deepest);  // too little for one
         const std::size_t before = cutting.log.size();
         cutting.move_to(next);
         cutting.end();
@@ -239,7 +243,8 @@ TEST(CutLog, AWayThatWindsAboutTheAxisIsFollowed) {
         std::vector<Pose> way;
         for (int i = 0; i <= 2000; ++i) {  // 1 mm/s, once from side to side in half a voxel of depth, and round
             const double turn = 2.0 * pi * i / 100.0;
-            way.push_back(test::pointing({tremor * std::sin(turn), 0.5 * tremor * std::sin(2.0 * turn), -1.0_mm - 1.0_um * i}, {0, 0, -1}));
+            way.push_back(test::pointing(
+                {tremor * std::sin(turn), 0.5 * tremor * std::sin(2.0 * turn), -1.0_mm - 1.0_um * i}, {0, 0, -1}));
             cutting.move_to(way.back());
         }
         cutting.end();
@@ -250,11 +255,14 @@ TEST(CutLog, AWayThatWindsAboutTheAxisIsFollowed) {
             while (record + 1 < cutting.log.size() && cutting.log[record].tick < i) ++record;
             for (int n = 0; n < 8; ++n) {
                 const double angle = 0.25 * pi * n;
-                const Vec3 corner = way[i] * Vec3{1.6_mm * std::cos(angle), 1.6_mm * std::sin(angle), cutting.tool.outline()[1].z};
+                const Vec3 corner =
+                    way[i] * Vec3{1.6_mm * std::cos(angle), 1.6_mm * std::sin(angle), cutting.tool.outline()[1].z};
                 double least = 1.0;
                 for (std::size_t r = record >= 1 ? record - 1 : 0; r < std::min(record + 2, cutting.log.size()); ++r)
                     for (int k = 0; k <= 32; ++k)
-                        least = std::min(least, cutting.tool.distance(inverse(between(cutting.log[r].from, cutting.log[r].to, k / 32.0)) * corner));
+                        least = std::min(
+                            least, cutting.tool.distance(
+                                       inverse(between(cutting.log[r].from, cutting.log[r].to, k / 32.0)) * corner));
                 worst = std::max(worst, least);
             }
         }
@@ -290,7 +298,8 @@ TEST(CutLog, StampingIsSpreadOverTicksAndKeepsUp) {
 }
 
 TEST(CutLog, HoweverMuchWaitsATickStampsNoMoreThanItMay) {
-    // Given a cut through bone at 0.3 m/s, on a grid where that is 150 bricks a tick and more, and nobody to commit it for a while
+    // Given a cut through bone at 0.3 m/s, on a grid where that is 150 bricks a tick and more, and nobody to commit it
+    // for a while
     Cutting cutting(0.1_mm, test::pointing({-3.0_mm, 0, -3.0_mm}, {0, 0, -1}));
     const auto at = [](int i) { return test::pointing({-3.0_mm + 0.05_mm * std::min(i, 80), 0, -3.0_mm}, {0, 0, -1}); };
     for (int i = 0; i < 70; ++i) cutting.move_to(at(i));

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
 #include "tests/support/block.h"
 
 namespace kerf {
@@ -15,9 +20,10 @@ using namespace literals;
 constexpr double kerf_width = 1.2_mm;
 const ToolSolid blade = test::blade_outline(60.0_mm, 8.0_mm, 1.0_mm, kerf_width);
 
-/// The blade's pose at a depth below y = −5 mm: turned by `tilt` about its feed, `beside` the plane x = 0 along its normal.
+/// The blade's pose at a depth below y = −5 mm: turned by `tilt` about its feed, `beside` the plane x = 0 along its
+/// normal.
 Pose blade_at(double depth, double tilt, double beside, double aside = 0.0) {
-    const Quat fed = quat_between({0, 0, 1}, {0, 1, 0});  // its normal is along −z now,
+    const Quat fed = quat_between({0, 0, 1}, {0, 1, 0});                        // its normal is along −z now,
     const Quat turned = quat_between(rotate(fed, {0, 1, 0}), {1, 0, 0}) * fed;  // and along x
     return {{beside, -5.0_mm + depth, aside}, turned * quat_from_rotation_vector({0, 0, tilt})};
 }
@@ -25,7 +31,8 @@ Pose blade_at(double depth, double tilt, double beside, double aside = 0.0) {
 struct SawnBar {
     Body body = test::block({-10.0_mm, -5.0_mm, -5.0_mm}, {10.0_mm, 5.0_mm, 5.0_mm}, 0.4_mm, {0.3, 0.1, 0.7});
     CutField cut{body, 4096};
-    WallWindow window{.entry = {0, -5.0_mm, 0}, .along = {0, 1, 0}, .normal = {1, 0, 0}, .half_width = 8.0_mm, .depth = 12.0_mm};
+    WallWindow window{
+        .entry = {0, -5.0_mm, 0}, .along = {0, 1, 0}, .normal = {1, 0, 0}, .half_width = 8.0_mm, .depth = 12.0_mm};
     std::uint64_t sequence = 0;
 
     void saw(double tilt, double beside = 0.0, double aside = 0.0) {
@@ -86,7 +93,8 @@ TEST(CutWall, AStepBetweenTwoCutsIsNotFlat) {
     bar.saw(0.0, 0.8_mm, -8.0_mm);
 
     // Then the plane of least squares leans, and the wall stands off it by half of the step's height at the step:
-    // h (3/4 x − sign x)/… for two equal halves leaves h/2 at the step and −h/4 at the ends, and so again: h between the two at the step.
+    // h (3/4 x − sign x)/… for two equal halves leaves h/2 at the step and −h/4 at the ends, and so again: h between
+    // the two at the step.
     const CutWall wall = bar.wall();
     EXPECT_GT(wall.flatness, 0.8 * 0.8_mm);
     EXPECT_LT(wall.flatness, 1.1 * 0.8_mm);
@@ -102,7 +110,8 @@ TEST(CutWall, TheBonesOwnSurfaceIsNoWall) {
 }
 
 TEST(CutWall, PointsInALineSpanNoPlane) {
-    const WallWindow window{.entry = {}, .along = {0, 1, 0}, .normal = {1, 0, 0}, .half_width = 1.0_mm, .depth = 1.0_mm};
+    const WallWindow window{
+        .entry = {}, .along = {0, 1, 0}, .normal = {1, 0, 0}, .half_width = 1.0_mm, .depth = 1.0_mm};
     EXPECT_FALSE(fit_wall({{0, 0, 0}, {0, 0.1_mm, 0}, {0, 0.2_mm, 0}, {0, 0.3_mm, 0}}, window, 1.0_mm));
     EXPECT_FALSE(fit_wall({}, window, 1.0_mm));
 }

@@ -2,6 +2,8 @@
 // Bone with rooms in it: two one-sided fields, combined after interpolation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/field/bone_surface.h"
 #include "core/field/bone_view.h"
 #include "core/field/removed_volume.h"
@@ -21,8 +23,11 @@ Body box_with_room(double sheet, double h, bool has_two_fields) {
     const Vec3 wall{4.0_mm, 4.0_mm, 4.0_mm}, room_high = high - Vec3{wall.x, wall.y, sheet};
     Body body = test::block(low, high, h, {0.3, 0.7, 0.11});
     const auto room = [=](Vec3 p) { return test::box_distance(p, low + wall, room_high); };
-    if (has_two_fields) body.hollow = LevelSet::build(body.grid(), room);
-    else body.surface = LevelSet::build(body.grid(), [=](Vec3 p) { return std::max(test::box_distance(p, low, high), -room(p)); });
+    if (has_two_fields)
+        body.hollow = LevelSet::build(body.grid(), room);
+    else
+        body.surface =
+            LevelSet::build(body.grid(), [=](Vec3 p) { return std::max(test::box_distance(p, low, high), -room(p)); });
     return body;
 }
 
@@ -47,13 +52,15 @@ TEST(Hollow, ASheetIsAsThickAsItIsHoweverThin) {
         for (double z = half_edge - sheet - h; z < half_edge + h; z += 1e-3 * h)
             there += uncut_distance(body, locate(body, {0.1_mm, 0.2_mm, z})) < 0.0 ? 1e-3 * h : 0.0;
         EXPECT_NEAR(there, sheet, 0.003 * h) << voxels;
-        EXPECT_NEAR(felt_thickness(body, sheet), sheet, 0.03 * h /* ramps of a quarter and a tenth of a voxel */) << voxels;
+        EXPECT_NEAR(felt_thickness(body, sheet), sheet, 0.03 * h /* ramps of a quarter and a tenth of a voxel */)
+            << voxels;
     }
 }
 TEST(Hollow, OneFieldLosesASheetThinnerThanAVoxel) {
     const double h = 0.5_mm;
     EXPECT_LT(felt_thickness(box_with_room(0.4 * h, h, false), 0.4 * h), 0.2 * h);
-    EXPECT_NEAR(felt_thickness(box_with_room(4.0_mm, h, false), 4.0_mm), 4.0_mm, 0.01 * h) << "and carries a thick wall";
+    EXPECT_NEAR(felt_thickness(box_with_room(4.0_mm, h, false), 4.0_mm), 4.0_mm, 0.01 * h)
+        << "and carries a thick wall";
 }
 
 TEST(Hollow, IsTheSameBoneAsOneFieldWhereWallsAreThick) {
@@ -71,7 +78,8 @@ TEST(Hollow, IsTheSameBoneAsOneFieldWhereWallsAreThick) {
 TEST(Hollow, CuttingAddsToIt) {
     // The larger of what is hollow and what the tool took, sample by sample
     const double h = 0.5_mm;
-    const Body solid = test::block({-half_edge, -half_edge, -half_edge}, {half_edge, half_edge, half_edge}, h, {0.3, 0.7, 0.11});
+    const Body solid =
+        test::block({-half_edge, -half_edge, -half_edge}, {half_edge, half_edge, half_edge}, h, {0.3, 0.7, 0.11});
     const Body hollow = box_with_room(1.0_mm, h, true);
     const ToolSolid tool = test::drill_outline(1.6_mm, half_angle, 20.0_mm);
     CutRecord record;
@@ -113,7 +121,8 @@ TEST(Hollow, IsNoBoneForContactAndInTheSurface) {
     CutTracker tracker(body, tool, committed);
     tracker.restart(test::pointing({0, 0, 20.0_mm}, {0, 0, -1}));
     const BoneView view(body, committed, tracker);
-    EXPECT_NEAR(view.present_distance({0, 0, 6.5_mm}), 0.5_mm, 1e-6) << "in the room, half a millimetre under the sheet";
+    EXPECT_NEAR(view.present_distance({0, 0, 6.5_mm}), 0.5_mm, 1e-6)
+        << "in the room, half a millimetre under the sheet";
     EXPECT_NEAR(view.present_distance({0, 0, 8.5_mm}), 0.5_mm, 1e-6);
     EXPECT_LT(view.present_distance({0, 0, 7.5_mm}), -0.4_mm);
 

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -33,10 +35,8 @@ struct StoredField {
     }
     float& at(int i, int j, int k) { return values[static_cast<std::size_t>((k * size[1] + j) * size[0] + i)]; }
     SampleGrid grid() {
-        return {.size = size,
-                .spacing = 1.0,
-                .origin = {},
-                .value = [this](int i, int j, int k) { return at(i, j, k); }};
+        return {
+            .size = size, .spacing = 1.0, .origin = {}, .value = [this](int i, int j, int k) { return at(i, j, k); }};
     }
 };
 
@@ -57,14 +57,10 @@ struct Ball {
     Vec3 origin{0.2_mm, -0.1_mm, 0.05_mm};
 
     SampleGrid grid() const {
-        return {.size = {60, 60, 60},
-                .spacing = spacing,
-                .origin = origin,
-                .value =
-                    [*this](int i, int j, int k) {
-                        const Vec3 at = origin + spacing * Vec3{double(i), double(j), double(k)};
-                        return static_cast<float>(length(at - centre) - radius);
-                    }};
+        return {.size = {60, 60, 60}, .spacing = spacing, .origin = origin, .value = [*this](int i, int j, int k) {
+                    const Vec3 at = origin + spacing * Vec3{double(i), double(j), double(k)};
+                    return static_cast<float>(length(at - centre) - radius);
+                }};
     }
 };
 
@@ -167,11 +163,9 @@ TEST(Isosurface, AFaceThatClosesTheBorderLooksStraightOut) {
 }
 
 TEST(Isosurface, AnEmptyGridHasNoSurface) {
-    EXPECT_TRUE(isosurface({.size = {0, 4, 4},
-                            .spacing = 1.0,
-                            .origin = {},
-                            .value = [](int, int, int) { return -1.0F; }})
-                    .vertices.empty());
+    EXPECT_TRUE(
+        isosurface({.size = {0, 4, 4}, .spacing = 1.0, .origin = {}, .value = [](int, int, int) { return -1.0F; }})
+            .vertices.empty());
 }
 
 // ---- pieces ------------------------------------------------------------------------------------------------------
@@ -226,13 +220,9 @@ TEST(Isosurface, ATiltedPlaneStandsWithinA256thOfAVoxel) {
     const Vec3 normal = normalized(Vec3{0.31, -0.52, 0.79});
     const double offset = 7.37;
     const Mesh mesh =
-        isosurface({.size = {16, 16, 16},
-                    .spacing = 1.0,
-                    .origin = {},
-                    .value =
-                        [&](int i, int j, int k) {
-                            return static_cast<float>(dot(normal, {double(i), double(j), double(k)}) - offset);
-                        }});
+        isosurface({.size = {16, 16, 16}, .spacing = 1.0, .origin = {}, .value = [&](int i, int j, int k) {
+                        return static_cast<float>(dot(normal, {double(i), double(j), double(k)}) - offset);
+                    }});
     const auto is_on_border = [](double x) { return x < 0.0 || x > 15.0; };
     int counted = 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

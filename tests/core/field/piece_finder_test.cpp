@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "core/field/piece_mask.h"
 #include "tests/support/block.h"
@@ -37,7 +43,8 @@ TEST(BrickBits, ComponentsOfABrickAreThoseOfAFlood) {
         for (BrickBits left = bits; !left.is_empty(); ++found) {
             const BrickBits one = take_component(left);
             for (int s = 0; s < 512; ++s)
-                if (one.has(s % 8, s / 8 % 8, s / 64)) label[static_cast<std::size_t>(s)] = static_cast<std::uint32_t>(found + 1);
+                if (one.has(s % 8, s / 8 % 8, s / 64))
+                    label[static_cast<std::size_t>(s)] = static_cast<std::uint32_t>(found + 1);
         }
 
         // Then they are the flood's, and in its order
@@ -88,10 +95,12 @@ ToolSolid disc() { return ToolSolid({{0.4_mm, 12.0_mm}, {-0.4_mm, 12.0_mm}}); }
 
 /// A tube along x. Its walls are sawn through from +z to −z.
 Body tube(double spacing) {
-    return bone(spacing, [](Vec3 p) {
-        const double r = std::hypot(p.y, p.z);
-        return std::max({r - 6.0_mm, 3.0_mm - r, std::abs(p.x) - 9.0_mm});
-    }, {-9.0_mm, -6.0_mm, -6.0_mm}, {9.0_mm, 6.0_mm, 6.0_mm});
+    return bone(spacing,
+                [](Vec3 p) {
+                    const double r = std::hypot(p.y, p.z);
+                    return std::max({r - 6.0_mm, 3.0_mm - r, std::abs(p.x) - 9.0_mm});
+                },
+                {-9.0_mm, -6.0_mm, -6.0_mm}, {9.0_mm, 6.0_mm, 6.0_mm});
 }
 
 /// The disc across x, its rim at height z.
@@ -135,11 +144,16 @@ TEST(PieceFinder, AgreesWithAFloodOfTheWholeVolumeRecordByRecord) {
 TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
     // Given a lattice of thin struts, and a ball of 3 mm that scribbles through it
     const double h = 0.25_mm;
-    const Body body = bone(h, [](Vec3 p) {
-        const double k = 2.0 * pi / 2.2_mm;
-        const double gyroid = std::sin(k * p.x) * std::cos(k * p.y) + std::sin(k * p.y) * std::cos(k * p.z) + std::sin(k * p.z) * std::cos(k * p.x);
-        return std::max({(std::abs(gyroid) - 0.28) / (2.0 * k), std::abs(p.x) - 6.0_mm, std::abs(p.y) - 6.0_mm, std::abs(p.z) - 6.0_mm});
-    }, {-6.0_mm, -6.0_mm, -6.0_mm}, {6.0_mm, 6.0_mm, 6.0_mm});
+    const Body body = bone(h,
+                           [](Vec3 p) {
+                               const double k = 2.0 * pi / 2.2_mm;
+                               const double gyroid = std::sin(k * p.x) * std::cos(k * p.y) +
+                                                     std::sin(k * p.y) * std::cos(k * p.z) +
+                                                     std::sin(k * p.z) * std::cos(k * p.x);
+                               return std::max({(std::abs(gyroid) - 0.28) / (2.0 * k), std::abs(p.x) - 6.0_mm,
+                                                std::abs(p.y) - 6.0_mm, std::abs(p.z) - 6.0_mm});
+                           },
+                           {-6.0_mm, -6.0_mm, -6.0_mm}, {6.0_mm, 6.0_mm, 6.0_mm});
     CutField cut(body, 1024);
     PieceFinder finder(body, cut);
     const ToolSolid ball({{0.8_mm, 0.9_mm}, {-0.8_mm, 0.9_mm}});
@@ -159,11 +173,12 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
             ++came_off;
             samples_off += part.samples;
             std::size_t counted = 0;
-            part.bone.for_each([&](std::size_t, const BrickBits& bits) { counted += static_cast<std::size_t>(bits.count()); });
+            part.bone.for_each(
+                [&](std::size_t, const BrickBits& bits) { counted += static_cast<std::size_t>(bits.count()); });
             EXPECT_EQ(counted, part.samples);
         }
-        // What came off is no longer the finder's, and the volume still holds it unless a later stroke took it: so compare
-        // what is left with the flood's piece of the same samples.
+        // What came off is no longer the finder's, and the volume still holds it unless a later stroke took it: so
+        // compare what is left with the flood's piece of the same samples.
         test::SolidVolume left = test::solid_volume(body, cut);
         for (std::size_t b = 0; b < body.grid().brick_count(); ++b) {
             const auto [i, j, k] = body.grid().brick_place(b);
@@ -183,7 +198,11 @@ TEST(PieceFinder, AgreesWithAFloodInBoneThatFallsIntoManyCrumbs) {
 }
 
 TEST(PieceFinder, PiecesThatWereApartFromTheBeginningAreNoSplit) {
-    const Body body = bone(0.5_mm, [](Vec3 p) { return std::max({std::abs(std::abs(p.x) - 4.0_mm) - 2.0_mm, std::abs(p.y) - 3.0_mm, std::abs(p.z) - 3.0_mm}); },
+    const Body body = bone(0.5_mm,
+                           [](Vec3 p) {
+                               return std::max({std::abs(std::abs(p.x) - 4.0_mm) - 2.0_mm, std::abs(p.y) - 3.0_mm,
+                                                std::abs(p.z) - 3.0_mm});
+                           },
                            {-6.0_mm, -3.0_mm, -3.0_mm}, {6.0_mm, 3.0_mm, 3.0_mm});
     CutField cut(body, 64);
     PieceFinder finder(body, cut);
@@ -195,8 +214,8 @@ TEST(PieceFinder, PiecesThatWereApartFromTheBeginningAreNoSplit) {
 
 TEST(PieceFinder, BoneBeyondTheRegionHoldsNothingTogether) {
     // Given a bar that reaches out of the region at both ends
-    Body body = bone(0.5_mm, [](Vec3 p) { return std::max(std::abs(p.y) - 3.0_mm, std::abs(p.z) - 3.0_mm); }, {-8.0_mm, -3.0_mm, -3.0_mm},
-                     {8.0_mm, 3.0_mm, 3.0_mm});
+    Body body = bone(0.5_mm, [](Vec3 p) { return std::max(std::abs(p.y) - 3.0_mm, std::abs(p.z) - 3.0_mm); },
+                     {-8.0_mm, -3.0_mm, -3.0_mm}, {8.0_mm, 3.0_mm, 3.0_mm});
     const Grid& g = body.grid();
     body.region = {g.sample_position(4, 1, 1), g.sample_position(g.samples(0) - 4, g.samples(1) - 2, g.samples(2) - 2)};
     CutField cut(body, 64);
@@ -232,7 +251,8 @@ TEST(PieceMask, EachPieceHoldsItsOwnSamplesAndTogetherTheyHoldAll) {
     ASSERT_EQ(sawn.parts.size(), 1u);
     const CutField stump(sawn.cut, PieceMask(sawn.body.grid(), sawn.all, sawn.finder.bone()), 16);
     const CutField end(sawn.cut, PieceMask(sawn.body.grid(), sawn.all, sawn.parts[0].bone), 16);
-    const auto all = test::solid_volume(sawn.body, sawn.cut), first = test::solid_volume(sawn.body, stump), second = test::solid_volume(sawn.body, end);
+    const auto all = test::solid_volume(sawn.body, sawn.cut), first = test::solid_volume(sawn.body, stump),
+               second = test::solid_volume(sawn.body, end);
     std::size_t in_first = 0, in_second = 0;
     for (std::size_t s = 0; s < all.solid.size(); ++s) {
         ASSERT_EQ(all.solid[s], first.solid[s] | second.solid[s]);
@@ -255,7 +275,8 @@ TEST(PieceMask, APieceKnowsItsOwnDistancesAndNoWallOfTheOther) {
             if (x < 2.0_mm) {
                 EXPECT_NEAR(here, sawn.at(sawn.cut, p), 1e-12) << "its own bone and the cut in it are as they were";
             } else if (x > 2.6_mm) {
-                EXPECT_GT(here, 0.9 * std::min(x - 2.1_mm, sawn.body.grid().clamp()) - h) << "x = " << x * 1e3 << " mm: nothing is left of the other";
+                EXPECT_GT(here, 0.9 * std::min(x - 2.1_mm, sawn.body.grid().clamp()) - h)
+                    << "x = " << x * 1e3 << " mm: nothing is left of the other";
             }
         }
 }
@@ -275,7 +296,8 @@ TEST(PieceMask, CuttingAPieceGivesTheBitsOfCuttingTheWhole) {
         if (mask.gone_in(b) != PieceMask::Share::nothing || sawn.body.surface.is_all_air(b)) continue;
         const auto [i, j, k] = sawn.body.grid().brick_place(b);
         for (int s = 0; s < 512; ++s)
-            ASSERT_EQ(stump.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64), sawn.cut.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64));
+            ASSERT_EQ(stump.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64),
+                      sawn.cut.sample(8 * i + s % 8, 8 * j + s / 8 % 8, 8 * k + s / 64));
         ++compared;
     }
     EXPECT_GT(compared, 50);
@@ -294,7 +316,8 @@ TEST(PieceMask, StoredSamplesOnAFaceThatTwoBricksShareAgree) {
                     const int at[3] = {8 * i + x, 8 * j + y, 8 * k + z};
                     if (at[0] >= g.samples(0) || at[1] >= g.samples(1) || at[2] >= g.samples(2)) continue;
                     if (sawn.body.surface.is_all_air(g.brick_index(at[0] / 8, at[1] / 8, at[2] / 8))) continue;
-                    ASSERT_EQ(stump.stored(b)[(z * stored_edge + y) * stored_edge + x], stump.sample(at[0], at[1], at[2]));
+                    ASSERT_EQ(stump.stored(b)[(z * stored_edge + y) * stored_edge + x],
+                              stump.sample(at[0], at[1], at[2]));
                 }
     }
 }

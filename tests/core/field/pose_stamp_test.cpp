@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "tests/support/block.h"
 #include "tests/support/drilled_block.h"
@@ -18,7 +21,8 @@ namespace {
 
 using namespace literals;
 
-/// A drill that sinks in with a sway, is drawn back and shifted aside: records of a twentieth of a voxel and of several.
+/// A drill that sinks in with a sway, is drawn back and shifted aside: records of a twentieth of a voxel and of
+/// several.
 std::vector<CutRecord> records(double h) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -99,7 +103,8 @@ TEST(PoseStamp, WhatItRemembersChangesNoBit) {
     // Given records stamped in their order, backwards by groups as they are committed, and shuffled
     const double h = 0.2_mm;
     const Body body = test::block({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.31, 0.17, 0.73});
-    const ToolSolid tools[] = {test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm), test::blade_outline(20.0_mm, 2.0_mm, 1.5_mm, 0.9_mm),
+    const ToolSolid tools[] = {test::drill_outline(1.6_mm, 59.0_deg, 2.0_mm),
+                               test::blade_outline(20.0_mm, 2.0_mm, 1.5_mm, 0.9_mm),
                                ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}})};
     std::mt19937 random(11);
     for (const ToolSolid& tool : tools) {
@@ -125,7 +130,9 @@ TEST(PoseStamp, WhatItRemembersChangesNoBit) {
             for (const auto& [index, samples] : reference.bricks)
                 for (int s = 0; s < stored_samples; ++s) {
                     const std::int16_t* stored = cut.stored(index);
-                    ASSERT_EQ(stored != nullptr ? stored[s] : std::int16_t{-32767}, samples[static_cast<std::size_t>(s)]) << "way " << way << ", brick " << index << ", sample " << s;
+                    ASSERT_EQ(stored != nullptr ? stored[s] : std::int16_t{-32767},
+                              samples[static_cast<std::size_t>(s)])
+                        << "way " << way << ", brick " << index << ", sample " << s;
                 }
         }
     }

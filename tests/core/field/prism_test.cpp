@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <random>
 
 #include "core/field/removed_volume.h"
-#include "core/field/tool_solid.h"
 #include "core/field/sweep.h"
+#include "core/field/tool_solid.h"
 #include "tests/support/block.h"
 
 namespace kerf {
@@ -74,7 +75,8 @@ TEST(Prism, ItsBoxHoldsItAndNoMore) {
 
 // Fed straight down through a block, turned against the grid: thickness x width x depth, the round front's part less.
 TEST(Prism, ASlotTakesItsExactVolume) {
-    // Where two of its own faces meet inside bone a voxel counts as facing: h²/12 too much for each length of edge, 34 mm here.
+    // Where two of its own faces meet inside bone a voxel counts as facing: h²/12 too much for each length of edge, 34
+    // mm here.
     const double h = 0.2_mm, half_width = 4.0_mm, kerf = 1.0_mm, radius = 20.0_mm, depth = 4.0_mm;
     const ToolSolid blade = test::blade_outline(radius, half_width, 6.0_mm, kerf);
     // Below the chord of the front there is the polygon's area, next to the segment's.

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "core/field/bone_surface.h"
 #include "core/field/bone_view.h"
@@ -154,7 +157,8 @@ TEST(Region, MeshAndVolumesKeepToIt) {
     EXPECT_NEAR((test::volume(whole) - test::volume(mesh)) / hole, 1.0,
                 0.1 /* its rim is cut off like the box's edges, 3 %; its bottom is round */);
     const double box = 8.0_mm * 8.0_mm * 6.0_mm, edge_length = 4.0 * (8.0_mm + 8.0_mm + 6.0_mm);
-    EXPECT_NEAR(test::volume(whole), box - 0.5 * h * h * edge_length, 0.005 * box) << "its edges are cut off by a voxel";
+    EXPECT_NEAR(test::volume(whole), box - 0.5 * h * h * edge_length, 0.005 * box)
+        << "its edges are cut off by a voxel";
 }
 
 }  // namespace

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <vector>
 
 #include "core/field/bone_surface.h"
 #include "core/field/isosurface.h"
@@ -44,7 +50,8 @@ Body decided_by(const Voxels& voxels, std::array<int, 3> bricks) {
 /// All a quarter of a voxel or more from zero: every case of a cell, and every vertex on an edge that can be told.
 Body noise(std::uint64_t seed, double share_inside, std::array<int, 3> bricks = {2, 3, 2}) {
     Random random(seed);
-    return decided_by([&] { return (random.next() < share_inside ? -1.0 : 1.0) * (0.25 + 3.5 * random.next()); }, bricks);
+    return decided_by([&] { return (random.next() < share_inside ? -1.0 : 1.0) * (0.25 + 3.5 * random.next()); },
+                      bricks);
 }
 
 CutRecord stroke(Vec3 from, Vec3 to, Vec3 along) {
@@ -97,15 +104,16 @@ int bone_at(const Body& body, const CutField& cut, int i, int j, int k) {
 /// The same surface cell by cell, every cell looked at, in double precision.
 Mesh slowly(const Body& body, const CutField& cut) {
     const Grid& g = body.grid();
-    return isosurface({.size = {g.samples(0), g.samples(1), g.samples(2)},
-                       .spacing = g.spacing,
-                       .origin = g.origin,
-                       .value = [&](int i, int j, int k) { return static_cast<float>(bone_at(body, cut, i, j, k)) / 8192.0F; }});
+    return isosurface(
+        {.size = {g.samples(0), g.samples(1), g.samples(2)},
+         .spacing = g.spacing,
+         .origin = g.origin,
+         .value = [&](int i, int j, int k) { return static_cast<float>(bone_at(body, cut, i, j, k)) / 8192.0F; }});
 }
 
 /// By the edges of the grid that its vertices stand on.
 struct ByEdges {
-    using Edge = std::array<int, 4>;  ///< lower sample, axis
+    using Edge = std::array<int, 4>;                 ///< lower sample, axis
     std::map<Edge, std::pair<Vec3, Vec3>> vertices;  ///< [voxels], normal
     std::vector<std::array<Edge, 3>> triangles;
 
@@ -157,10 +165,12 @@ bool are_same_bits(const Mesh& a, const Mesh& b) {
     const auto same = [](const std::vector<Vec3>& p, const std::vector<Vec3>& q) {
         return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](Vec3 v, Vec3 w) { return v == w; });
     };
-    return same(a.vertices, b.vertices) && same(a.normals, b.normals) && a.tissue == b.tissue && a.triangles == b.triangles;
+    return same(a.vertices, b.vertices) && same(a.normals, b.normals) && a.tissue == b.tissue &&
+           a.triangles == b.triangles;
 }
 
-// ---- the same surface as cell by cell ----------------------------------------------------------------------------------
+// ---- the same surface as cell by cell
+// ----------------------------------------------------------------------------------
 
 TEST(BrickSurface, OfNoiseIsThatOfTheSlowWayTriangleByTriangle) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -176,7 +186,8 @@ TEST(BrickSurface, OfNoiseInOneBrickTooWhoseSidesAreAllTheGrids) {
     }
 }
 TEST(BrickSurface, OfADrilledBlockARoomARegionAndAFullGridToo) {
-    for (const Body& body : {test::shelled_block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 1.0_mm, 0.4_mm), block_with_room(), block_in_region(0.37)})
+    for (const Body& body : {test::shelled_block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 1.0_mm, 0.4_mm),
+                             block_with_room(), block_in_region(0.37)})
         expect_same_surface(body, drilled(body));
     const Body full = full_grid();
     expect_same_surface(full, CutField(full, 16));
@@ -222,7 +233,8 @@ TEST(BrickSurface, TissueIsWhatLiesAStepInwards) {
     std::array<int, 2> count{};
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         double weight[KERF_MAX_TISSUES];
-        material_weights(body, locate(body.grid(), mesh.vertices[v] - 0.5 * body.grid().spacing * mesh.normals[v]), weight);
+        material_weights(body, locate(body.grid(), mesh.vertices[v] - 0.5 * body.grid().spacing * mesh.normals[v]),
+                         weight);
         if (std::abs(weight[0] - weight[1]) < 1e-3) continue;  // rounding may decide
         ASSERT_EQ(mesh.tissue[v], weight[0] > weight[1] ? 0 : 1);
         ++count[mesh.tissue[v]];
@@ -252,7 +264,8 @@ TEST(BrickSurface, IsTheSameBitByBitWithAnyKernel) {
     }
 }
 
-// ---- patches and their seams -------------------------------------------------------------------------------------------
+// ---- patches and their seams
+// -------------------------------------------------------------------------------------------
 
 /// The vertices on one side of a patch, by the place of their edge in that side.
 std::map<std::array<int, 4>, SurfaceVertex> on_side(const BrickPatch& patch, int axis, int at) {
@@ -279,10 +292,14 @@ TEST(SurfacePatches, NeighboursHaveTheSameVerticesOnTheirSeamBitByBit) {
                 for (int i = 0; i < g.bricks[0]; ++i)
                     for (int axis = 0; axis < 3; ++axis) {
                         std::array<int, 3> next{i, j, k};
-                        if (++next[static_cast<std::size_t>(axis)] == g.bricks[static_cast<std::size_t>(axis)]) continue;
-                        const auto &a = patches.patch(g.brick_index(i, j, k)), &b = patches.patch(g.brick_index(next[0], next[1], next[2]));
-                        const auto low = a == nullptr ? on_side(BrickPatch(PatchView{}), axis, 8) : on_side(*a, axis, 8);
-                        const auto high = b == nullptr ? on_side(BrickPatch(PatchView{}), axis, 0) : on_side(*b, axis, 0);
+                        if (++next[static_cast<std::size_t>(axis)] == g.bricks[static_cast<std::size_t>(axis)])
+                            continue;
+                        const auto &a = patches.patch(g.brick_index(i, j, k)),
+                                   &b = patches.patch(g.brick_index(next[0], next[1], next[2]));
+                        const auto low =
+                            a == nullptr ? on_side(BrickPatch(PatchView{}), axis, 8) : on_side(*a, axis, 8);
+                        const auto high =
+                            b == nullptr ? on_side(BrickPatch(PatchView{}), axis, 0) : on_side(*b, axis, 0);
                         ASSERT_EQ(low.size(), high.size());
                         for (auto p = low.begin(), q = high.begin(); p != low.end(); ++p, ++q) {
                             ASSERT_EQ(p->first, q->first);
@@ -303,10 +320,12 @@ TEST(SurfacePatches, WeldToTheMeshThatIsMadeAtOnce) {
     }
 }
 
-// ---- kept up to date -----------------------------------------------------------------------------------------------------
+// ---- kept up to date
+// -----------------------------------------------------------------------------------------------------
 
 TEST(SurfacePatches, AfterAnyCutsAreThoseOfAFreshSurface) {
-    for (const Body& body : {block_with_room(), block_in_region(), test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.35_mm)}) {
+    for (const Body& body : {block_with_room(), block_in_region(),
+                             test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.35_mm)}) {
         // Given a surface from before any cut
         CutField cut(body, 64);
         SurfacePatches patches(body);
@@ -332,8 +351,11 @@ TEST(SurfacePatches, AfterAnyCutsAreThoseOfAFreshSurface) {
             std::vector<std::size_t> differing, named;
             for (std::size_t b = 0; b < body.grid().brick_count(); ++b) {
                 const PatchView now = fresh.patch(b) == nullptr ? PatchView{} : fresh.patch(b)->view();
-                ASSERT_EQ(patches.patch(b) == nullptr, fresh.patch(b) == nullptr) << "brick " << b << " round " << round;
-                const auto is_as_now = [&](const auto& patch) { return patch == nullptr ? now.vertices.empty() : patch->is_same_as(now); };
+                ASSERT_EQ(patches.patch(b) == nullptr, fresh.patch(b) == nullptr)
+                    << "brick " << b << " round " << round;
+                const auto is_as_now = [&](const auto& patch) {
+                    return patch == nullptr ? now.vertices.empty() : patch->is_same_as(now);
+                };
                 ASSERT_TRUE(is_as_now(patches.patch(b))) << "brick " << b << " round " << round;
                 if (!is_as_now(before[b])) differing.push_back(b);
             }
@@ -382,7 +404,8 @@ TEST(PatchTable, AHeldOneStaysAsItWasAndTheNextIsTheSurfaceOfNow) {
     for (double depth = 0.0; depth < 12.0_mm; depth += 1.0_mm) {
         cut.stamp(stroke({0, 0, -depth}, {0, 0, -depth - 1.0_mm}, {0, 0, -1}), drill());
         table = table.with(patches.update(cut, cut.take_changed()));
-        for (std::size_t b = 0; b < bricks; ++b) ASSERT_EQ(table[b], patches.patch(b)) << "brick " << b << " at " << depth;
+        for (std::size_t b = 0; b < bricks; ++b)
+            ASSERT_EQ(table[b], patches.patch(b)) << "brick " << b << " at " << depth;
     }
 
     // Then what the reader holds has not changed
@@ -409,7 +432,8 @@ TEST(LevelSet, KnowsOfEachBrickWhichSignsItHas) {
     std::array<int, 3> count{};
     for (std::size_t b = 0; b < g.brick_count(); ++b) {
         const std::int16_t uniform = body.surface.uniform_value(b), *stored = body.surface.stored(b);
-        const std::int16_t *first = stored != nullptr ? stored : &uniform, *last = stored != nullptr ? stored + stored_samples : &uniform + 1;
+        const std::int16_t *first = stored != nullptr ? stored : &uniform,
+                           *last = stored != nullptr ? stored + stored_samples : &uniform + 1;
         const bool has_inside = std::any_of(first, last, [](std::int16_t s) { return s < 0; });
         const bool has_outside = std::any_of(first, last, [](std::int16_t s) { return s >= 0; });
         ASSERT_EQ(body.surface.has_inside(b), has_inside);

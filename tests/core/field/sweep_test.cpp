@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <random>
 
 #include "tests/support/block.h"
@@ -28,8 +32,8 @@ TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
         constexpr int instants = 4000;
         double deepest = -1.0, at_sub_poses = -1.0;
         for (int i = 0; i <= instants; ++i)
-            deepest = std::max(
-                deepest, -burr.distance(inverse(between(from, to, static_cast<double>(i) / instants)) * p));
+            deepest =
+                std::max(deepest, -burr.distance(inverse(between(from, to, static_cast<double>(i) / instants)) * p));
         for (int i = 0; i <= sweep.sub_poses(); ++i)
             at_sub_poses = std::max(at_sub_poses, -burr.distance(inverse(sweep.sub_pose(i)) * p));
         EXPECT_LE(deepest, at_sub_poses + sweep.step());
@@ -46,9 +50,11 @@ TEST(Sweep, HoldsWhatTheSolidWasInAndNothingElse) {
 
 TEST(Sweep, WhatItHoldsItMayHoldAndLittleElse) {
     const ToolSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}});
-    const ToolSolid solids[] = {burr, test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm), test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm)};
+    const ToolSolid solids[] = {burr, test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm),
+                                test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm)};
     const Pose from = test::pointing({0.3_mm, 0, 0}, {0.1, 0.2, -1.0});
-    const Pose ends[] = {test::pointing({0.35_mm, 0.05_mm, -0.02_mm}, {0.1, 0.21, -1.0}), test::pointing({0.7_mm, 0.4_mm, -0.1_mm}, {0.15, 0.2, -1.0})};
+    const Pose ends[] = {test::pointing({0.35_mm, 0.05_mm, -0.02_mm}, {0.1, 0.21, -1.0}),
+                         test::pointing({0.7_mm, 0.4_mm, -0.1_mm}, {0.15, 0.2, -1.0})};
     std::mt19937 random(11);
     std::uniform_real_distribution<double> x(-3.0_mm, 4.0_mm), z(-2.0_mm, 6.0_mm);
     for (const ToolSolid& solid : solids)
@@ -73,20 +79,22 @@ TEST(Sweep, WhatItHoldsItMayHoldAndLittleElse) {
         }
 }
 
-// What its land covers needs no sub-poses: to the depth that was asked for, every point of the way is as deep in one of the poses as it
-// was at any instant, but for a ridge of half a step.
+// What its land covers needs no sub-poses: to the depth that was asked for, every point of the way is as deep in one of
+// the poses as it was at any instant, but for a ridge of half a step.
 TEST(Sweep, ASlideAlongTheAxisIsCoveredByItsEnds) {
     constexpr double step = 0.05_mm, depth = 0.4_mm;
-    const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm), blade = test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm);
+    const ToolSolid drill = test::drill_outline(1.6_mm, 59.0_deg, 3.0_mm),
+                    blade = test::blade_outline(20.0_mm, 2.0_mm, 3.0_mm, 0.9_mm);
     const Pose from = test::pointing({0, 0, 0}, {0, 0, -1.0});
     struct Way {
         const ToolSolid& solid;
         double along, aside, tilt;
         int sub_poses;
     };
-    for (const Way& way : {Way{drill, 0.2_mm, 0.0, 0.0, 1}, Way{drill, -0.2_mm, 0.0, 0.0, 1}, Way{drill, 0.5_mm, 0.02_mm, 0.0, 1},
-                           Way{drill, 0.4_mm, 0.11_mm, 0.0, 5}, Way{drill, 0.2_mm, 0.03_mm, 0.02, 2}, Way{drill, 0.0, 0.11_mm, 0.0, 3},
-                           Way{blade, 0.2_mm, 0.02_mm, 0.0, 1}}) {
+    for (const Way& way :
+         {Way{drill, 0.2_mm, 0.0, 0.0, 1}, Way{drill, -0.2_mm, 0.0, 0.0, 1}, Way{drill, 0.5_mm, 0.02_mm, 0.0, 1},
+          Way{drill, 0.4_mm, 0.11_mm, 0.0, 5}, Way{drill, 0.2_mm, 0.03_mm, 0.02, 2}, Way{drill, 0.0, 0.11_mm, 0.0, 3},
+          Way{blade, 0.2_mm, 0.02_mm, 0.0, 1}}) {
         const Pose to = test::pointing({way.aside, 0, -way.along}, {way.tilt, 0, -1.0});
         const Sweep sweep(way.solid, from, to, step, depth);
         EXPECT_EQ(sweep.sub_poses(), way.sub_poses) << way.along << " along, " << way.aside << " aside";
@@ -99,7 +107,8 @@ TEST(Sweep, ASlideAlongTheAxisIsCoveredByItsEnds) {
             constexpr int instants = 100;
             double deepest = -1.0, at_sub_poses = -1.0;
             for (int i = 0; i <= instants; ++i)
-                deepest = std::max(deepest, -way.solid.distance(inverse(between(from, to, static_cast<double>(i) / instants)) * p));
+                deepest = std::max(
+                    deepest, -way.solid.distance(inverse(between(from, to, static_cast<double>(i) / instants)) * p));
             for (int i = 0; i <= sweep.sub_poses(); ++i)
                 at_sub_poses = std::max(at_sub_poses, -way.solid.distance(inverse(sweep.sub_pose(i)) * p));
             if (deepest < 0.0) continue;
@@ -115,12 +124,13 @@ TEST(Sweep, ASlideAlongTheAxisIsCoveredByItsEnds) {
 // A burr does not cover its way, nor does a tool whose land is too short, nor one that widens towards its tip.
 TEST(Sweep, ASolidWithoutALandIsFollowedStepByStep) {
     const Pose from = test::pointing({0, 0, 0}, {0, 0, -1.0}), to = test::pointing({0, 0, -0.4_mm}, {0, 0, -1.0});
-    const ToolSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}}), drill = test::drill_outline(1.6_mm, 59.0_deg, 1.7_mm),
-                    cone({{0.0, 0.0}, {-4.0_mm, 3.0_mm}});
+    const ToolSolid burr({{0.0, 0.0}, {-1.0_mm, 2.0_mm}, {-3.0_mm, 2.0_mm}, {-3.5_mm, 0.6_mm}, {-9.0_mm, 0.6_mm}}),
+        drill = test::drill_outline(1.6_mm, 59.0_deg, 1.7_mm), cone({{0.0, 0.0}, {-4.0_mm, 3.0_mm}});
     EXPECT_EQ(burr.land(), 0.0);
     EXPECT_EQ(cone.land(), 0.0);
     EXPECT_NEAR(drill.land(), 1.7_mm - 1.6_mm / std::tan(59.0_deg), 1e-9);
-    for (const ToolSolid* solid : {&burr, &drill, &cone}) EXPECT_EQ(Sweep(*solid, from, to, 0.1_mm, 0.4_mm).sub_poses(), 4);
+    for (const ToolSolid* solid : {&burr, &drill, &cone})
+        EXPECT_EQ(Sweep(*solid, from, to, 0.1_mm, 0.4_mm).sub_poses(), 4);
 }
 
 TEST(Sweep, AStillSolidHoldsWhatItIsIn) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -17,10 +18,10 @@ using namespace literals;
 const ToolSolid tool = test::drill_outline(2.0_mm, 45.0_deg, 10.0_mm);
 
 TEST(ToolSolid, DistanceIsThatOfConeWallAndCap) {
-    EXPECT_NEAR(tool.distance({0, 0, 1.0_mm}), 1.0_mm, 1e-15);              // ahead of the tip
-    EXPECT_NEAR(tool.distance({3.0_mm, 0, -5.0_mm}), 1.0_mm, 1e-15);        // beside the wall
-    EXPECT_NEAR(tool.distance({0, 1.5_mm, -5.0_mm}), -0.5_mm, 1e-15);       // inside, near the wall
-    EXPECT_NEAR(tool.distance({0, 0, -11.0_mm}), 1.0_mm, 1e-15);            // behind the cap
+    EXPECT_NEAR(tool.distance({0, 0, 1.0_mm}), 1.0_mm, 1e-15);                     // ahead of the tip
+    EXPECT_NEAR(tool.distance({3.0_mm, 0, -5.0_mm}), 1.0_mm, 1e-15);               // beside the wall
+    EXPECT_NEAR(tool.distance({0, 1.5_mm, -5.0_mm}), -0.5_mm, 1e-15);              // inside, near the wall
+    EXPECT_NEAR(tool.distance({0, 0, -11.0_mm}), 1.0_mm, 1e-15);                   // behind the cap
     EXPECT_NEAR(tool.distance({0, 0, -1.0_mm}), -1.0_mm / std::sqrt(2.0), 1e-15);  // on the axis, below the cone
 }
 
@@ -31,9 +32,7 @@ TEST(ToolSolid, APointLeavesAlongTheAxisThroughTheCone) {
     EXPECT_NEAR(tool.travel_to_leave({1.0_mm, 0, -4.0_mm}, {0, 0, -1}), 6.0_mm, 1e-12);
 }
 
-TEST(ToolSolid, OutsideThereIsNothingToLeave) {
-    EXPECT_EQ(tool.travel_to_leave({3.0_mm, 0, -4.0_mm}, {0, 0, 1}), 0.0);
-}
+TEST(ToolSolid, OutsideThereIsNothingToLeave) { EXPECT_EQ(tool.travel_to_leave({3.0_mm, 0, -4.0_mm}, {0, 0, 1}), 0.0); }
 
 TEST(ToolSolid, EndsExactlyOnItsSurfaceAfterThatTravel) {
     std::mt19937 random(7);
@@ -57,14 +56,17 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
         constexpr double reach = 0.12_mm;  // farther out, none ends inside
         int gained = 0, near_it = 0;
         for (int n = 0; n < 1000000; ++n) {
-            const Vec3 p = {9.0_mm * unit(random), 9.0_mm * unit(random), solid->end_z() + 7.0_mm * (1.0 + unit(random))};
+            const Vec3 p = {9.0_mm * unit(random), 9.0_mm * unit(random),
+                            solid->end_z() + 7.0_mm * (1.0 + unit(random))};
             const double before = -solid->distance(p);
             if (before > 0.0 || before < -reach) continue;
             // Mostly along the axis, as tools go, and to and fro.
             const double lateral = n % 3 == 0 ? 0.1_mm : 0.001_mm, turn = n % 2 == 0 ? 0.0 : 0.002;
-            const Pose moved{{lateral * unit(random), lateral * unit(random), 0.1_mm * unit(random)},
-                             quat_from_rotation_vector({turn * unit(random), turn * unit(random), turn * unit(random)})};
-            const double after = -solid->distance(moved * p), gain = after - before, most = solid->most_gained_outside(moved);
+            const Pose moved{
+                {lateral * unit(random), lateral * unit(random), 0.1_mm * unit(random)},
+                quat_from_rotation_vector({turn * unit(random), turn * unit(random), turn * unit(random)})};
+            const double after = -solid->distance(moved * p), gain = after - before,
+                         most = solid->most_gained_outside(moved);
             if (after < 0.0) continue;
             ASSERT_LE(gain, most + 1e-15) << n;
             ++near_it;
@@ -80,8 +82,10 @@ TEST(ToolSolid, NoPointOutsideGainsMoreDepthThanIsSaid) {
 }
 
 TEST(ToolSolid, NoPointOfABoxGainsMoreDepthThanIsSaid) {
-    const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm), ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}, {-4.0_mm, 1.2_mm}}),
-                                ToolSolid({{0.0, 2.0_mm}, {-4.0_mm, 2.0_mm}}), ToolSolid({{0.0, 0.3_mm}, {-1.0_mm, 1.5_mm}, {-4.0_mm, 1.5_mm}})};
+    const ToolSolid solids[] = {test::drill_outline(1.6_mm, 59.0_deg, 4.0_mm),
+                                ToolSolid({{0.0, 0.5_mm}, {-0.4_mm, 1.0_mm}, {-2.0_mm, 1.2_mm}, {-4.0_mm, 1.2_mm}}),
+                                ToolSolid({{0.0, 2.0_mm}, {-4.0_mm, 2.0_mm}}),
+                                ToolSolid({{0.0, 0.3_mm}, {-1.0_mm, 1.5_mm}, {-4.0_mm, 1.5_mm}})};
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };

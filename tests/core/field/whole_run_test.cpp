@@ -2,6 +2,9 @@
 // A drill fed by hand through a shell into cancellous bone and out again, once with each kernel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "core/field/fnv1a.h"

@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "core/field/bone_surface.h"
 #include "tests/support/milled_bar.h"
@@ -15,7 +19,8 @@ using test::Milled;
 
 double volume_of(const Mesh& mesh) {
     double sum = 0.0;
-    for (const auto& [a, b, c] : mesh.triangles) sum += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c])) / 6.0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        sum += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c])) / 6.0;
     return sum;
 }
 bool is_closed(const Mesh& mesh) {
@@ -58,7 +63,8 @@ TEST(Bodies, ASeveredBarBecomesTwoWithAllTheBoneThatWasNotCut) {
         EXPECT_NEAR(volume_of(mesh) / volume, 1.0, 0.02 /* marching cubes cut the edges off */) << "body " << b;
         left += volume;
     }
-    EXPECT_NEAR((left + milled.simulation.present().removed() + milled.simulation.present().crumb_volume()) / before, 1.0, 1e-3);
+    EXPECT_NEAR((left + milled.simulation.present().removed() + milled.simulation.present().crumb_volume()) / before,
+                1.0, 1e-3);
     // 14 mm long, cut at y = 2 mm by 1.2 mm: 8.4 mm and 4.4 mm of 9 mm² stay
     EXPECT_NEAR(bone_volume(milled.body, milled.simulation.exact(0)), 8.4 * 9e-9, 0.02 * 8.4 * 9e-9);
     EXPECT_NEAR(bone_volume(milled.body, milled.simulation.exact(1)), 4.4 * 9e-9, 0.02 * 4.4 * 9e-9);
@@ -104,7 +110,8 @@ TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
     ASSERT_EQ(milled.simulation.bodies().size(), 2u);
     // Given the end 1 mm nearer to the stump, 0.2 mm from it, so that one way of the mill takes from both
     milled.simulation.place_body(1, {{0, -1.0_mm, 0}, {1, 0, 0, 0}});
-    const double before[2] = {bone_volume(milled.body, milled.simulation.exact(0)), bone_volume(milled.body, milled.simulation.exact(1))};
+    const double before[2] = {bone_volume(milled.body, milled.simulation.exact(0)),
+                              bone_volume(milled.body, milled.simulation.exact(1))};
     int records[2] = {0, 0};
     // When the mill comes back between them
     for (double x = milled.x; x > -3.0_mm; x -= 2.0_um) {

@@ -2,6 +2,8 @@
 // A hand faster than a voxel a tick: nothing is jumped, nothing is missed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <random>
 #include <string_view>
 
@@ -73,7 +75,8 @@ TEST(FastMotion, AToolThatBoneResistsIsNoFasterThanAMetreASecond) {
 }
 
 TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
-    // Given bone that gives way to anything, on a grid so fine that half a metre a second sideways is more than can be stamped
+    // Given bone that gives way to anything, on a grid so fine that half a metre a second sideways is more than can be
+    // stamped
     constexpr double h = 0.12_mm;
     Body body = test::block({-4.0_mm, -3.0_mm, -4.0_mm}, {14.0_mm, 3.0_mm, 0}, h, {0.1, 0.4, 0.8});
     body.materials[0].density = 5.0;
@@ -131,8 +134,8 @@ TEST(FastMotion, APushThroughSoftBoneLeavesNothingStanding) {
     }
     simulation.finish();
     ASSERT_GE(most, 3);
-    // Voxels are counted by their distance to the wall; where it bends that is h²/24 too much for each length of it: π h²/12
-    // of the hole's area, 0.8 % here.
+    // Voxels are counted by their distance to the wall; where it bends that is h²/24 too much for each length of it: π
+    // h²/12 of the hole's area, 0.8 % here.
     const double radius = 1.6_mm, h = 0.5_mm, area = pi * (radius * radius + h * h / 12.0);
     EXPECT_NEAR(simulation.present().removed() / (area * 6.0_mm), 1.0, 0.005);
     EXPECT_TRUE(simulation.committed().same_bits(simulation.exact()));

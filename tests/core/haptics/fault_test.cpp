@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/drill_rig.h"
@@ -53,7 +56,8 @@ TEST(Fault, ALeapOfTheHandFadesTheForceAndGoesOnFromWhereBothAre) {
         last = felt(r);
     }
     EXPECT_EQ(last, 0.0);
-    for (int i = 0; i < 100; ++i) EXPECT_LT(felt(rig.tick(elsewhere)), 5e-3) << "the leap was not stored; the wall gives back its micrometre";
+    for (int i = 0; i < 100; ++i)
+        EXPECT_LT(felt(rig.tick(elsewhere)), 5e-3) << "the leap was not stored; the wall gives back its micrometre";
     EXPECT_EQ(rig.events, (std::vector<std::string>{"haptics.hand_lost", "haptics.anchored_again"}));
 
     // It is held again: half a millimetre on is half a millimetre of spring.
@@ -87,7 +91,8 @@ TEST(Fault, WhileForceComesBackAHandThatFliesIntoTheWallMeetsItByALittleMoreEach
     double depth = 1.0_mm, last = 0.0, steepest = 0.0;
     (void)rig.simulation.tick({test::at_depth(depth), 100});
     rig.simulation.after_tick();
-    for (int i = 0; i < 30; ++i) last = felt(rig.tick(test::at_depth(depth -= 0.01_mm)));  // 24 ms of the 50: 4 N would be allowed
+    for (int i = 0; i < 30; ++i)
+        last = felt(rig.tick(test::at_depth(depth -= 0.01_mm)));  // 24 ms of the 50: 4 N would be allowed
     for (int i = 0; i < 60; ++i) {  // far beyond the 50 ms: for as long as it is the bound that holds the force
         const double now = felt(rig.tick(test::at_depth(depth += i < 30 ? 2.0_mm : 0.0_mm)));
         steepest = std::max(steepest, std::abs(now - last));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/support/drill_rig.h"
 #include "tests/support/made_outline.h"
@@ -19,7 +20,8 @@ struct InAir {
     Simulation simulation;
 
     explicit InAir(double mass)
-        : setup(test::twist_drill({{"mass", mass}})), simulation(body, setup, test::outline(setup), test::gains(), start()) {}
+        : setup(test::twist_drill({{"mass", mass}})),
+          simulation(body, setup, test::outline(setup), test::gains(), start()) {}
     static Pose start() { return test::at_depth(-40.0_mm); }
 
     TickResult tick(Vec3 moved) {
@@ -67,7 +69,8 @@ TEST(ToolInAir, AMassThatNoHandHoldsIsRefused) {
     };
     EXPECT_EQ(refused(0.0), "");
     EXPECT_EQ(refused(0.5), "");
-    for (const double mass : {-1.0, 21.0, std::nan("")}) EXPECT_NE(refused(mass).find("0 to 20 kg"), std::string::npos) << mass;
+    for (const double mass : {-1.0, 21.0, std::nan("")})
+        EXPECT_NE(refused(mass).find("0 to 20 kg"), std::string::npos) << mass;
 }
 
 }  // namespace

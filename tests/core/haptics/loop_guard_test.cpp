@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>

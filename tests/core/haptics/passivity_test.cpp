@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "devices/simulated_hand/simulated_hand.h"
 #include "tests/support/drill_rig.h"

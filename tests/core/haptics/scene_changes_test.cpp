@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forceps hold a piece of bone: it goes with them, and other bone stops it. Pieces grow together, others come in. And what was cut
-// can be taken back.
+// Forceps hold a piece of bone: it goes with them, and other bone stops it. Pieces grow together, others come in. And
+// what was cut can be taken back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "core/plugin/core_instruments.h"
@@ -77,7 +80,8 @@ struct Bench {
 };
 
 TEST(BodiesView, ManyPointsAreAskedOfEveryPieceEachItsWay) {
-    // Given the mill back in the slot between two pieces, on its way into one of them, and more points about it than are asked at a time
+    // Given the mill back in the slot between two pieces, on its way into one of them, and more points about it than
+    // are asked at a time
     Bench bench;
     bench.sever(2.0_mm);
     bench.go_to({0.0_mm, 2.0_mm, 6.0_mm}, Bench::in_air);
@@ -322,7 +326,8 @@ TEST(Undo, BringsTheBoneBackBitForBitAndRedoDoesItAgain) {
     EXPECT_EQ(bench.simulation.present().hash(), twice);
     EXPECT_EQ(bench.simulation.present().removed(), removed);
     EXPECT_NE(bench.simulation.redo(), "");
-    for (std::size_t b = 0; b < 3; ++b) EXPECT_TRUE(bench.simulation.committed(b).same_bits(bench.simulation.exact(b))) << b;
+    for (std::size_t b = 0; b < 3; ++b)
+        EXPECT_TRUE(bench.simulation.committed(b).same_bits(bench.simulation.exact(b))) << b;
 }
 
 TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
@@ -332,12 +337,14 @@ TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
     ASSERT_EQ(undone.simulation.undo(), "");
     // Back in the air, then the same way in both
     for (Bench* bench : {&undone, &plain}) {
-        for (const Vec3 to : {Vec3{bench->hand.position.x, -20.0_mm, 6.0_mm}, Vec3{-12.0_mm, -20.0_mm, 6.0_mm}}) bench->go_to(to, Bench::in_air);
+        for (const Vec3 to : {Vec3{bench->hand.position.x, -20.0_mm, 6.0_mm}, Vec3{-12.0_mm, -20.0_mm, 6.0_mm}})
+            bench->go_to(to, Bench::in_air);
         bench->sever(-3.0_mm);
         bench->simulation.finish();
     }
     ASSERT_EQ(undone.simulation.bodies().size(), 2u);
-    EXPECT_NEAR(undone.simulation.present().removed(), plain.simulation.present().removed(), 1e-3 * plain.simulation.present().removed());
+    EXPECT_NEAR(undone.simulation.present().removed(), plain.simulation.present().removed(),
+                1e-3 * plain.simulation.present().removed());
     EXPECT_NE(undone.simulation.redo(), "");
 }
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows a law without working against it (a burr that climbs, a drill's reaction) must not run away with the tool.
+// What follows a law without working against it (a burr that climbs, a drill's reaction) must not run away with the
+// tool.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "kerf/force.hpp"
 #include "tests/support/drill_rig.h"
@@ -31,9 +36,19 @@ struct CrossedPull {
 
 ToolSetup crossed_pull(double mu) {
     using Table = ForceTable<CrossedPull>;
-    static constexpr kerf_force force{sizeof(kerf_force), sizeof(CrossedPull::State), alignof(CrossedPull::State), nullptr, 0, nullptr, 0, 5000,
-                                      &Table::begin, &Table::resist, &Table::commit};
-    static constexpr kerf_component component{sizeof(kerf_component), KERF_KIND_FORCE, "crossed_pull", "", nullptr, 0, 0, nullptr, &force, nullptr};
+    static constexpr kerf_force force{sizeof(kerf_force),
+                                      sizeof(CrossedPull::State),
+                                      alignof(CrossedPull::State),
+                                      nullptr,
+                                      0,
+                                      nullptr,
+                                      0,
+                                      5000,
+                                      &Table::begin,
+                                      &Table::resist,
+                                      &Table::commit};
+    static constexpr kerf_component component{
+        sizeof(kerf_component), KERF_KIND_FORCE, "crossed_pull", "", nullptr, 0, 0, nullptr, &force, nullptr};
     ToolSetup setup = test::twist_drill();
     setup.force = &component;
     setup.force_parameters = {mu};
@@ -61,9 +76,11 @@ TEST(SidePull, CrossedAndStrongItSettlesWhereItBalances) {
             largest = std::max(largest, std::hypot(now.rate[0], now.rate[1]));
             ASSERT_FALSE(now.is_quarantined);
         }
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(now.rate[k], last.rate[k], 1e-6) << "mu " << mu << ": it has settled";
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(now.rate[k], last.rate[k], 1e-6) << "mu " << mu << ": it has settled";
 
-        // In the balance λ_x, λ_y with η u = λ: pull − λ_x − μ λ_y·… ; the side pull turns the motion by atan μ and slows it.
+        // In the balance λ_x, λ_y with η u = λ: pull − λ_x − μ λ_y·… ; the side pull turns the motion by atan μ and
+        // slows it.
         EXPECT_NEAR(std::abs(now.rate[1] / now.rate[0]), mu, 0.15 * mu) << "turned by the side pull, mu " << mu;
         EXPECT_LT(largest, 40.0 / 5000.0 * 2.0) << "mu " << mu << ": it never ran away";
     }

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace kerf {
@@ -65,7 +68,8 @@ Balance free_body(double mass, double centre_z, double gyration) {
 }
 
 TEST(Solve, ABlowAtTheTipMovesAFreeBodyAndTurnsItAboutItsCentre) {
-    // 10 N for 1 ms across 0.5 kg, 120 mm from its centre, radius of gyration 50 mm: v = F T (1/m + c²/(m k²)), ω = F T c/(m k²)
+    // 10 N for 1 ms across 0.5 kg, 120 mm from its centre, radius of gyration 50 mm: v = F T (1/m + c²/(m k²)), ω = F T
+    // c/(m k²)
     Balance b = free_body(0.5, -0.12, 0.05);
     b.following = {10.0, 0, 0, 0, 0, 0};
     const Motion m = solve(b);
@@ -79,7 +83,8 @@ TEST(Solve, AcrossItsAxisAFreeBodyGoesOnAsItWentAndAlongItNot) {
     Balance b = free_body(0.5, -0.12, 0.05);
     b.previous_rate = {0.01, -0.02, 0.03, 0.4, -0.5, 0.6};
     const Motion m = solve(b);
-    for (const std::size_t across : {0u, 1u, 3u, 4u}) EXPECT_NEAR(m.rate[across], b.previous_rate[across], 1e-6) << across;
+    for (const std::size_t across : {0u, 1u, 3u, 4u})
+        EXPECT_NEAR(m.rate[across], b.previous_rate[across], 1e-6) << across;
     for (const std::size_t along : {2u, 5u}) EXPECT_NEAR(m.rate[along], 0.0, 1e-12) << along;
 }
 

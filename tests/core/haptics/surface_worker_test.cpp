@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/surface_worker.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
-#include "core/haptics/surface_worker.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/milled_bar.h"
 
@@ -37,19 +45,21 @@ struct Script {
     std::vector<Pose> way;
     std::vector<std::pair<std::size_t, Turn>> turns;  ///< before which tick
 
-    Vec3 at{-3.0_mm, 2.0_mm, 6.0_mm};  ///< where the mill begins
+    Vec3 at{-3.0_mm, 2.0_mm, 6.0_mm};                             ///< where the mill begins
     static constexpr double in_bone = 5.0_um, in_air = 100.0_um;  // a tick
 
     void go_to(Vec3 to, double step) {
         const Vec3 from = at;
         const int ticks = std::max(1, static_cast<int>(length(to - from) / step));
-        for (int i = 1; i <= ticks; ++i) way.push_back({at = from + (static_cast<double>(i) / ticks) * (to - from), {1, 0, 0, 0}});
+        for (int i = 1; i <= ticks; ++i)
+            way.push_back({at = from + (static_cast<double>(i) / ticks) * (to - from), {1, 0, 0, 0}});
     }
     void wait(int ticks) { way.insert(way.end(), static_cast<std::size_t>(ticks), {at, {1, 0, 0, 0}}); }
     /// Around the bar and through it.
     void sever(double y) {
         const double aside = at.x < 0.0 ? -12.0_mm : 12.0_mm;
-        for (const Vec3 to : {Vec3{aside, at.y, 6.0_mm}, Vec3{aside, -20.0_mm, 6.0_mm}, Vec3{-12.0_mm, -20.0_mm, 6.0_mm}, Vec3{-4.0_mm, y, 6.0_mm}})
+        for (const Vec3 to : {Vec3{aside, at.y, 6.0_mm}, Vec3{aside, -20.0_mm, 6.0_mm},
+                              Vec3{-12.0_mm, -20.0_mm, 6.0_mm}, Vec3{-4.0_mm, y, 6.0_mm}})
             go_to(to, in_air);
         go_to({4.0_mm, y, 6.0_mm}, in_bone);
         wait(100);
@@ -84,7 +94,8 @@ struct Ended {
 
     void add(const Simulation& simulation, const PresentBone& bone) {
         for (std::size_t b = 0; b < bone.count(); ++b) hashes.push_back(bone.cut(b).hash());
-        for (std::size_t b = 0; b < simulation.bodies().size(); ++b) committed.push_back(simulation.committed(b).hash());
+        for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
+            committed.push_back(simulation.committed(b).hash());
     }
 };
 
@@ -145,7 +156,8 @@ void compare(const Ended& on_the_clock, const Ended& replayed) {
     EXPECT_EQ(replayed.committed, on_the_clock.committed);
     EXPECT_EQ(replayed.bodies, on_the_clock.bodies);
     ASSERT_EQ(replayed.way.size(), on_the_clock.way.size());
-    for (std::size_t i = 0; i < replayed.way.size(); ++i) ASSERT_TRUE(replayed.way[i].position == on_the_clock.way[i].position) << "tick " << i;
+    for (std::size_t i = 0; i < replayed.way.size(); ++i)
+        ASSERT_TRUE(replayed.way[i].position == on_the_clock.way[i].position) << "tick " << i;
 }
 
 TEST(SurfaceWorker, LiveAndLockStepGiveTheSameBitsForTheSameAdoption) {
@@ -199,7 +211,8 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
         step(hand);
         if (hand.position.x < -11.9_mm && !before) before = worker.bone().cut();
     }
-    const CutField& uncut = before.value();  // the mill began so near that it changed distances in the air, and that is no cut
+    const CutField& uncut =
+        before.value();  // the mill began so near that it changed distances in the air, and that is no cut
     ASSERT_EQ(milled.simulation.bodies().size(), 2u);
     ASSERT_EQ(worker.surface()->patches.size(), 2u);
 

@@ -2,8 +2,13 @@
 // The whole tick, with the drilling plugin as the host loads it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "core/haptics/work_force.h"
 #include "tests/support/drill_rig.h"
@@ -92,7 +97,8 @@ TEST(Tick, WithTheSpindleOffTheTipRestsOnTheBoneThatItsPointPricks) {
     for (int i = 0; i < 1000; ++i) result = rig.push(std::min(50.0, 0.1 * i));
     EXPECT_NEAR(result.thrust, 50.0, 5.0);
     const double pricked = -rig.simulation.world_from_tool().position.z;
-    EXPECT_NEAR(pricked, 0.144_mm, 0.03_mm) << "where 233 MPa and friction on its cone bear so much; it goes in ring by ring";
+    EXPECT_NEAR(pricked, 0.144_mm, 0.03_mm)
+        << "where 233 MPa and friction on its cone bear so much; it goes in ring by ring";
     for (int i = 0; i < 2000; ++i) result = rig.push(50.0);
     EXPECT_NEAR(-rig.simulation.world_from_tool().position.z, pricked, 10.0_um);
     rig.simulation.finish();

@@ -4,10 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "core/field/fnv1a.h"
 #include "core/import/bone_mask.h"
@@ -167,7 +173,8 @@ TEST(CtBody, TakesTheNearestLabelWhereTheLabelsHaveAnotherGrid) {
 /// Two balls that do not touch: the larger one at the left.
 VoxelImage two_balls() {
     return image_of([](Vec3 p) {
-        return blurred(std::min(length(p - Vec3{-(5.0_mm), 0.0, 0.0}) - 6.0_mm, length(p - Vec3{9.0_mm, 0.0, 0.0}) - 4.0_mm));
+        return blurred(
+            std::min(length(p - Vec3{-(5.0_mm), 0.0, 0.0}) - 6.0_mm, length(p - Vec3{9.0_mm, 0.0, 0.0}) - 4.0_mm));
     });
 }
 
@@ -483,8 +490,10 @@ INSTANTIATE_TEST_SUITE_P(TwoVertebrae, RealVertebra, testing::Values("l3.yaml", 
 TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
     // Given a scan of 192 million voxels, all of them around the axis; a file with a hole in place of them
     const test::TemporaryFolder folder;
-    const std::string header = "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 620 620 500\nencoding: raw\nendian: little\n"
-                               "space directions: (0.05,0,0) (0,0.05,0) (0,0,0.05)\nspace origin: (-15.5,-15.5,-12.5)\n\n";
+    const std::string header =
+        "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 620 620 500\nencoding: "
+        "raw\nendian: little\n"
+        "space directions: (0.05,0,0) (0,0.05,0) (0,0,0.05)\nspace origin: (-15.5,-15.5,-12.5)\n\n";
     std::ofstream(folder / "scan.nrrd", std::ios::binary) << header;
     std::filesystem::resize_file(folder / "scan.nrrd", header.size() + 2ull * 620 * 620 * 500);
     Anatomy large = anatomy();
@@ -496,7 +505,8 @@ TEST(CtBody, MoreVoxelsThanMemoryMayHoldAreRefusedBeforeOneIsRead) {
     EXPECT_FALSE(make_ct_bone(large, diagnostics));
     ASSERT_FALSE(diagnostics.empty());
     EXPECT_EQ(diagnostics.back().code, "E0602") << to_text(diagnostics);
-    EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4 GB"), std::string::npos) << to_text(diagnostics);
+    EXPECT_NE(diagnostics.back().message.find("GB of memory, must be at most 4 GB"), std::string::npos)
+        << to_text(diagnostics);
 }
 
 }  // namespace

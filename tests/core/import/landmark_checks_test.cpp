@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "core/import/make_body.h"
 #include "kerf/units.hpp"
 
@@ -32,7 +34,8 @@ TEST(LandmarkChecks, FindSidesThatAreSwapped) {
     using Lies = LandmarkPoint::Lies;
     const auto pair = [](const char* left, const char* right, double left_x) {
         Anatomy anatomy = block();
-        anatomy.points = {{left, {left_x, 0, 0}, 1.0_mm, Lies::anywhere}, {right, {-left_x, 0, 0}, 1.0_mm, Lies::anywhere}};
+        anatomy.points = {{left, {left_x, 0, 0}, 1.0_mm, Lies::anywhere},
+                          {right, {-left_x, 0, 0}, 1.0_mm, Lies::anywhere}};
         return findings_of(anatomy);
     };
     EXPECT_EQ(pair("left_pedicle", "right_pedicle", 15.0_mm), "");

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
 
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
@@ -60,48 +62,58 @@ TEST_F(Markups, GiveTheSamePlaceFromEitherFrame) {
 }
 
 TEST_F(Markups, MakeALineAnAxisAndAPlaneAPlane) {
-    const Anatomy line = read("a.mrk.json", json("Line", "RAS", point("way-1", "1, 2, 3") + "," + point("way-2", "1, 2, 13")));
+    const Anatomy line =
+        read("a.mrk.json", json("Line", "RAS", point("way-1", "1, 2, 3") + "," + point("way-2", "1, 2, 13")));
     ASSERT_EQ(line.axes.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(line.axes[0].id, "way-1");
     EXPECT_NEAR(length(line.axes[0].to - Vec3{-(1.0_mm), -(2.0_mm), 13.0_mm}), 0.0, 1e-12);
 
     const Anatomy plane = read("a.mrk.json", json("Plane", "RAS", point("cut-1", "0, 0, 5"),
-                                                   R"("name": "cut", "center": [0, 0, 5], "normal": [0, 2, 0], )"));
+                                                  R"("name": "cut", "center": [0, 0, 5], "normal": [0, 2, 0], )"));
     ASSERT_EQ(plane.planes.size(), 1u) << to_text(diagnostics);
     EXPECT_EQ(plane.planes[0].id, "cut");
     EXPECT_NEAR(length(plane.planes[0].normal - Vec3{0, -1, 0}), 0.0, 1e-12);
     EXPECT_NEAR(plane.planes[0].at.z, 5.0_mm, 1e-12);
 
-    const Anatomy three = read("a.mrk.json", json("Plane", "LPS", point("p", "0, 0, 5") + "," + point("q", "10, 0, 5") + "," + point("r", "0, 10, 5")));
+    const Anatomy three =
+        read("a.mrk.json",
+             json("Plane", "LPS", point("p", "0, 0, 5") + "," + point("q", "10, 0, 5") + "," + point("r", "0, 10, 5")));
     ASSERT_EQ(three.planes.size(), 1u) << to_text(diagnostics);
     EXPECT_NEAR(length(three.planes[0].normal - Vec3{0, 0, 1}), 0.0, 1e-12);
 }
 
 TEST_F(Markups, ReadTheOlderForm) {
-    const std::string lines = "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n1,-1.5,2,3,0,0,0,1,1,1,0,tip,,,2,0\n";
+    const std::string lines =
+        "# columns = "
+        "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n1,-1.5,2,3,0,0,0,1,1,1,0,tip,,,2,0\n";
     for (const std::string frame : {"RAS", "0"}) {
-        const Anatomy anatomy = read("a.fcsv", "# Markups fiducial file version = 5.6\n# CoordinateSystem = " + frame + "\n" + lines);
+        const Anatomy anatomy =
+            read("a.fcsv", "# Markups fiducial file version = 5.6\n# CoordinateSystem = " + frame + "\n" + lines);
         ASSERT_EQ(anatomy.points.size(), 1u) << to_text(diagnostics);
         EXPECT_NEAR(length(anatomy.points[0].at - Vec3{1.5_mm, -(2.0_mm), 3.0_mm}), 0.0, 1e-12);
     }
     expect_refused("E0681", "does not say its coordinate system", "a.fcsv", lines);
     expect_refused("E0681", "must be LPS or RAS", "a.fcsv", "# CoordinateSystem = IJK\n" + lines);
-    expect_refused("E0680", "must be a number", "a.fcsv", "# CoordinateSystem = LPS\n1,\"1,5\",2,3,0,0,0,1,1,1,0,tip\n");
+    expect_refused("E0680", "must be a number", "a.fcsv",
+                   "# CoordinateSystem = LPS\n1,\"1,5\",2,3,0,0,0,1,1,1,0,tip\n");
     expect_refused("E0680", "no column", "a.fcsv", "# CoordinateSystem = LPS\n1,2,3,4\n");
 }
 
 TEST_F(Markups, NeverGuessAndNeverRepeat) {
-    expect_refused("E0681", "coordinateSystem", "a.mrk.json", R"({"markups": [{"type": "Fiducial", "controlPoints": []}]})");
+    expect_refused("E0681", "coordinateSystem", "a.mrk.json",
+                   R"({"markups": [{"type": "Fiducial", "controlPoints": []}]})");
     std::string metres = json("Fiducial", "LPS", point("a", "1, 2, 3"));
     metres.replace(metres.find("\"mm\""), 4, "\"m\"");
     expect_refused("E0681", "must be mm", "a.mrk.json", metres);
-    expect_refused("E0682", "no place", "a.mrk.json", json("Fiducial", "LPS", R"({"label": "a", "positionStatus": "undefined"})"));
+    expect_refused("E0682", "no place", "a.mrk.json",
+                   json("Fiducial", "LPS", R"({"label": "a", "positionStatus": "undefined"})"));
     expect_refused("E0682", "`ROI`", "a.mrk.json", json("ROI", "LPS", ""));
     expect_refused("E0682", "two points", "a.mrk.json", json("Line", "LPS", point("a", "1, 2, 3")));
     expect_refused("E0682", "no normal", "a.mrk.json", json("Plane", "LPS", point("a", "1, 2, 3")));
     expect_refused("E0682", "2 m away", "a.mrk.json", json("Fiducial", "LPS", point("a", "1e9, 2, 3")));
     expect_refused("E0683", "no id", "a.mrk.json", json("Fiducial", "LPS", point("L entry", "1, 2, 3")));
-    expect_refused("E0683", "two landmarks", "a.mrk.json", json("Fiducial", "LPS", point("a", "1, 2, 3") + "," + point("a", "1, 2, 4")));
+    expect_refused("E0683", "two landmarks", "a.mrk.json",
+                   json("Fiducial", "LPS", point("a", "1, 2, 3") + "," + point("a", "1, 2, 4")));
     expect_refused("E0680", "no list `markups`", "a.mrk.json", "{}");
     expect_refused("E0680", "no list `markups`", "a.mrk.json", "{\"markups\": ");
     expect_refused("E0680", "ending", "a.txt", "{}");

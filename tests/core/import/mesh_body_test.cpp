@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/field/fnv1a.h"
@@ -70,7 +75,8 @@ std::uint64_t bits_of(const Body& body) {
         for (std::size_t b = 0; b < body.grid().brick_count(); ++b) {
             const std::int16_t* stored = level_set.stored(b);
             const std::int16_t uniform = level_set.uniform_value(b);
-            sum.add({reinterpret_cast<const char*>(stored ? stored : &uniform), sizeof(std::int16_t) * (stored ? stored_samples : 1u)});
+            sum.add({reinterpret_cast<const char*>(stored ? stored : &uniform),
+                     sizeof(std::int16_t) * (stored ? stored_samples : 1u)});
         }
     };
     add(body.surface);
@@ -112,7 +118,8 @@ TEST(MeshBody, HasTheSurfacesVolumeToSecondOrder) {
 }
 
 TEST(MeshBody, IsTheSameBitsEveryTime) {
-    MeshAnatomy one(together(sphere(8.0, 4), cube(7.0, {6, 1, 2}))), two(together(sphere(8.0, 4), cube(7.0, {6, 1, 2})));
+    MeshAnatomy one(together(sphere(8.0, 4), cube(7.0, {6, 1, 2}))),
+        two(together(sphere(8.0, 4), cube(7.0, {6, 1, 2})));
     const auto first = one.body(0.5_mm), second = two.body(0.5_mm);
     ASSERT_TRUE(first && second);
     EXPECT_EQ(bits_of(*first), bits_of(*second));
@@ -201,7 +208,8 @@ TEST(MeshBody, TooMuchIsRefusedBeforeItIsTakenAndTheSpacingThatFitsIsNamed) {
         EXPECT_EQ(refusal.code, "E0602");
         ASSERT_TRUE(refusal.write.starts_with("accuracy: {spacing: ")) << refusal.write;
         double fits = 0.0;
-        std::from_chars(refusal.write.data() + 20, refusal.write.data() + refusal.write.size(), fits);  // whatever the locale
+        std::from_chars(refusal.write.data() + 20, refusal.write.data() + refusal.write.size(),
+                        fits);  // whatever the locale
         fits *= 1e-3;
 
         // Then what is named fits, and is no more than a third coarser than what just would
@@ -223,7 +231,8 @@ TEST(MeshBody, RefusesAPlateThatIsTooThinAndNamesTheSpacingThatCarriesIt) {
     ASSERT_EQ(coarse.diagnostics.size(), 1u);
     EXPECT_EQ(coarse.diagnostics[0].code, "E0655");
     EXPECT_EQ(coarse.diagnostics[0].level, Diagnostic::Level::error);
-    EXPECT_NE(coarse.diagnostics[0].message.find("only 1.00 mm thick"), std::string::npos) << coarse.diagnostics[0].message;
+    EXPECT_NE(coarse.diagnostics[0].message.find("only 1.00 mm thick"), std::string::npos)
+        << coarse.diagnostics[0].message;
     EXPECT_EQ(coarse.diagnostics[0].write, "accuracy: {spacing: 0.33 mm}");
     EXPECT_TRUE(fine.body(0.33_mm));
     EXPECT_TRUE(fine.diagnostics.empty()) << to_text(fine.diagnostics);
@@ -263,14 +272,17 @@ TEST(MeshBone, KeepsItsCavitiesAsRoomsAndGivesThemBackWithTheWhole) {
 TEST(MeshBody, WarnsOfFacesThatCutThroughOneAnother) {
     MeshAnatomy bone(together(cube(20.0), cube(20.0, {7, 6, 5})));
     EXPECT_TRUE(bone.body(1.0_mm));
-    EXPECT_TRUE(std::any_of(bone.diagnostics.begin(), bone.diagnostics.end(), [](const auto& d) { return d.code == "W0656"; }));
+    EXPECT_TRUE(
+        std::any_of(bone.diagnostics.begin(), bone.diagnostics.end(), [](const auto& d) { return d.code == "W0656"; }));
 }
 
 TEST(MeshBody, HasNoBoneInItsCanal) {
     for (const bool is_file : {true, false}) {
         MeshAnatomy bone(cube(40.0));
-        if (is_file) bone.add_canal(cube(10.0));
-        else bone.anatomy.mesh->canal = TubeSolid{{0, 0, -(5.0_mm)}, {0, 0, 5.0_mm}, 5.0_mm};
+        if (is_file)
+            bone.add_canal(cube(10.0));
+        else
+            bone.anatomy.mesh->canal = TubeSolid{{0, 0, -(5.0_mm)}, {0, 0, 5.0_mm}, 5.0_mm};
         const auto body = bone.body(0.5_mm);
         ASSERT_TRUE(body) << to_text(bone.diagnostics);
         EXPECT_NEAR(distance_at(*body, {4.0_mm, 0, 0}), 1.0_mm, 0.05_mm) << "1 mm before the canal's wall";

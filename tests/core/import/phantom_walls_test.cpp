@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "core/import/make_body.h"
 #include "tests/support/block.h"
 
@@ -23,14 +27,20 @@ TEST(PhantomWalls, APlateIsAsThickAsItIs) {
     // Given a plate of 0.9 mm, turned against the grid
     const Vec3 across = normalized(Vec3{0.3, 0.2, 1.0});
     const Grid grid = Grid::covering({-5.0_mm, -5.0_mm, -5.0_mm}, {5.0_mm, 5.0_mm, 5.0_mm}, 0.5_mm);
-    const auto walls = phantom_walls(grid, [&](Vec3 p) { return std::abs(dot(p, across)) - 0.45_mm; }, 2.0_mm);
+    const auto walls = phantom_walls(
+        grid, [&](Vec3 p) { return std::abs(dot(p, across)) - 0.45_mm; }, 2.0_mm);
     ASSERT_GT(walls.size(), 100u);
     for (const WallSample& wall : walls) EXPECT_NEAR(wall.thickness, 0.9_mm, 0.02 * 0.5_mm);
 }
 
 TEST(PhantomWalls, AnEdgeIsNoWall) {
     const Grid grid = Grid::covering({-6.0_mm, -6.0_mm, -6.0_mm}, {6.0_mm, 6.0_mm, 6.0_mm}, 0.5_mm);
-    const auto walls = phantom_walls(grid, [](Vec3 p) { return test::box_distance(p, {-4.0_mm, -4.0_mm, -4.0_mm}, {4.0_mm, 4.0_mm, 4.0_mm}); }, 2.0_mm);
+    const auto walls = phantom_walls(
+        grid,
+        [](Vec3 p) {
+            return test::box_distance(p, {-4.0_mm, -4.0_mm, -4.0_mm}, {4.0_mm, 4.0_mm, 4.0_mm});
+        },
+        2.0_mm);
     EXPECT_EQ(share_under(walls, 2.0_mm), 0.0);
 }
 

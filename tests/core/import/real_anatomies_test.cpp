@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "core/import/image/scan.h"
 #include "core/import/make_body.h"
@@ -39,7 +40,8 @@ TEST_P(RealAnatomy, BecomesABoneWithItsLandmarksWhereTheySay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RealAnatomy,
-                         testing::Values("l3.yaml", "t12.yaml", "mandible.yaml", "jaw.yaml", "leg.yaml", "femur-z013.yaml"));
+                         testing::Values("l3.yaml", "t12.yaml", "mandible.yaml", "jaw.yaml", "leg.yaml",
+                                         "femur-z013.yaml"));
 
 TEST(RealScans, AllOpenAndAreRead) {
     if (!std::filesystem::exists(data() / "volumes")) GTEST_SKIP() << "KERF_DATA names no folder with volumes/.";

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where an image says that bone ends. A voxel is the mean over its box; a scanner blurs more than that.
+#include "core/import/voxel_distance.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
 #include <utility>
 
-#include "core/import/voxel_distance.h"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -23,7 +25,8 @@ VoxelImage layers(const std::function<double(double)>& value_at, int count = 16)
     VoxelImage image;
     image.size = {3, 3, count};
     image.place({h, 0, 0, 0, 0, h, 0, 0, 0, 0, h, 0});
-    for_each_voxel(image, [&](int, int, int k, std::size_t) { image.values.push_back(static_cast<float>(value_at(h * k))); });
+    for_each_voxel(image,
+                   [&](int, int, int k, std::size_t) { image.values.push_back(static_cast<float>(value_at(h * k))); });
     return image;
 }
 /// Bone below `border`, averaged over `width`: the mean over a voxel's box, or over more.
@@ -59,22 +62,30 @@ TEST(VoxelDistance, ABlurredBorderLiesWhereTheValuesCrossTheThreshold) {
     for (const auto& [threshold, within] : {std::pair{0.5, 1e-3 * h}, std::pair{0.3, 0.04 * h}})
         for (double part = 0.0; part < 1.0; part += 0.0625) {
             const double border = (7.0 + part) * h, width = 4.0 * h;
-            EXPECT_NEAR(border_in(layers([&](double z) { return edge(z, border, width); }), threshold), border + (0.5 - threshold) * width, within)
+            EXPECT_NEAR(border_in(layers([&](double z) { return edge(z, border, width); }), threshold),
+                        border + (0.5 - threshold) * width, within)
                 << "threshold " << threshold << ", border at " << part << " of a voxel";
         }
 }
 
 TEST(VoxelDistance, NoiseDoesNotMoveABorderOnAverage) {
-    // Given a sharp border of a body, and of a gap of two voxels and of a plate of three, each seen with noise many times over
+    // Given a sharp border of a body, and of a gap of two voxels and of a plate of three, each seen with noise many
+    // times over
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0.0, 0.05);
     for (const bool is_thin : {false, true})
         for (double part = 0.125; part < 1.0; part += 0.25) {
-            const double border = (7.0 + part) * h, begins = is_thin ? border - 3.0 * h : -h, ends = is_thin ? border + 2.0 * h : 99.0 * h;
+            const double border = (7.0 + part) * h, begins = is_thin ? border - 3.0 * h : -h,
+                         ends = is_thin ? border + 2.0 * h : 99.0 * h;
             double sum = 0.0;
             constexpr int times = 3000;
             for (int n = 0; n < times; ++n)
-                sum += border_in(layers([&](double z) { return edge(z, border, h) - edge(z, begins, h) + 1.0 - edge(z, ends, h) + noise(random); }), 0.5) - border;
+                sum += border_in(layers([&](double z) {
+                                     return edge(z, border, h) - edge(z, begins, h) + 1.0 - edge(z, ends, h) +
+                                            noise(random);
+                                 }),
+                                 0.5) -
+                       border;
             EXPECT_NEAR(sum / times, 0.0, 0.01 * h) << "at " << part << " of a voxel" << (is_thin ? ", thin" : "");
         }
 }

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include "tests/support/temporary_folder.h"
 
@@ -32,7 +35,8 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
 
     kerf_entry bad = good;
     bad.abi = 7;
-    EXPECT_EQ(refusal_of(bad, "libsaw.so"), "plugin libsaw.so (libsaw.so): ABI is 7, need 0: rebuild it against this Kerf.");
+    EXPECT_EQ(refusal_of(bad, "libsaw.so"),
+              "plugin libsaw.so (libsaw.so): ABI is 7, need 0: rebuild it against this Kerf.");
     bad = good;
     bad.magic = 0;
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("magic"), std::string::npos);
@@ -49,7 +53,8 @@ template <std::uint32_t kind>
 struct One {
     PluginLoad load = load_plugin(drilling);
     kerf_entry entry = load.plugin->entry();
-    kerf_component component = *std::find_if(entry.components, entry.components + entry.component_count, [](const auto& c) { return c.kind == kind; });
+    kerf_component component = *std::find_if(entry.components, entry.components + entry.component_count,
+                                             [](const auto& c) { return c.kind == kind; });
 
     One() {
         entry.components = &component;
@@ -110,7 +115,8 @@ TEST(Loader, RefusesAnEventOfAnothersNameOrOfNone) {
     }
     for (const char* foreign : {"haptics.held_back", "stalled", "drilling.", "drilling", "drillings.stalled"}) {
         event = {foreign, "It stands."};
-        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("it needs `drilling.` before it"), std::string::npos) << foreign;
+        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("it needs `drilling.` before it"), std::string::npos)
+            << foreign;
     }
     event = {"drilling.stalled", nullptr};
     EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("an event without id or help"), std::string::npos);
@@ -124,17 +130,19 @@ TEST(Loader, RefusesWhatIsNoPluginAndNamesItOnce) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "notes.so") << "not a library";
     std::ofstream(folder / "empty.so");
-    std::ofstream(folder / "cut.so") << "\x7f" "ELF and no more";
+    std::ofstream(folder / "cut.so") << "\x7f"
+                                        "ELF and no more";
     std::filesystem::create_directory(folder / "folder.so");
     ASSERT_EQ(mkfifo((folder / "pipe.so").c_str(), 0600), 0);
 
-    for (const auto& [path, says] : {std::pair<std::string, std::string>{folder / "missing.so", "there is no such file"},
-                                     {folder / "notes.so", "is not a shared library, so it is no Kerf plugin"},
-                                     {folder / "empty.so", "is not a shared library, so it is no Kerf plugin"},
-                                     {folder / "cut.so", "cannot be loaded: "},
-                                     {folder / "folder.so", "so it is no Kerf plugin"},
-                                     {folder / "pipe.so", "so it is no Kerf plugin"},
-                                     {bad("says_nothing"), "exports no `kerf_plugin_entry`, so it is no Kerf plugin"}}) {
+    for (const auto& [path, says] :
+         {std::pair<std::string, std::string>{folder / "missing.so", "there is no such file"},
+          {folder / "notes.so", "is not a shared library, so it is no Kerf plugin"},
+          {folder / "empty.so", "is not a shared library, so it is no Kerf plugin"},
+          {folder / "cut.so", "cannot be loaded: "},
+          {folder / "folder.so", "so it is no Kerf plugin"},
+          {folder / "pipe.so", "so it is no Kerf plugin"},
+          {bad("says_nothing"), "exports no `kerf_plugin_entry`, so it is no Kerf plugin"}}) {
         const PluginLoad load = load_plugin(path);
         EXPECT_EQ(load.plugin, nullptr);
         EXPECT_NE(load.refusal.find(says), std::string::npos) << load.refusal;
@@ -145,10 +153,14 @@ TEST(Loader, RefusesWhatIsNoPluginAndNamesItOnce) {
 
 TEST(LoaderDeath, APluginThatEndsTheProcessIsNamedFirst) {
     const auto ends_with_three = testing::ExitedWithCode(3);
-    EXPECT_EXIT(static_cast<void>(load_plugin(bad("aborts"))), ends_with_three, "while loading the plugin .*plugin_that_aborts.so: it aborted");
-    EXPECT_EXIT(static_cast<void>(load_plugin(bad("crashes"))), ends_with_three, "while loading the plugin .*plugin_that_crashes.so: it crashed");
-    EXPECT_EXIT(static_cast<void>(load_plugin(bad("exits"))), ends_with_three, "while loading the plugin .*plugin_that_exits.so: it ended the program");
-    EXPECT_EXIT(static_cast<void>(load_plugin(bad("throws"))), ends_with_three, "while loading the plugin .*plugin_that_throws.so: it aborted");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("aborts"))), ends_with_three,
+                "while loading the plugin .*plugin_that_aborts.so: it aborted");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("crashes"))), ends_with_three,
+                "while loading the plugin .*plugin_that_crashes.so: it crashed");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("exits"))), ends_with_three,
+                "while loading the plugin .*plugin_that_exits.so: it ended the program");
+    EXPECT_EXIT(static_cast<void>(load_plugin(bad("throws"))), ends_with_three,
+                "while loading the plugin .*plugin_that_throws.so: it aborted");
 }
 
 TEST(LoaderDeath, OnceItIsLoadedNobodyIsAccused) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "tests/core/procedure/marked_text.h"
 
@@ -44,7 +46,10 @@ TEST(Document, CountsCharactersNotBytes) {
 
 TEST(Document, WindowsLineEndsAndAByteOrderMarkShiftNothing) {
     Diagnostics diagnostics;
-    const auto document = parse_document("file.yaml", "\xEF\xBB\xBF" "a: 1\r\nb: 2\r\n", diagnostics);
+    const auto document = parse_document("file.yaml",
+                                         "\xEF\xBB\xBF"
+                                         "a: 1\r\nb: 2\r\n",
+                                         diagnostics);
     ASSERT_TRUE(document) << to_text(diagnostics);
     EXPECT_EQ(document->place(document->root.find("a")->span).column, 4);
     EXPECT_EQ(document->place(document->root.find("b")->span).line, 2);
@@ -98,7 +103,8 @@ TEST(Document, ACommaBetweenEntriesIsNoDecimalComma) {
 }
 
 TEST(Document, WhatTheFileEndsInTheMiddleOfIsPointedAt) {
-    for (const char* text : {"a: 1\nb: «{»c: 1", "a: [1]\nb: «[»1, 2", "a: 1\nb: «\"»x", "a: 1\nb: «'»it''s", "a: 1\nb: {c: «{»d:"}) {
+    for (const char* text :
+         {"a: 1\nb: «{»c: 1", "a: [1]\nb: «[»1, 2", "a: 1\nb: «\"»x", "a: 1\nb: «'»it''s", "a: 1\nb: {c: «{»d:"}) {
         expect_refused(Code::syntax, text);
         const std::string said = said_of(MarkedText(text).text);
         EXPECT_NE(said.find("The file ends in the middle of"), std::string::npos) << said;
@@ -106,7 +112,8 @@ TEST(Document, WhatTheFileEndsInTheMiddleOfIsPointedAt) {
 }
 
 TEST(Document, WhatIsNeverClosedIsPointedAtWithWhatToPut) {
-    for (const auto& [text, closer] : {std::pair{"a: «{»b: 1\nc: 2\n", "`}`"}, {"a: «[»b, c\nd: {e: 1}\n", "`]`"}, {"a: «\"»b\nc: 2\n", "`\"`"}}) {
+    for (const auto& [text, closer] :
+         {std::pair{"a: «{»b: 1\nc: 2\n", "`}`"}, {"a: «[»b, c\nd: {e: 1}\n", "`]`"}, {"a: «\"»b\nc: 2\n", "`\"`"}}) {
         expect_refused(Code::syntax, text);
         const std::string said = said_of(MarkedText(text).text);
         EXPECT_NE(said.find("is never closed. Put " + std::string(closer)), std::string::npos) << said;
@@ -115,7 +122,10 @@ TEST(Document, WhatIsNeverClosedIsPointedAtWithWhatToPut) {
 
 TEST(Document, QuotesAndBracketsWithinATextOpenNothing) {
     Diagnostics diagnostics;
-    EXPECT_TRUE(parse_document("file.yaml", "a: it's 5\" long [or so\nb: >-\n  \"folded {\n  [text\nc: \"two\n  lines\"\n# [ {\nd: '# no comment'\n", diagnostics));
+    EXPECT_TRUE(parse_document(
+        "file.yaml",
+        "a: it's 5\" long [or so\nb: >-\n  \"folded {\n  [text\nc: \"two\n  lines\"\n# [ {\nd: '# no comment'\n",
+        diagnostics));
     EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
 }
 
@@ -126,7 +136,8 @@ TEST(Report, WhatIsMissingFromAFileWithoutALineEndMayBeCutOffAndThatIsSaidOnce) 
         Report report(document, diagnostics);
         report.error(Code::missing_key, {0, 1}, "It needs `c:`.");
         report.error(Code::missing_key, {0, 1}, "It needs `d:`.");
-        EXPECT_EQ(diagnostics[0].message, is_cut ? "It needs `c:`. The file ends in the middle of line 2: is it cut off?" : "It needs `c:`.");
+        EXPECT_EQ(diagnostics[0].message,
+                  is_cut ? "It needs `c:`. The file ends in the middle of line 2: is it cut off?" : "It needs `c:`.");
         EXPECT_EQ(diagnostics[1].message, "It needs `d:`.");
     }
 }
@@ -134,7 +145,8 @@ TEST(Report, WhatIsMissingFromAFileWithoutALineEndMayBeCutOffAndThatIsSaidOnce) 
 TEST(Document, SyntaxErrorsAreSaidInWords) {
     EXPECT_NE(said_of("a:\n\tb: 1\n").find("Indent with spaces"), std::string::npos) << said_of("a:\n\tb: 1\n");
     EXPECT_NE(said_of("a: b: c\n").find("needs quotation marks"), std::string::npos);
-    EXPECT_NE(said_of("a:\n    b: 1\n  c: 2\n").find("indented like none above it"), std::string::npos) << said_of("a:\n    b: 1\n  c: 2\n");
+    EXPECT_NE(said_of("a:\n    b: 1\n  c: 2\n").find("indented like none above it"), std::string::npos)
+        << said_of("a:\n    b: 1\n  c: 2\n");
     EXPECT_NE(said_of("a: [@b]\n").find("quotation marks"), std::string::npos);
 }
 
@@ -184,7 +196,8 @@ TEST(Document, ShowsAtMostAHundredErrorsThenSaysSo) {
 }
 
 TEST(TextFile, ThatIsMissingOrAFolderIsRefused) {
-    for (const std::string& file : {std::string("no/such/file.yaml"), std::filesystem::temp_directory_path().string()}) {
+    for (const std::string& file :
+         {std::string("no/such/file.yaml"), std::filesystem::temp_directory_path().string()}) {
         Diagnostics diagnostics;
         EXPECT_FALSE(read_text_file(file, diagnostics));
         ASSERT_EQ(diagnostics.size(), 1u);

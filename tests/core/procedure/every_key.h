@@ -46,7 +46,8 @@ private:
     std::string map(const Shape& shape, int levels) const {
         std::string text;
         for (const KeyShape& key : shape.keys)
-            if (is_written(shape, key)) text += (text.empty() ? "" : ", ") + key.name + ": " + value(shape, key, levels);
+            if (is_written(shape, key))
+                text += (text.empty() ? "" : ", ") + key.name + ": " + value(shape, key, levels);
         return "{" + text + "}";
     }
 
@@ -58,17 +59,21 @@ private:
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
         const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";
         const bool has_tissues = !key.value.item.empty() && key.value.item[0].shape == &shapes::tissue;
-        if (key.value.kind == ValueShape::Kind::yes_no) return "false";  // `subtract: true` has nothing to take away from
-        if (levels <= 0) return has_tissues ? "[{id: cortical, thickness: 1 mm, density: 1.85 g/cm3}" + base + "]" : key.example;
+        if (key.value.kind == ValueShape::Kind::yes_no)
+            return "false";  // `subtract: true` has nothing to take away from
+        if (levels <= 0)
+            return has_tissues ? "[{id: cortical, thickness: 1 mm, density: 1.85 g/cm3}" + base + "]" : key.example;
         const std::string text = value(key.value, key.example, levels - 1);
         return has_tissues ? text.substr(0, text.size() - 1) + base + "]" : text;
     }
 
     std::string value(const ValueShape& shape, const std::string& example, int levels) const {
         using Kind = ValueShape::Kind;
-        const bool has_maps = shape.kind == Kind::map || (!shape.item.empty() && shape.item[0].kind != Kind::id &&
-                                                          shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::label);
-        if (shape.kind == Kind::word && shape.shape != nullptr) return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
+        const bool has_maps =
+            shape.kind == Kind::map || (!shape.item.empty() && shape.item[0].kind != Kind::id &&
+                                        shape.item[0].kind != Kind::text && shape.item[0].kind != Kind::label);
+        if (shape.kind == Kind::word && shape.shape != nullptr)
+            return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
         if (!has_maps) return example;
         if (shape.kind == Kind::map) return map(*shape.shape, levels);
         if (shape.kind == Kind::list) return "[" + value(shape.item[0], example, levels) + "]";

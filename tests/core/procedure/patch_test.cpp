@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "core/procedure/read_procedure.h"
 #include "kerf/units.hpp"
 #include "tests/core/procedure/catalog.h"
@@ -34,9 +39,12 @@ steps:
     limits: [{depth: {at_most: 38 mm}, reason: Too deep.}]
 )";
 
-std::string with_patch(const std::string& patch) { return base + "variants:\n  other:\n    patch:\n      " + patch + "\n"; }
+std::string with_patch(const std::string& patch) {
+    return base + "variants:\n  other:\n    patch:\n      " + patch + "\n";
+}
 
-std::optional<Procedure> read(const std::string& text, Diagnostics& found, const ProcedureChanges& changes = {"other", {}}) {
+std::optional<Procedure> read(const std::string& text, Diagnostics& found,
+                              const ProcedureChanges& changes = {"other", {}}) {
     return read_procedure_text("hole.yaml", text, drilling_catalog(), found, changes);
 }
 
@@ -60,7 +68,8 @@ TEST(Patch, FindsItemsByTheirIds) {
     EXPECT_EQ(p.steps.at(0).title, "Enter");
 }
 TEST(Patch, MergesListsWithIdsItemByItemAndAddsNewItems) {
-    const Procedure p = patched("steps: [{id: enter, title: Begin}, {id: more, title: More, instrument: drill, axis: pedicle, goals: [{entry: {}}]}]");
+    const Procedure p = patched("steps: [{id: enter, title: Begin}, {id: more, title: More, instrument: drill, axis: "
+                                "pedicle, goals: [{entry: {}}]}]");
     ASSERT_EQ(p.steps.size(), 3u);
     EXPECT_EQ(p.steps[0].title, "Begin");
     EXPECT_EQ(p.steps[0].goals.size(), 1u);
@@ -128,7 +137,9 @@ TEST(Patch, RefusesAPathWithoutEnd) {
 
 TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
     std::string variants = "variants:\n";
-    for (int i = 0; i < 33; ++i) variants += (i == 32 ? "  «v" : "  v") + std::to_string(i) + (i == 32 ? "»" : "") + ": {patch: {time_limit: 3 s}}\n";
+    for (int i = 0; i < 33; ++i)
+        variants +=
+            (i == 32 ? "  «v" : "  v") + std::to_string(i) + (i == 32 ? "»" : "") + ": {patch: {time_limit: 3 s}}\n";
     const MarkedText many(base + variants);
     Diagnostics found;
     EXPECT_FALSE(read(many.text, found, {}));
@@ -144,17 +155,16 @@ TEST(Patch, RefusesMoreThanAPersonWouldWrite) {
 TEST(Patch, AMistakeInItIsShownWhereItStandsTogetherWithWhatItReplaces) {
     Diagnostics found;
     EXPECT_FALSE(read(with_patch("instruments.drill.parameters: {diameter: 5}"), found));
-    EXPECT_EQ(to_text(found),
-              "E0402 hole.yaml:20:48: drill.diameter is `5`, which has no unit. Write `5 mm`.\n"
-              "          instruments.drill.parameters: {diameter: 5}\n"
-              "                                                   ^\n"
-              "  because of hole.yaml:8:98: it takes the place of this.\n"
-              "      drill: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting, parameters: {diameter: 4 mm}}\n"
-              "                                                                                                     ^^^^\n");
+    EXPECT_EQ(
+        to_text(found),
+        "E0402 hole.yaml:20:48: drill.diameter is `5`, which has no unit. Write `5 mm`.\n"
+        "          instruments.drill.parameters: {diameter: 5}\n"
+        "                                                   ^\n"
+        "  because of hole.yaml:8:98: it takes the place of this.\n"
+        "      drill: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting, parameters: {diameter: 4 mm}}\n"
+        "                                                                                                     ^^^^\n");
 }
-TEST(Patch, AnUnknownKeyInItIsShownWhereItStands) {
-    expect_refused(Code::unknown_key, "«acuracy».spacing: 0.5 mm");
-}
+TEST(Patch, AnUnknownKeyInItIsShownWhereItStands) { expect_refused(Code::unknown_key, "«acuracy».spacing: 0.5 mm"); }
 
 TEST(Patch, RefusesAVariantThatIsNotThere) {
     Diagnostics found;
@@ -172,7 +182,8 @@ TEST(Patch, RefusesAVariantThatIsNotThere) {
 
 TEST(Setting, ComesAfterTheVariant) {
     Diagnostics found;
-    const auto p = read(with_patch("{time_limit: 30 s, accuracy.spacing: 0.5 mm}"), found, {"other", {"time_limit=20 s", "steps.deepen.limits=~"}});
+    const auto p = read(with_patch("{time_limit: 30 s, accuracy.spacing: 0.5 mm}"), found,
+                        {"other", {"time_limit=20 s", "steps.deepen.limits=~"}});
     ASSERT_TRUE(p) << to_text(found);
     EXPECT_EQ(p->time_limit, 20.0_s);
     EXPECT_EQ(p->spacing, 0.5_mm);
@@ -181,9 +192,11 @@ TEST(Setting, ComesAfterTheVariant) {
 TEST(Setting, ShowsItsMistakesInItself) {
     Diagnostics found;
     EXPECT_FALSE(read(base, found, {"", {"time_limit=20"}}));
-    EXPECT_EQ(to_text(found), "E0402 --set:1:13: time_limit is `20`, which has no unit. Write `20 s`.\n    time_limit: 20\n                ^^\n");
-    for (const char* wrong : {"time_limit=", "time_limit=[", "time_limit=&a 3 s", "time_limit=\"", "steps.none=3", "time_limit.x=3 s", "=", "a", "",
-                              "time_limit=20 s\nsteps: ~", "time_limit={", "nothing=~"}) {
+    EXPECT_EQ(to_text(found), "E0402 --set:1:13: time_limit is `20`, which has no unit. Write `20 s`.\n    time_limit: "
+                              "20\n                ^^\n");
+    for (const char* wrong :
+         {"time_limit=", "time_limit=[", "time_limit=&a 3 s", "time_limit=\"", "steps.none=3", "time_limit.x=3 s", "=",
+          "a", "", "time_limit=20 s\nsteps: ~", "time_limit={", "nothing=~"}) {
         found.clear();
         EXPECT_FALSE(read(base, found, {"", {wrong}})) << wrong;
         EXPECT_TRUE(has_error(found)) << wrong;
@@ -210,12 +223,38 @@ void expect_same_when_read_back(const std::string& text) {
 }
 
 TEST(Emitted, ReadsBackToTheSameTree) {
-    for (const char* file : {"/procedures/pedicle-screw.yaml", "/procedures/anatomy/vertebra-phantom.yaml", "/tests/real-data/l3.yaml"})
+    for (const char* file :
+         {"/procedures/pedicle-screw.yaml", "/procedures/anatomy/vertebra-phantom.yaml", "/tests/real-data/l3.yaml"})
         expect_same_when_read_back(test::contents_of(KERF_SOURCE_DIR + std::string(file)));
-    for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) expect_same_when_read_back(EveryKey{.choice = choice}.document(shapes::anatomy));
-    for (const char* odd : {"a: \"\"", "a: ' b'", "a: \"x: y\"", "a: 'x #y'", "a: -5 mm", "a: '- b'", "a: \"l1\\nl2\\tx\"", "a: [[1, 2], [], {}, [{b: [c]}]]", "a: '~'",
-                            "a: \"ä “ü”\"", "'a: b': c", "a: '\"'", "a: '\\'", "a: '`x`'", "a: '@x'", "a: 'null'", "a: b:c", "a: ''", "a: |\n  one\n  two\n", "- a\n- [b]\n- c: d\n  e: f",
-                            "a: '%'", "a: 7 %", "a: 'x:'", "a: --x", "a: '---'", "a: '? x'", "a: x,y"})
+    for (std::size_t choice = 0; choice < EveryKey::choices; ++choice)
+        expect_same_when_read_back(EveryKey{.choice = choice}.document(shapes::anatomy));
+    for (const char* odd : {"a: \"\"",
+                            "a: ' b'",
+                            "a: \"x: y\"",
+                            "a: 'x #y'",
+                            "a: -5 mm",
+                            "a: '- b'",
+                            "a: \"l1\\nl2\\tx\"",
+                            "a: [[1, 2], [], {}, [{b: [c]}]]",
+                            "a: '~'",
+                            "a: \"ä “ü”\"",
+                            "'a: b': c",
+                            "a: '\"'",
+                            "a: '\\'",
+                            "a: '`x`'",
+                            "a: '@x'",
+                            "a: 'null'",
+                            "a: b:c",
+                            "a: ''",
+                            "a: |\n  one\n  two\n",
+                            "- a\n- [b]\n- c: d\n  e: f",
+                            "a: '%'",
+                            "a: 7 %",
+                            "a: 'x:'",
+                            "a: --x",
+                            "a: '---'",
+                            "a: '? x'",
+                            "a: x,y"})
         expect_same_when_read_back(odd);
 }
 
@@ -245,7 +284,8 @@ TEST(Emitted, TheTextOfAVariantIsAProcedureByItself) {
 }
 
 TEST(DamagedVariant, CutOffOrChangedAnywhereIsAnsweredWithoutAThrow) {
-    const std::string whole = with_patch("{time_limit: 30 s, steps.deepen.limits: ~, steps: [{id: enter, title: Begin}], accuracy.spacing: 1 mm}");
+    const std::string whole = with_patch(
+        "{time_limit: 30 s, steps.deepen.limits: ~, steps: [{id: enter, title: Begin}], accuracy.spacing: 1 mm}");
     for (std::size_t at = 0; at < whole.size(); ++at)
         for (const char damage : {'\0', '~', '.', '[', '\n', ':'}) {
             std::string damaged = whole;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <locale>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "kerf/units.hpp"
 
@@ -85,7 +88,8 @@ TEST(Quantity, AMassInPlaceOfAForceIsAnsweredWithItsWeight) {
 }
 
 TEST(Quantity, WithAnUnknownUnitIsRefused) {
-    for (const char* text : {"3 furlong", "3 mm/", "3 /s", "3 mm//s", "3 mm mm mm mm mm mm mm", "3 MM", "0x10 mm", "3 mm0"})
+    for (const char* text :
+         {"3 furlong", "3 mm/", "3 /s", "3 mm//s", "3 mm mm mm mm mm mm mm", "3 MM", "0x10 mm", "3 mm0"})
         EXPECT_EQ(problem(text, any_length).code, Code::unknown_unit) << text;
 }
 
@@ -103,7 +107,8 @@ TEST(Quantity, ADecimalCommaIsRefusedWithThePointToWrite) {
 TEST(Quantity, ACommaBeforeThreeDigitsMayMeanThousandsSoBothAreSaid) {
     const QuantityProblem refused = problem("1,000 mm", any_length);
     EXPECT_EQ(refused.code, Code::not_a_number);
-    EXPECT_EQ(refused.message, "it is `1,000 mm`, but a number has a decimal point, not a comma. Write `1000 mm` for thousands, or `1.000 mm`.");
+    EXPECT_EQ(refused.message, "it is `1,000 mm`, but a number has a decimal point, not a comma. Write `1000 mm` for "
+                               "thousands, or `1.000 mm`.");
     EXPECT_EQ(refused.write, "");
 }
 
@@ -133,10 +138,18 @@ TEST(Quantity, OutOfRangeIsAnsweredInTheUnitItWasWrittenInWithAValueThatWouldBeR
     EXPECT_EQ(problem("-3200 um", diameter).write, "3200 um");
 
     const QuantityNeed angle{dimension::angle, "deg", 60.0_deg, 160.0_deg};
-    EXPECT_EQ(problem("0.4 rad", angle).message, "it is 0.4 rad, must be 60 deg … 160 deg.") << "no one reads 1.047197551 rad";
+    EXPECT_EQ(problem("0.4 rad", angle).message, "it is 0.4 rad, must be 60 deg … 160 deg.")
+        << "no one reads 1.047197551 rad";
     EXPECT_EQ(problem("0.4 rad", angle).write, "60 deg");
-    for (const auto& [text, need] : {std::pair{"-3.2 mm", diameter}, {"0 mm", diameter}, {"-1 m", diameter}, {"7 cm", diameter}, {"1e9 um", diameter},
-                                     {"0.4 rad", angle}, {"-7 rad", angle}, {"3 rad", angle}, {"1 deg", angle}}) {
+    for (const auto& [text, need] : {std::pair{"-3.2 mm", diameter},
+                                     {"0 mm", diameter},
+                                     {"-1 m", diameter},
+                                     {"7 cm", diameter},
+                                     {"1e9 um", diameter},
+                                     {"0.4 rad", angle},
+                                     {"-7 rad", angle},
+                                     {"3 rad", angle},
+                                     {"1 deg", angle}}) {
         const std::string write = problem(text, need).write;
         EXPECT_TRUE(parse_quantity(write, "it", need).value) << text << " → " << write;
     }
@@ -169,7 +182,8 @@ TEST(Vector, WithTooFewOrTooManyNumbersIsRefused) {
 TEST(Vector, WithCommasIsAnsweredWithoutThem) {
     EXPECT_EQ(problem_of_vector("1, 2, 3 mm").write, "1 2 3 mm");
     EXPECT_EQ(problem_of_vector("0,5 0 -0,5 mm").write, "0.5 0 -0.5 mm");
-    EXPECT_EQ(problem_of_vector("left of the canal").message, "at is `left of the canal`, must be three numbers and one unit, as in `1 2 3 mm`. Write it so.");
+    EXPECT_EQ(problem_of_vector("left of the canal").message,
+              "at is `left of the canal`, must be three numbers and one unit, as in `1 2 3 mm`. Write it so.");
 }
 
 TEST(QuantityText, IsShort) {

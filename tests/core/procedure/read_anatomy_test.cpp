@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "kerf/units.hpp"
 #include "tests/core/procedure/marked_text.h"
 
@@ -58,15 +63,18 @@ TEST(ReadAnatomy, GivesSiValues) {
 
 TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
 TEST(ReadAnatomy, RefusesAPartOfTwoShapes) {
-    expect_refused(Code::one_of, "20 mm}, source: A book.", "20 mm}, «tube»: {from: 0 0 0 mm, to: 0 0 1 mm, radius: 1 mm}");
+    expect_refused(Code::one_of, "20 mm}, source: A book.",
+                   "20 mm}, «tube»: {from: 0 0 0 mm, to: 0 0 1 mm, radius: 1 mm}");
 }
 TEST(ReadAnatomy, RefusesAPartWithoutShape) {
-    expect_refused(Code::one_of, "{id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}", "«{»id: body}");
+    expect_refused(Code::one_of, "{id: body, box: {centre: 0 0 0 mm, size: 40 30 20 mm}, source: A book.}",
+                   "«{»id: body}");
 }
 TEST(ReadAnatomy, RefusesTwoPartsOfOneName) { expect_refused(Code::duplicate_id, "id: arch", "id: «body»"); }
 TEST(ReadAnatomy, RefusesTwoLandmarksOfOneName) { expect_refused(Code::duplicate_id, "{pedicle:", "{«midline»:"); }
 TEST(ReadAnatomy, RefusesATubeWithoutLength) {
-    expect_refused(Code::degenerate, "tube: {from: 0 20 -9 mm, to: 0 20 9 mm", "«tube»: {from: 0 20 9 mm, to: 0 20 9 mm");
+    expect_refused(Code::degenerate, "tube: {from: 0 20 -9 mm, to: 0 20 9 mm",
+                   "«tube»: {from: 0 20 9 mm, to: 0 20 9 mm");
 }
 TEST(ReadAnatomy, RefusesAnUpThatPointsAlongTheTube) { expect_refused(Code::degenerate, "up: 0 0 1", "up: «0 1 0»"); }
 TEST(ReadAnatomy, RefusesToTakeAwayFromNothing) {
@@ -78,16 +86,24 @@ TEST(ReadAnatomy, RefusesAThicknessOfTheBase) {
 TEST(ReadAnatomy, RefusesAShellWithoutThickness) {
     expect_refused(Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
 }
-TEST(ReadAnatomy, RefusesABoxWithoutSize) { expect_refused(Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»"); }
+TEST(ReadAnatomy, RefusesABoxWithoutSize) {
+    expect_refused(Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»");
+}
 TEST(ReadAnatomy, RefusesBoneAsHeavyAsSteel) { expect_refused(Code::out_of_range, "0.25 g/cm3", "«7.8 g/cm3»"); }
-TEST(ReadAnatomy, RefusesTwoNumbersForAPoint) { expect_refused(Code::not_three_numbers, "[0 mm, 2 cm, 1 mm]", "«[»0 mm, 2 cm]"); }
-TEST(ReadAnatomy, RefusesAPointWithoutUnit) { expect_refused(Code::missing_unit, "from: -20 40 0 mm", "from: «-20 40 0»"); }
+TEST(ReadAnatomy, RefusesTwoNumbersForAPoint) {
+    expect_refused(Code::not_three_numbers, "[0 mm, 2 cm, 1 mm]", "«[»0 mm, 2 cm]");
+}
+TEST(ReadAnatomy, RefusesAPointWithoutUnit) {
+    expect_refused(Code::missing_unit, "from: -20 40 0 mm", "from: «-20 40 0»");
+}
 TEST(ReadAnatomy, RefusesALandmarkWithoutTolerance) {
     expect_refused(Code::missing_key, "midline: {at: [0 mm, 2 cm, 1 mm], tolerance: 1.5 mm}",
                    "«midline»: {at: [0 mm, 2 cm, 1 mm]}");
 }
 TEST(ReadAnatomy, RefusesOtherWordsForTrue) { expect_refused(Code::unknown_word, "subtract: true", "subtract: «yes»"); }
-TEST(ReadAnatomy, RefusesAnUnknownKey) { expect_refused(Code::unknown_key, "radius: 5 mm}, sub", "radius: 5 mm, «colour»: red}, sub"); }
+TEST(ReadAnatomy, RefusesAnUnknownKey) {
+    expect_refused(Code::unknown_key, "radius: 5 mm}, sub", "radius: 5 mm, «colour»: red}, sub");
+}
 TEST(ReadAnatomy, RefusesMoreTissuesThanASampleCanMix) {
     const std::string shell = "  - {id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3, source: A book.}\n";
     std::string five;
@@ -142,9 +158,15 @@ TEST(ReadAnatomy, RefusesALabelThatIsNoWholeNumber) { expect_ct_refused(Code::no
 TEST(ReadAnatomy, RefusesTwoDensitiesForTheBase) {
     expect_ct_refused(Code::degenerate, "{id: cancellous}", "{id: cancellous, «density»: 0.25 g/cm3}");
 }
-TEST(ReadAnatomy, RefusesACtWithoutThreshold) { expect_ct_refused(Code::missing_key, "ct:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}\n  threshold: 150", "«ct»:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}"); }
+TEST(ReadAnatomy, RefusesACtWithoutThreshold) {
+    expect_ct_refused(
+        Code::missing_key,
+        "ct:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}\n  threshold: 150",
+        "«ct»:\n  image: scans/bone.nii.gz\n  labels: {file: scans/labels.nrrd, keep: [22, 23]}");
+}
 TEST(ReadAnatomy, RefusesACtBesideAPhantom) {
-    expect_ct_refused(Code::one_of, "ct:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«ct»:");
+    expect_ct_refused(Code::one_of,
+                      "ct:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«ct»:");
 }
 
 // And out of a surface.
@@ -186,19 +208,33 @@ TEST(ReadAnatomy, GivesTheMeshInSi) {
 }
 TEST(ReadAnatomy, TakesAMeshForLpsAndSoundWhenNothingIsSaid) {
     Diagnostics diagnostics;
-    const auto anatomy = read_anatomy_text("bone.yaml", replaced(faultless_mesh, "  frame: RAS\n  repair: {holes_up_to: 3 mm, pieces_under: 2 mm3, inner: solid}\n  canal: {tube: {from: 0 0 0 mm, to: 0 0 10 mm, radius: 4 mm}}\n", ""), diagnostics);
+    const auto anatomy =
+        read_anatomy_text("bone.yaml",
+                          replaced(faultless_mesh,
+                                   "  frame: RAS\n  repair: {holes_up_to: 3 mm, pieces_under: 2 mm3, inner: solid}\n  "
+                                   "canal: {tube: {from: 0 0 0 mm, to: 0 0 10 mm, radius: 4 mm}}\n",
+                                   ""),
+                          diagnostics);
     ASSERT_TRUE(anatomy) << to_text(diagnostics);
     EXPECT_FALSE(anatomy->mesh->is_ras || anatomy->mesh->names_frame);
     EXPECT_EQ(anatomy->mesh->holes_up_to, 0.0);
     EXPECT_EQ(anatomy->mesh->inner, InnerPieces::unsaid);
 }
-TEST(ReadAnatomy, RefusesAMeshWithoutUnit) { expect_mesh_refused(Code::missing_key, "mesh:\n  file: meshes/bone.stl\n  unit: cm", "«mesh»:\n  file: meshes/bone.stl"); }
+TEST(ReadAnatomy, RefusesAMeshWithoutUnit) {
+    expect_mesh_refused(Code::missing_key, "mesh:\n  file: meshes/bone.stl\n  unit: cm",
+                        "«mesh»:\n  file: meshes/bone.stl");
+}
 TEST(ReadAnatomy, RefusesAUnitThatIsNone) { expect_mesh_refused(Code::unknown_word, "unit: cm", "unit: «inch»"); }
 TEST(ReadAnatomy, RefusesAFrameThatIsNone) { expect_mesh_refused(Code::unknown_word, "frame: RAS", "frame: «LAS»"); }
-TEST(ReadAnatomy, RefusesToCloseAWholeSection) { expect_mesh_refused(Code::out_of_range, "holes_up_to: 3 mm", "holes_up_to: «30 mm»"); }
-TEST(ReadAnatomy, RefusesAMeshOutsideBothFolders) { expect_mesh_refused(Code::path_outside, "meshes/bone.stl", "«../bone.stl»"); }
+TEST(ReadAnatomy, RefusesToCloseAWholeSection) {
+    expect_mesh_refused(Code::out_of_range, "holes_up_to: 3 mm", "holes_up_to: «30 mm»");
+}
+TEST(ReadAnatomy, RefusesAMeshOutsideBothFolders) {
+    expect_mesh_refused(Code::path_outside, "meshes/bone.stl", "«../bone.stl»");
+}
 TEST(ReadAnatomy, RefusesAMeshBesideAPhantom) {
-    expect_mesh_refused(Code::one_of, "mesh:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«mesh»:");
+    expect_mesh_refused(Code::one_of,
+                        "mesh:", "phantom: {parts: [{id: body, box: {centre: 0 0 0 mm, size: 1 1 1 mm}}]}\n«mesh»:");
 }
 
 }  // namespace

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "kerf/units.hpp"
 #include "tests/core/procedure/catalog.h"
 #include "tests/core/procedure/marked_text.h"
@@ -115,7 +120,8 @@ TEST(ReadProcedure, ReadsWhatAPlanMustKeep) {
     EXPECT_EQ(as_is->accuracy.force, 0.07);
     EXPECT_EQ(as_is->budget.tick, 300e-6);
     std::string text = faultless;
-    text.replace(text.find("accuracy: {spacing: 0.5 mm}"), 27, "accuracy: {force: 3 %, volume: 0.5 %}\nbudget: {tick: 80 us}");
+    text.replace(text.find("accuracy: {spacing: 0.5 mm}"), 27,
+                 "accuracy: {force: 3 %, volume: 0.5 %}\nbudget: {tick: 80 us}");
     const std::optional<Procedure> asking = read(text, diagnostics);
     ASSERT_TRUE(asking) << to_text(diagnostics);
     EXPECT_NEAR(asking->accuracy.force, 0.03, 1e-12);
@@ -141,17 +147,24 @@ TEST(ReadProcedure, RefusesAListWhereAMapIsNeeded) {
 TEST(ReadProcedure, RefusesAnEmptyValue) { expect_refused(Code::empty_value, "time_limit: 60 s", "«time_limit»:"); }
 TEST(ReadProcedure, RefusesAnEmptyList) { expect_refused(Code::empty_value, "[A. Author]", "«[»]"); }
 TEST(ReadProcedure, RefusesAnUnknownStatus) { expect_refused(Code::unknown_word, "status: draft", "status: «darft»"); }
-TEST(ReadProcedure, RefusesAnUnknownExpectation) { expect_refused(Code::unknown_word, "expect: pass", "expect: «passes»"); }
+TEST(ReadProcedure, RefusesAnUnknownExpectation) {
+    expect_refused(Code::unknown_word, "expect: pass", "expect: «passes»");
+}
 TEST(ReadProcedure, RefusesAnUnknownCoupling) {
     expect_refused(Code::unknown_word, "{device: touch, ", "{device: touch, coupling: «dierct», ");
 }
 TEST(ReadProcedure, RefusesTwoRehearsalsOfOneName) { expect_refused(Code::duplicate_id, "id: breach", "id: «expert»"); }
-TEST(ReadProcedure, RefusesANeedNamedTwice) { expect_refused(Code::duplicate_id, "[cortical]", "[cortical, «cortical»]"); }
+TEST(ReadProcedure, RefusesANeedNamedTwice) {
+    expect_refused(Code::duplicate_id, "[cortical]", "[cortical, «cortical»]");
+}
 TEST(ReadProcedure, RefusesAnIdOfTwoWords) { expect_refused(Code::malformed_word, "id: hole", "id: «a hole»"); }
-TEST(ReadProcedure, RefusesAVersionOfTwoNumbers) { expect_refused(Code::malformed_word, "version: 0.1.0", "version: «0.1»"); }
+TEST(ReadProcedure, RefusesAVersionOfTwoNumbers) {
+    expect_refused(Code::malformed_word, "version: 0.1.0", "version: «0.1»");
+}
 
 TEST(ReadProcedure, RefusesAnAnatomyOutsideItsFolder) {
-    for (const char* path : {"«../bone.yaml»", "«/etc/bone.yaml»", "«a/../../bone.yaml»", "«a\\bone.yaml»", "«C:bone.yaml»"})
+    for (const char* path :
+         {"«../bone.yaml»", "«/etc/bone.yaml»", "«a/../../bone.yaml»", "«a\\bone.yaml»", "«C:bone.yaml»"})
         expect_refused(Code::path_outside, "anatomy/bone.yaml", path);
 }
 
@@ -164,8 +177,12 @@ TEST(ReadProcedure, RefusesALimitWithoutQuantity) {
 
 TEST(ReadProcedure, RefusesAnUnknownPlugin) { expect_refused(Code::unknown_plugin, "kerf.drilling", "«kerf.driling»"); }
 TEST(ReadProcedure, RefusesAnUnknownTool) { expect_refused(Code::unknown_tool, "twist_drill", "«twisted_drill»"); }
-TEST(ReadProcedure, RefusesAnUnknownForce) { expect_refused(Code::unknown_force, "force: drill_cutting", "force: «drill_cuting»"); }
-TEST(ReadProcedure, RefusesAToolAsAForce) { expect_refused(Code::unknown_force, "force: drill_cutting", "force: «twist_drill»"); }
+TEST(ReadProcedure, RefusesAnUnknownForce) {
+    expect_refused(Code::unknown_force, "force: drill_cutting", "force: «drill_cuting»");
+}
+TEST(ReadProcedure, RefusesAToolAsAForce) {
+    expect_refused(Code::unknown_force, "force: drill_cutting", "force: «twist_drill»");
+}
 TEST(ReadProcedure, RefusesAnUnknownParameter) { expect_refused(Code::unknown_parameter, "diameter:", "«diametre»:"); }
 TEST(ReadProcedure, RefusesAnUnknownDrive) { expect_refused(Code::unknown_drive, "spindle_speed", "«spindle_sped»"); }
 TEST(ReadProcedure, RefusesAnAxisThatIsNotDeclared) {
@@ -200,7 +217,8 @@ TEST(ReadProcedure, AnUnusedInstrumentIsOnlyAWarning) {
     plugin: kerf.drilling
     tool: twist_drill
     force: drill_cutting
-steps:)"), diagnostics);
+steps:)"),
+                                diagnostics);
     EXPECT_TRUE(procedure) << to_text(diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "W0310");
@@ -208,8 +226,12 @@ steps:)"), diagnostics);
 }
 
 TEST(ReadProcedure, RefusesWordsForNumbers) { expect_refused(Code::not_a_number, "push: 50 N", "push: «hard»"); }
-TEST(ReadProcedure, RefusesALengthWithoutUnit) { expect_refused(Code::missing_unit, "diameter: 4 mm", "diameter: «4»"); }
-TEST(ReadProcedure, RefusesAnUnknownUnit) { expect_refused(Code::unknown_unit, "diameter: 4 mm", "diameter: «4 inch»"); }
+TEST(ReadProcedure, RefusesALengthWithoutUnit) {
+    expect_refused(Code::missing_unit, "diameter: 4 mm", "diameter: «4»");
+}
+TEST(ReadProcedure, RefusesAnUnknownUnit) {
+    expect_refused(Code::unknown_unit, "diameter: 4 mm", "diameter: «4 inch»");
+}
 TEST(ReadProcedure, RefusesAForceForASpeed) { expect_refused(Code::wrong_dimension, "feed: 2 mm/s", "feed: «2 N»"); }
 TEST(ReadProcedure, RefusesABoundWithoutEnd) {
     expect_refused(Code::empty_bound, "{depth: {at_least: 30 mm}}", "{«depth»: {}}");
@@ -224,22 +246,32 @@ TEST(ReadProcedure, RefusesAGoalToBeOutsideWhichADeepestDepthNeverIs) {
 
 TEST(ReadProcedure, RefusesAGoalThatALimitOfItsStepForbids) {
     expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}}", "{depth: {at_least: «38.1 mm»}}");
-    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
-                   "{depth: {at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, reason: Too shallow.}\n");
+    expect_refused(
+        Code::contradiction, "{depth: {at_least: 30 mm}} ]\n    limits:\n",
+        "{depth: {at_most: «5 mm»}} ]\n    limits:\n      - {depth: {at_least: 6 mm}, reason: Too shallow.}\n");
     Diagnostics diagnostics;
-    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics)) << "it can be reached and kept";
+    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}}", "{depth: {at_least: 38 mm}}"), diagnostics))
+        << "it can be reached and kept";
 }
 
 TEST(ReadProcedure, RefusesAGoalThatIsLessDeepThanAnEarlierOne) {
-    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: «29 mm»}} ]");
+    expect_refused(Code::contradiction, "{depth: {at_least: 30 mm}} ]",
+                   "{depth: {at_least: 30 mm}}, {depth: {at_most: «29 mm»}} ]");
     Diagnostics diagnostics;
-    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"), diagnostics)) << "first little, then more";
-    EXPECT_TRUE(read(replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: 30 mm}} ]"), diagnostics)) << "it can be as deep";
+    EXPECT_TRUE(read(
+        replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_most: 29 mm}}, {depth: {at_least: 30 mm}} ]"),
+        diagnostics))
+        << "first little, then more";
+    EXPECT_TRUE(read(
+        replaced(faultless, "{depth: {at_least: 30 mm}} ]", "{depth: {at_least: 30 mm}}, {depth: {at_most: 30 mm}} ]"),
+        diagnostics))
+        << "it can be as deep";
 }
 
 TEST(ReadProcedure, RefusesLimitsThatNothingKeepsTogether) {
     expect_refused(Code::contradiction, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
-                   "      - {clearance: {zone: canal, at_most: 2 mm}, reason: Far.}\n      - {depth: {at_most: 38 mm}, reason: Too deep.}\n"
+                   "      - {clearance: {zone: canal, at_most: 2 mm}, reason: Far.}\n      - {depth: {at_most: 38 mm}, "
+                   "reason: Too deep.}\n"
                    "      - {depth: {at_least: «38.1 mm»}, reason: Too shallow.}\n");
 }
 
@@ -251,7 +283,8 @@ TEST(ReadProcedure, RefusesAParameterOutOfRangeAndSaysWhatToWrite) {
               "E0412 folder/hole.yaml:14:28: pilot.diameter is 65 mm, must be 0.5 mm … 20 mm. Write `6.5 mm`.\n"
               "        parameters: {diameter: 65 mm, wear: 0.5}\n"
               "                               ^^^^^\n"
-              "  because of kerf.drilling/twist_drill: diameter is declared there from 0.5 mm to 20 mm, 3.2 mm if not given.\n");
+              "  because of kerf.drilling/twist_drill: diameter is declared there from 0.5 mm to 20 mm, 3.2 mm if not "
+              "given.\n");
 }
 
 TEST(ReadProcedure, ReportsAllErrorsInOneGo) {

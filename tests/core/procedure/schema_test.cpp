@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,25 +53,47 @@ std::vector<KindOfDocument> documents() {
 /// What a person might write for a value by mistake, and no reader takes.
 std::vector<std::string> mistakes(const ValueShape& value) {
     switch (value.kind) {
-        case Kind::text: return {"[a, b]", "{a: b}"};
-        case Kind::id: return {"[a, b]", "two words", "ä"};
-        case Kind::version: return {"0.1", "1.0.0-beta", "[1]"};
-        case Kind::path: return {"/etc/passwd", "../bone.yaml", "a\\b", "{a: b}"};
-        case Kind::yes_no: return {"yes", "no", "'on'", "[true]"};
-        case Kind::word: return {"wrod", "[pass]"};
+        case Kind::text:
+            return {"[a, b]", "{a: b}"};
+        case Kind::id:
+            return {"[a, b]", "two words", "ä"};
+        case Kind::version:
+            return {"0.1", "1.0.0-beta", "[1]"};
+        case Kind::path:
+            return {"/etc/passwd", "../bone.yaml", "a\\b", "{a: b}"};
+        case Kind::yes_no:
+            return {"yes", "no", "'on'", "[true]"};
+        case Kind::word:
+            return {"wrod", "[pass]"};
         case Kind::quantity:
             if (value.need.unit.empty()) return {"1e9", "-1e9", "many", "1 mm", "[1]", "\"1,5\""};
-            return {"5", "5 furlong", "5 K", "\"1,5 " + value.need.unit + "\"", value.need.dimension == dimension::force ? "5 mm" : "5 N",
-                    "hard", "[5]"};
-        case Kind::label: return {"1.5", "-3", "70000", "[1]"};
-        case Kind::vector: return {"1 2 mm", "\"1, 2, 3 mm\"", "[1 mm, 2 mm]", "5 mm", value.need.unit.empty() ? "0 0 1 mm" : "1 2 3", "{x: 1 mm}"};
-        case Kind::map: return {"5", "[a]", "{surely_unknown: 1}"};
-        case Kind::list: return {"5", "[]", "{a: b}"};
-        case Kind::named: return {"5", "[a]", "{two words: {}}"};
-        case Kind::renamed: return {"5", "[a]", "{F-1: two words}"};
-        case Kind::parameters: return {"5", "{surely_unknown: 1 mm}", "{diameter: 5}", "{diameter: 5 N}"};
-        case Kind::drives: return {"5", "{surely_unknown: 1 rpm}", "{spindle_speed: 1000}", "{spindle_speed: 5 mm}"};
-        case Kind::patch: return {"5", "[a]"};
+            return {"5",
+                    "5 furlong",
+                    "5 K",
+                    "\"1,5 " + value.need.unit + "\"",
+                    value.need.dimension == dimension::force ? "5 mm" : "5 N",
+                    "hard",
+                    "[5]"};
+        case Kind::label:
+            return {"1.5", "-3", "70000", "[1]"};
+        case Kind::vector:
+            return {
+                "1 2 mm",   "\"1, 2, 3 mm\"", "[1 mm, 2 mm]", "5 mm", value.need.unit.empty() ? "0 0 1 mm" : "1 2 3",
+                "{x: 1 mm}"};
+        case Kind::map:
+            return {"5", "[a]", "{surely_unknown: 1}"};
+        case Kind::list:
+            return {"5", "[]", "{a: b}"};
+        case Kind::named:
+            return {"5", "[a]", "{two words: {}}"};
+        case Kind::renamed:
+            return {"5", "[a]", "{F-1: two words}"};
+        case Kind::parameters:
+            return {"5", "{surely_unknown: 1 mm}", "{diameter: 5}", "{diameter: 5 N}"};
+        case Kind::drives:
+            return {"5", "{surely_unknown: 1 rpm}", "{spindle_speed: 1000}", "{spindle_speed: 5 mm}"};
+        case Kind::patch:
+            return {"5", "[a]"};
     }
     return {};
 }
@@ -88,9 +111,13 @@ TEST(Schema, TakesTheShippedDocuments) {
     ComponentCatalog catalog = drilling_catalog();
     const JsonSchema schema(schema_text(shapes::procedure, catalog, ""));
     EXPECT_EQ(schema.breach(as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"))), "");
-    EXPECT_EQ(anatomy_schema().breach(as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"))), "");
+    EXPECT_EQ(anatomy_schema().breach(
+                  as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/anatomy/vertebra-phantom.yaml"))),
+              "");
     for (const char* name : {"l3", "t12"})
-        EXPECT_EQ(anatomy_schema().breach(as_json(test::contents_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + name + ".yaml"))), "");
+        EXPECT_EQ(anatomy_schema().breach(
+                      as_json(test::contents_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + name + ".yaml"))),
+                  "");
 }
 
 TEST(Schema, RefusesEveryMistakeInTheFormOfAValue) {
@@ -101,7 +128,8 @@ TEST(Schema, RefusesEveryMistakeInTheFormOfAValue) {
                 bool is_refused_by_reader = true, is_refused_by_schema = true;
                 for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
                     const std::string name = shape.id + "/" + key.name;
-                    const std::string text = EveryKey{.choice = choice, .altered = name, .other = mistake}.document(d.shape);
+                    const std::string text =
+                        EveryKey{.choice = choice, .altered = name, .other = mistake}.document(d.shape);
                     if (text == EveryKey{.choice = choice}.document(d.shape)) continue;  // has no such key
                     is_refused_by_reader = is_refused_by_reader && !d.is_read(text);
                     is_refused_by_schema = is_refused_by_schema && !d.schema.breach(as_json(text)).empty();
@@ -148,17 +176,27 @@ TEST(Schema, RefusesAKeyThatIsNotThere) {
 }
 
 TEST(Schema, TakesWhateverUnitTheReaderTakes) {
-    const QuantityNeed speed{dimension::speed, "mm/s", 0.0, 1e9}, length{dimension::length, "mm", -1e9, 1e9}, plain{dimension::none, "", -1e9, 1e9};
-    const QuantityNeed density{dimension::density, "g/cm3", 0.0, 1e9}, volume{dimension::volume, "ml", 0.0, 1e9}, share{dimension::none, "%", 0.0, 1.0};
+    const QuantityNeed speed{dimension::speed, "mm/s", 0.0, 1e9}, length{dimension::length, "mm", -1e9, 1e9},
+        plain{dimension::none, "", -1e9, 1e9};
+    const QuantityNeed density{dimension::density, "g/cm3", 0.0, 1e9}, volume{dimension::volume, "ml", 0.0, 1e9},
+        share{dimension::none, "%", 0.0, 1.0};
     for (const QuantityNeed& need : {speed, length, plain, density, volume, share}) {
         const std::regex pattern(quantity_pattern(need)), row(vector_pattern(need));
-        for (const char* text : {"1 mm", "1mm", " 1.5e-3  m ", "1 µm", "5.", ".5 cm", "1/50", "1 / 50", "50 %", "1 mm/s", "1 m/min", "1 mm*Hz", "1 g/cm3",
-                                 "1 g/cm^3", "1 kg/m³", "1 cm3", "1 ml", "2 mm^2*m", "1", "1 1", "-3", "+3", "1e999", "0x10", "inf", "1 mm/", "N", "1 /s", "1 1/s*m"}) {
+        for (const char* text :
+             {"1 mm", "1mm",      " 1.5e-3  m ", "1 µm",    "5.",      ".5 cm",    "1/50",    "1 / 50",
+              "50 %", "1 mm/s",   "1 m/min",     "1 mm*Hz", "1 g/cm3", "1 g/cm^3", "1 kg/m³", "1 cm3",
+              "1 ml", "2 mm^2*m", "1",           "1 1",     "-3",      "+3",       "1e999",   "0x10",
+              "inf",  "1 mm/",    "N",           "1 /s",    "1 1/s*m"}) {
             const QuantityNeed wide{need.dimension, need.unit, -HUGE_VAL, HUGE_VAL};
-            if (parse_quantity(text, "it", wide).value) { EXPECT_TRUE(std::regex_search(text, pattern)) << text << " as " << need.unit; }
+            if (parse_quantity(text, "it", wide).value) {
+                EXPECT_TRUE(std::regex_search(text, pattern)) << text << " as " << need.unit;
+            }
         }
-        for (const char* text : {"1 2 3 mm", "1 2 3mm", "1  2\t3  mm", "1 2 3", "-1 -2.5 .5 m", "1-2-3 mm", ".5.5.5 mm", "1 2 mm", "1 2 3 4 mm"})
-            if (parse_vector(text, "it", need).value) { EXPECT_TRUE(std::regex_search(text, row)) << text << " as " << need.unit; }
+        for (const char* text : {"1 2 3 mm", "1 2 3mm", "1  2\t3  mm", "1 2 3", "-1 -2.5 .5 m", "1-2-3 mm", ".5.5.5 mm",
+                                 "1 2 mm", "1 2 3 4 mm"})
+            if (parse_vector(text, "it", need).value) {
+                EXPECT_TRUE(std::regex_search(text, row)) << text << " as " << need.unit;
+            }
     }
 }
 
@@ -170,7 +208,8 @@ TEST(Schema, TellsOfEveryParameterWithItsRangeAndDefault) {
         const auto& then = rule["then"]["properties"];
         if (!then.contains("parameters")) continue;
         const auto& diameter = then["parameters"]["properties"]["diameter"];
-        is_found = diameter["default"] == "3.2 mm" && diameter["description"].get<std::string>().find("0.5 mm … 20 mm") != std::string::npos;
+        is_found = diameter["default"] == "3.2 mm" &&
+                   diameter["description"].get<std::string>().find("0.5 mm … 20 mm") != std::string::npos;
     }
     EXPECT_TRUE(is_found);
 }

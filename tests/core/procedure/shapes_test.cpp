@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <functional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_procedure.h"
@@ -22,8 +25,12 @@ struct Kind {
 
 std::vector<Kind> kinds() {
     return {{shapes::procedure,
-             [](const std::string& text, Diagnostics& found) { return read_procedure_text("p.yaml", text, example_catalog(), found).has_value(); }},
-            {shapes::anatomy, [](const std::string& text, Diagnostics& found) { return read_anatomy_text("a.yaml", text, found).has_value(); }}};
+             [](const std::string& text, Diagnostics& found) {
+                 return read_procedure_text("p.yaml", text, example_catalog(), found).has_value();
+             }},
+            {shapes::anatomy, [](const std::string& text, Diagnostics& found) {
+                 return read_anatomy_text("a.yaml", text, found).has_value();
+             }}};
 }
 
 TEST(Shapes, EveryKeyIsExplainedInASentenceAndShownInAnExample) {
@@ -47,7 +54,8 @@ TEST(Shapes, EveryExampleIsAcceptedByTheReader) {
 
 TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
     // A shape sees one map: these are needed by all tissues but the last, or by what another key refers to.
-    const std::set<std::string> needed_by_case{"tissue/thickness", "tissue/density", "needs/landmarks", "needs/zones", "step/limits", "procedure/implants"};
+    const std::set<std::string> needed_by_case{"tissue/thickness", "tissue/density", "needs/landmarks",
+                                               "needs/zones",      "step/limits",    "procedure/implants"};
     for (const Kind& kind : kinds())
         for_every_key(kind.shape, [&](const Shape& shape, const KeyShape& key) {
             if (key.presence == Presence::one_of) return;
@@ -55,7 +63,8 @@ TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
             bool is_ever_needed = false;
             for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
                 Diagnostics found;
-                is_ever_needed |= !kind.is_accepted(EveryKey{.choice = choice, .dropped = name}.document(kind.shape), found);
+                is_ever_needed |=
+                    !kind.is_accepted(EveryKey{.choice = choice, .dropped = name}.document(kind.shape), found);
             }
             const bool is_needed = key.presence == Presence::required || needed_by_case.contains(name);
             EXPECT_EQ(is_ever_needed, is_needed) << name;
@@ -69,7 +78,8 @@ TEST(Shapes, WithoutAnyOfKeysThatExcludeEachOtherADocumentIsRefused) {
             bool is_ever_refused = false;
             for (std::size_t choice = 0; choice < EveryKey::choices; ++choice) {
                 Diagnostics found;
-                is_ever_refused |= !kind.is_accepted(EveryKey{.choice = choice, .dropped = shape.id + "/" + key.name}.document(kind.shape), found);
+                is_ever_refused |= !kind.is_accepted(
+                    EveryKey{.choice = choice, .dropped = shape.id + "/" + key.name}.document(kind.shape), found);
             }
             EXPECT_TRUE(is_ever_refused) << shape.id << "/" << key.name;
         });

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_procedure.h"
@@ -55,10 +60,12 @@ Vec3 across(const Vec3& from, const Vec3& to, Vec3 point) {
 double distance(const Solid& solid, Vec3 p) {
     if (const auto* box = std::get_if<BoxSolid>(&solid)) {
         const Vec3 d = p - box->centre;
-        return std::max({std::abs(d.x) - box->size.x / 2, std::abs(d.y) - box->size.y / 2, std::abs(d.z) - box->size.z / 2});
+        return std::max(
+            {std::abs(d.x) - box->size.x / 2, std::abs(d.y) - box->size.y / 2, std::abs(d.z) - box->size.z / 2});
     }
     if (const auto* tube = std::get_if<TubeSolid>(&solid))
-        return std::max(length(across(tube->from, tube->to, p)) - tube->radius, distance_along(tube->from, tube->to, p));
+        return std::max(length(across(tube->from, tube->to, p)) - tube->radius,
+                        distance_along(tube->from, tube->to, p));
     const auto& tube = std::get<EllipticTubeSolid>(solid);
     const Vec3 axis = normalized(tube.to - tube.from);
     const Vec3 side = normalized(cross(axis, tube.up));
@@ -116,7 +123,8 @@ TEST(Shipped, ProcedureMeetsItsAnatomy) {
 }
 
 TEST(Shipped, ProcedureOpensWithWhatItIsNotFor) {
-    EXPECT_TRUE(text_of(procedure_file).starts_with("# For training and research; not for diagnosis, planning or deciding treatment\n"));
+    EXPECT_TRUE(text_of(procedure_file)
+                    .starts_with("# For training and research; not for diagnosis, planning or deciding treatment\n"));
 }
 
 TEST(Shipped, BlunderIsTheExpertShiftedAndNothingElse) {
@@ -187,7 +195,8 @@ TEST_P(Phantom, CanalIsEmptyAndItsWallTowardsThePedicleIsBone) {
         }
     EXPECT_GT(samples, 1000);
     EXPECT_EQ(bone_in_canal, 0);
-    for (const double side : {-1.0, 1.0}) EXPECT_TRUE(in_bone(anatomy, {side * GetParam().medial_wall, 22.0_mm, 5.0_mm}));
+    for (const double side : {-1.0, 1.0})
+        EXPECT_TRUE(in_bone(anatomy, {side * GetParam().medial_wall, 22.0_mm, 5.0_mm}));
 }
 
 TEST_P(Phantom, HasAllThatTheProcedureNeeds) {
@@ -198,7 +207,8 @@ TEST_P(Phantom, HasAllThatTheProcedureNeeds) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Phantom,
                          testing::Values(Vertebra{"l3", anatomy_file, 5.0_mm, 12.0_mm},
-                                         Vertebra{"l4", KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l4-phantom.yaml", 6.3_mm, 12.8_mm}),
+                                         Vertebra{"l4", KERF_SOURCE_DIR "/procedures/anatomy/vertebra-l4-phantom.yaml",
+                                                  6.3_mm, 12.8_mm}),
                          [](const auto& one) { return one.param.id; });
 
 // ---- bad input: whatever happens to a file on its way, reading it ends in a value or in an error that has a place
@@ -243,7 +253,8 @@ TEST(DamagedAnatomy, CutOffAnywhereIsAnsweredWithoutAThrow) {
 
 TEST(HostileDocument, OfOneMegabyteIsAnsweredWithoutAThrow) {
     const std::string header = "apiVersion: kerf/v1\nkind: Procedure\n";
-    for (const char* piece : {"[", "{a: ", "- ", "a:\n", "[a, ", "\"", "&a ", "*a ", "a: b: ", "? ", "!a ", "---\n", "%TAG\n"}) {
+    for (const char* piece :
+         {"[", "{a: ", "- ", "a:\n", "[a, ", "\"", "&a ", "*a ", "a: b: ", "? ", "!a ", "---\n", "%TAG\n"}) {
         std::string text = header;
         while (text.size() + 8 < (1u << 20)) text += piece;
         int refused = 0;

@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "kerf/units.hpp"
 
@@ -24,7 +29,8 @@ struct Case {
         Step step;
         step.id = "hole";
         step.goals = {{"entry", {}, {}}, {"depth", {10.0_mm, {}}, {}}};
-        step.limits = {{"clearance", "nerve", {0.0, {}}, "Too near.", {}}, {"depth", "", {{}, 12.0_mm}, "Too deep.", {}}};
+        step.limits = {{"clearance", "nerve", {0.0, {}}, "Too near.", {}},
+                       {"depth", "", {{}, 12.0_mm}, "Too deep.", {}}};
         procedure.steps = {step, step};
         procedure.steps[1].id = "second";
         anatomy.zones = {{"nerve", {TubeSolid{{3.5_mm, 0, -50.0_mm}, {3.5_mm, 0, 50.0_mm}, 1.0_mm}}}};
@@ -50,8 +56,8 @@ TEST(StepMonitor, BesideTheBoneThereIsNoHoleThatCouldBeTooDeep) {
     for (double depth = -1.0_mm; depth < 20.0_mm; depth += 0.1_mm) watch.show(depth, 0.0, true, false);
     EXPECT_TRUE(watch.scene.news.empty()) << watch.scene.news.front();
 
-    watch.show(1.0_mm);                      // it enters,
-    watch.show(20.0_mm, 0.0, true, false);   // and is out of the far side: that is too deep
+    watch.show(1.0_mm);                     // it enters,
+    watch.show(20.0_mm, 0.0, true, false);  // and is out of the far side: that is too deep
     EXPECT_EQ(watch.scene.news, (std::vector<std::string>{"entered_bone", "goal_reached", "limit_broken"}));
 }
 
@@ -165,7 +171,8 @@ TEST(StepMonitor, BoneHasComeApartWhenThereAreTwoBodies) {
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     const Pose bodies[]{identity_pose(), identity_pose()};
     const auto show = [&](std::size_t count) {
-        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, std::span(bodies).first(count)}, scene.drill);
+        monitor.observe({0.0, {{0, 0, 5.0_mm}, {1, 0, 0, 0}}, true, true, 0.0, std::span(bodies).first(count)},
+                        scene.drill);
         return bool{monitor.steps()[0].goal_done[0]};
     };
     EXPECT_FALSE(show(1));
@@ -188,7 +195,8 @@ TEST(StepMonitor, ThrustCountsWhileTheToolRuns) {
 
 TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
     Case scene;
-    scene.procedure.steps[0].limits = {{"plane_angle", "", {{}, 3.0_deg}, "Tilted.", {}}, {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
+    scene.procedure.steps[0].limits = {{"plane_angle", "", {{}, 3.0_deg}, "Tilted.", {}},
+                                       {"flatness", "", {{}, 1.0_mm}, "Uneven.", {}}};
     StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
     monitor.judge_cut(0, CutWall{.angle = 4.0_deg, .offset = 0.0, .flatness = 0.5_mm, .points = 100}, 2e-9, 1.0);
     ASSERT_EQ(monitor.news().size(), 1u);

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -32,7 +35,8 @@ struct Bone {
             self.asked += count;
             for (std::uint32_t i = 0; i < count; ++i) {
                 out[i] = self.exact(points[i]);
-                if (std::abs(out[i].distance) >= self.reach) out[i] = {std::copysign(self.reach, out[i].distance), {0, 0, 0}, -1, 0};
+                if (std::abs(out[i].distance) >= self.reach)
+                    out[i] = {std::copysign(self.reach, out[i].distance), {0, 0, 0}, -1, 0};
             }
         };
         return q;
@@ -55,7 +59,9 @@ Bone hole(double radius, double x, double reach) {
 struct Written {
     kerf_channel channel[KERF_MAX_CHANNELS]{};
     kerf_law law{sizeof(kerf_law), 0, channel, {}, {}};
-    [[nodiscard]] double force(std::size_t c = 0) const { return law.count > c ? channel[c].k * std::max(0.0, channel[c].delta) : 0.0; }
+    [[nodiscard]] double force(std::size_t c = 0) const {
+        return law.count > c ? channel[c].k * std::max(0.0, channel[c].delta) : 0.0;
+    }
 };
 Written written(const Contact& contact, std::size_t kept_free = 0) {
     Written w;
@@ -76,7 +82,8 @@ Written point_in(const Bone& bone, double inwards = 3e-3, double facing = 0.05) 
 TEST(Contact, APointCarriesItsDepthHoweverFarDistancesGo) {
     for (const double reach : {0.28e-3, 0.5e-3, 2e-3})
         for (const double depth : {0.01e-3, 0.1e-3, 0.3e-3, 0.6e-3, 1.7e-3})
-            EXPECT_NEAR(point_in(half_space({1, 0, 0}, -depth, reach)).force(), stiffness * depth, 1e-9) << reach << ", " << depth;
+            EXPECT_NEAR(point_in(half_space({1, 0, 0}, -depth, reach)).force(), stiffness * depth, 1e-9)
+                << reach << ", " << depth;
 }
 
 TEST(Contact, AskewItPushesAlongItsOwnNormal) {
@@ -135,7 +142,8 @@ TEST(Contact, AWallThatIsLostLetsGoWithoutAJump) {
             const double now = carried_aside(aside, reach, false), known = carried_aside(aside, reach, true);
             EXPECT_LT(std::abs(now - let_go), 6.0 * stiffness * step) << reach << ", " << aside;
             EXPECT_LT(std::abs(known - held), 2.0 * stiffness * step) << reach << ", " << aside;
-            EXPECT_NEAR(known, stiffness * std::max(0.0, aside - 0.05e-3), 0.02 * stiffness * 1.6e-3) << reach << ", " << aside;
+            EXPECT_NEAR(known, stiffness * std::max(0.0, aside - 0.05e-3), 0.02 * stiffness * 1.6e-3)
+                << reach << ", " << aside;
             let_go = now;
             held = known;
         }
@@ -146,7 +154,8 @@ TEST(Contact, AWallThatIsLostLetsGoWithoutAJump) {
 TEST(Contact, AGapThatOpensInTheBoneBecomesAWallWithoutAJump) {
     constexpr double step = 1e-6, behind = 0.83e-3;
     double last = 0.0;
-    for (double wide = -20e-6; wide < 0.4e-3; wide += step) {  // bone from far behind the point to its front, with a gap across
+    for (double wide = -20e-6; wide < 0.4e-3;
+         wide += step) {  // bone from far behind the point to its front, with a gap across
         const Bone bone{[=](Vec3 p) -> kerf_surface_point {
                             const double off = std::abs(p.x + behind) - 0.5 * wide;
                             return {wide > 0.0 ? -off : -1.0, {p.x + behind > 0.0 ? -1.0 : 1.0, 0, 0}, 0, 0};
@@ -183,12 +192,14 @@ TEST(Contact, AHoleHoldsAShankAsFirmlyOnEveryGrid) {
 }
 
 TEST(Contact, AWallIsAsFirmWhateverLiesBehindIt) {
-    // Bone of 0.5 mm: what is nearest to a point deep in it is its other side, and that faces away. (Within 0.1 mm of it a point lets go.)
+    // Bone of 0.5 mm: what is nearest to a point deep in it is its other side, and that faces away. (Within 0.1 mm of
+    // it a point lets go.)
     for (const double reach : {0.28e-3, 0.5e-3, 2e-3})
         for (const double depth : {0.15e-3, 0.2e-3, 0.3e-3}) {
             const Bone wall{[=](Vec3 p) -> kerf_surface_point {
                                 const double x = p.x + depth;  // from its near side on
-                                return x < 0.25e-3 ? kerf_surface_point{-x, {-1, 0, 0}, 0, 0} : kerf_surface_point{x - 0.5e-3, {1, 0, 0}, 0, 0};
+                                return x < 0.25e-3 ? kerf_surface_point{-x, {-1, 0, 0}, 0, 0}
+                                                   : kerf_surface_point{x - 0.5e-3, {1, 0, 0}, 0, 0};
                             },
                             reach};
             EXPECT_NEAR(point_in(wall).force(), stiffness * depth, 1e-9) << reach << ", " << depth;
@@ -215,7 +226,8 @@ TEST(Contact, APointIsAskedAboutOnceUnlessItIsDeep) {
 TEST(Contact, OfMoreSlotsThanThereIsRoomForTheDeepestStay) {
     const Bone bone = half_space({1, 0, 0}, -0.1e-3, 2e-3);
     ContactPoints points;
-    for (std::size_t slot = 0; slot < 5; ++slot) points.add({1e-5 * static_cast<double>(slot), 0, 0}, {1, 0, 0}, stiffness, 0.05, slot);
+    for (std::size_t slot = 0; slot < 5; ++slot)
+        points.add({1e-5 * static_cast<double>(slot), 0, 0}, {1, 0, 0}, stiffness, 0.05, slot);
     const kerf_bone_query query = bone.query();
     Contact contact(points);
     contact.ask(BoneQuery(query), 1e-3);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C table of a law: what it begins with.
-#include "kerf/force.hpp"
-
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
+#include <span>
+
+#include "kerf/force.hpp"
 
 namespace kerf {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace kerf {
 namespace {
@@ -20,7 +21,8 @@ TEST(Figure, HasThreeDigitsAndItsUnit) {
 
 TEST(Refusal, SaysItsPiecesInOrder) {
     kerf_tool_shape shape{};
-    EXPECT_EQ(refuse(&shape, "`a` is ", in_mm(0.003), std::string("; it needs "), in_mm(0.004), "."), KERF_OUT_OF_RANGE);
+    EXPECT_EQ(refuse(&shape, "`a` is ", in_mm(0.003), std::string("; it needs "), in_mm(0.004), "."),
+              KERF_OUT_OF_RANGE);
     EXPECT_STREQ(shape.refusal, "`a` is 3 mm; it needs 4 mm.");
 }
 

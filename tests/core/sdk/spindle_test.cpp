@@ -37,7 +37,8 @@ TEST(Spindle, RunsUpAsItsTorqueAndInertiaSay) {
     EXPECT_NEAR(time_to(spindle, motor, full, 0.0, full, true), 0.2, 1.5 * dt);
     EXPECT_EQ(spindle.phase, Phase::running);
     Spindle loaded;  // half of the torque is left over: twice the time
-    EXPECT_NEAR(time_to(loaded, motor, full, 0.5, 0.95 * full, true), 0.95 * 0.4, 0.01 /* below 5 rpm the load is less */);
+    EXPECT_NEAR(time_to(loaded, motor, full, 0.5, 0.95 * full, true), 0.95 * 0.4,
+                0.01 /* below 5 rpm the load is less */);
 }
 
 TEST(Spindle, HoldsItsSpeedExactlyWhileTheTorqueLasts) {
@@ -157,7 +158,8 @@ TEST(Spindle, GoesTheSameWayAtAnyLoopRate) {
         for (int i = 0; i < static_cast<int>(0.15 / step + 0.5); ++i) spindle.step(motor, full, 0.3, step);
         return spindle.speed;
     };
-    for (const double step : {2e-3, 0.5e-3, 0.25e-3}) EXPECT_NEAR(speed_after(step) / speed_after(1e-3), 1.0, 0.01) << step;
+    for (const double step : {2e-3, 0.5e-3, 0.25e-3})
+        EXPECT_NEAR(speed_after(step) / speed_after(1e-3), 1.0, 0.01) << step;
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <regex>
 #include <set>
+#include <string>
 
 namespace kerf {
 namespace {

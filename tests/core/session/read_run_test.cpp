@@ -7,10 +7,15 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
@@ -40,7 +45,8 @@ SessionHeader header_of(const RunSummary& summary) {
     return header;
 }
 
-std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary& summary, const std::vector<TickRow>& ticks, const std::vector<EventRow>& events) {
+std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary& summary,
+                                      const std::vector<TickRow>& ticks, const std::vector<EventRow>& events) {
     auto created = Recorder::create(path, header_of(summary));
     EXPECT_EQ(created.error, "");
     for (const TickRow& row : ticks) {
@@ -55,7 +61,9 @@ std::unique_ptr<Recorder> recorder_of(const std::string& path, const RunSummary&
 std::string session_after(const TemporaryFolder& folder, const std::string& sql) {
     std::string path = folder / "session.db";
     const RunSummary summary = test::synthetic_summary();
-    EXPECT_EQ(recorder_of(path, summary, test::synthetic_ticks(50), test::synthetic_events())->finish(summary, drawn_surface(test::synthetic_bone(4))), "");
+    EXPECT_EQ(recorder_of(path, summary, test::synthetic_ticks(50), test::synthetic_events())
+                  ->finish(summary, drawn_surface(test::synthetic_bone(4))),
+              "");
     sqlite3* database = nullptr;
     EXPECT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
     EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
@@ -105,7 +113,8 @@ TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
 
 TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
     const TemporaryFolder folder;
-    recorder_of(folder / "session.db", test::synthetic_summary(), test::synthetic_ticks(50), test::synthetic_events()).reset();
+    recorder_of(folder / "session.db", test::synthetic_summary(), test::synthetic_ticks(50), test::synthetic_events())
+        .reset();
     std::string error;
     const auto run = read_run(folder / "session.db", error);
     ASSERT_TRUE(run) << error;
@@ -113,37 +122,41 @@ TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
     EXPECT_EQ(run->summary.verdict, Verdict::incomplete);
     EXPECT_EQ(run->summary.ticks, 50u);
     const std::string page = page_of(*run);
-    for (const char* part : {"Pilot hole in a lumbar pedicle", "… Incomplete", "Score – of 100", "The run was cut short", "limit_broken"})
+    for (const char* part :
+         {"Pilot hole in a lumbar pedicle", "… Incomplete", "Score – of 100", "The run was cut short", "limit_broken"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 TEST(ReadRun, LostRowsAreSaid) {
     const TemporaryFolder folder;
     std::string error;
-    const auto run = read_run(session_after(folder, "UPDATE session SET value='incomplete' WHERE key='state'; "
-                                                    "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9"), error);
+    const auto run = read_run(
+        session_after(folder, "UPDATE session SET value='incomplete' WHERE key='state'; "
+                              "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9"),
+        error);
     ASSERT_TRUE(run) << error;
     EXPECT_EQ(run->ticks.size(), 49u);
     EXPECT_NE(page_of(*run).find("17 rows of it were lost"), std::string::npos);
 }
 
 TEST(ReadRun, WhatNoRunWritesIsRefused) {
-    for (const auto& [sql, words] : {
-             std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2"},
-             {"UPDATE ticks SET thrust='much' WHERE tick=7", "`ticks` has something else than a number"},
-             {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
-             {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
-             {"DROP TABLE reasons", "`reasons` cannot be read"},
-             {"ALTER TABLE ticks RENAME COLUMN thrust TO push", "`ticks` cannot be read"},
-             {"UPDATE surface SET triangles=x'ffffffffffff'", "triangles without vertices"},
-             {"UPDATE surface SET positions=x'00'", "triangles without vertices"},
-             {"UPDATE surface SET step=NULL", "triangles without vertices"},
-             {"UPDATE surface SET half_x=9e999", "triangles without vertices"},
-             {"INSERT INTO surface SELECT * FROM surface", "two surfaces"},
-             {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 40) INSERT INTO signals SELECT i, 'x', 'x', '', 1.0, '' FROM n",
-              "more than"},
-             {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
-             {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
+    for (const auto& [sql, words] :
+         {std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2"},
+          {"UPDATE ticks SET thrust='much' WHERE tick=7", "`ticks` has something else than a number"},
+          {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
+          {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
+          {"DROP TABLE reasons", "`reasons` cannot be read"},
+          {"ALTER TABLE ticks RENAME COLUMN thrust TO push", "`ticks` cannot be read"},
+          {"UPDATE surface SET triangles=x'ffffffffffff'", "triangles without vertices"},
+          {"UPDATE surface SET positions=x'00'", "triangles without vertices"},
+          {"UPDATE surface SET step=NULL", "triangles without vertices"},
+          {"UPDATE surface SET half_x=9e999", "triangles without vertices"},
+          {"INSERT INTO surface SELECT * FROM surface", "two surfaces"},
+          {"WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i+1 FROM n WHERE i < 40) INSERT INTO signals SELECT i, "
+           "'x', 'x', '', 1.0, '' FROM n",
+           "more than"},
+          {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
+          {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
         EXPECT_NE(refusal_after(sql).find(words), std::string::npos) << sql << ": " << refusal_after(sql);
 }
 
@@ -164,11 +177,13 @@ TEST(ReadRun, ASessionThatIsBeingWrittenIsLeftAlone) {
 
 std::map<std::string, std::string> all_in(const std::string& folder) {
     std::map<std::string, std::string> files;
-    for (const auto& entry : fs::directory_iterator(folder)) files[entry.path().filename().string()] = contents_of(entry.path().string());
+    for (const auto& entry : fs::directory_iterator(folder))
+        files[entry.path().filename().string()] = contents_of(entry.path().string());
     return files;
 }
 
-/// Whether `reads` is true in a process that may write neither to the folder nor to what is in it, whoever runs the tests.
+/// Whether `reads` is true in a process that may write neither to the folder nor to what is in it, whoever runs the
+/// tests.
 bool holds_for_somebody_else(const std::string& folder, const std::function<bool()>& reads) {
     for (const auto& entry : fs::directory_iterator(folder)) fs::permissions(entry.path(), fs::perms(0444));
     fs::permissions(folder, fs::perms(0555));
@@ -188,17 +203,21 @@ bool holds_for_somebody_else(const std::string& folder, const std::function<bool
     return WEXITSTATUS(status) == 0;
 }
 
-/// A copy of a session while a run writes it, which is what a killed run leaves: session.db and its -wal. (-shm is never needed.)
+/// A copy of a session while a run writes it, which is what a killed run leaves: session.db and its -wal. (-shm is
+/// never needed.)
 void leave_as_killed(const std::string& folder) {
     const TemporaryFolder living;
-    auto recorder = recorder_of(living / "session.db", test::synthetic_summary(), test::synthetic_ticks(300), test::synthetic_events());
+    auto recorder = recorder_of(living / "session.db", test::synthetic_summary(), test::synthetic_ticks(300),
+                                test::synthetic_events());
     std::string error;
     for (int n = 0; n < 500; ++n) {  // until all rows are in the -wal, 5 s at most
         for (const char* name : {"session.db", "session.db-wal"}) {
             std::error_code not_yet;
             fs::copy_file(living / name, folder + "/" + name, fs::copy_options::overwrite_existing, not_yet);
         }
-        if (const auto run = read_run(folder + "/session.db", error); run && run->ticks.size() == 300 && run->events.size() == 5) return;
+        if (const auto run = read_run(folder + "/session.db", error);
+            run && run->ticks.size() == 300 && run->events.size() == 5)
+            return;
         usleep(10'000);
     }
     FAIL() << error;
@@ -216,8 +235,10 @@ TEST(ReadingASession, NeedsNoRightToWriteAndLeavesEverythingAsItWas) {
     for (const bool is_killed : {false, true}) {
         const TemporaryFolder folder;
         fs::permissions(folder.path(), fs::perms(0755));
-        if (is_killed) leave_as_killed(folder.path());
-        else session_after(folder, "");
+        if (is_killed)
+            leave_as_killed(folder.path());
+        else
+            session_after(folder, "");
         const std::size_t ticks = is_killed ? 300 : 50;
         const std::string path = folder / "session.db";
         const auto before = all_in(folder.path());

@@ -2,8 +2,8 @@
 #include "core/session/recorder.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sched.h>
+#include <signal.h>
 #include <sqlite3.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -11,10 +11,16 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "core/session/content_hash.h"
 #include "synthetic_run.h"
@@ -123,9 +129,8 @@ TEST(Recorder, ASessionDescribesItself) {
     EXPECT_EQ(ask(path, "PRAGMA user_version"), std::to_string(session_schema_version));
     EXPECT_EQ(ask(path, "SELECT text FROM notice"),
               "For training and research; not for diagnosis, planning or deciding treatment");
-    EXPECT_EQ(ask(path,
-                  "SELECT unit || ', ' || dimension || ', ' || frame FROM columns WHERE table_name='ticks' AND "
-                  "name='modelled_fz'"),
+    EXPECT_EQ(ask(path, "SELECT unit || ', ' || dimension || ', ' || frame FROM columns WHERE table_name='ticks' AND "
+                        "name='modelled_fz'"),
               "N, force, world");
     EXPECT_EQ(ask(path, "SELECT column_name FROM signals WHERE id='chip.thickness'"), "signal_chip_thickness");
     EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='anatomy_hash'"), hex16(hash_of_text("kind: Anatomy\n")));
@@ -137,11 +142,10 @@ TEST(Recorder, EveryColumnOfEveryTableIsDescribed) {
     const std::string path = folder / "session.db";
     new_recorder(path).reset();
 
-    EXPECT_EQ(ask(path,
-                  "SELECT coalesce(group_concat(t.name || '.' || c.name), 'none missing') FROM sqlite_schema t, "
-                  "pragma_table_info(t.name) c "
-                  "WHERE t.type='table' AND NOT EXISTS (SELECT 1 FROM columns d WHERE d.table_name=t.name AND "
-                  "d.name=c.name AND d.help<>'')"),
+    EXPECT_EQ(ask(path, "SELECT coalesce(group_concat(t.name || '.' || c.name), 'none missing') FROM sqlite_schema t, "
+                        "pragma_table_info(t.name) c "
+                        "WHERE t.type='table' AND NOT EXISTS (SELECT 1 FROM columns d WHERE d.table_name=t.name AND "
+                        "d.name=c.name AND d.help<>'')"),
               "none missing");
 }
 
@@ -226,7 +230,8 @@ TEST(Recorder, WritesNeitherThePathNorTheUserNorTheHost) {
     }
 }
 
-/// Records in a child process that `prepare` has put under a limit, until the file takes no more. The answer of `finish`.
+/// Records in a child process that `prepare` has put under a limit, until the file takes no more. The answer of
+/// `finish`.
 std::string recorded_until_full(const std::string& path, const std::function<bool()>& prepare) {
     int ends[2];
     if (pipe(ends) != 0) return "no pipe";
@@ -241,14 +246,16 @@ std::string recorded_until_full(const std::string& path, const std::function<boo
         }
         const std::string error = recorder == nullptr ? "no recorder" : recorder->finish(test::synthetic_summary());
         // What a later look at the file finds, while the limit and the mount still are there
-        const std::string answer = error + "|" + ask(path, "SELECT value FROM session WHERE key='state'") + "|" + ask(path, "PRAGMA integrity_check") +
-                                   "|" + ask(path, "SELECT count(*) > 0 AND count(*) = max(tick) + 1 FROM ticks");
+        const std::string answer = error + "|" + ask(path, "SELECT value FROM session WHERE key='state'") + "|" +
+                                   ask(path, "PRAGMA integrity_check") + "|" +
+                                   ask(path, "SELECT count(*) > 0 AND count(*) = max(tick) + 1 FROM ticks");
         _exit(write(ends[1], answer.data(), answer.size()) < 0);
     }
     close(ends[1]);
     std::string answer;
     char some[512];
-    for (ssize_t count = 0; (count = read(ends[0], some, sizeof some)) > 0;) answer.append(some, static_cast<std::size_t>(count));
+    for (ssize_t count = 0; (count = read(ends[0], some, sizeof some)) > 0;)
+        answer.append(some, static_cast<std::size_t>(count));
     close(ends[0]);
     waitpid(child, nullptr, 0);
     return answer;
@@ -274,7 +281,8 @@ TEST(Recorder, AFullDiskIsSaidAndTheSessionIsIncompleteAndWhole) {
         return mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=3m") == 0;
     });
     if (answer.empty()) GTEST_SKIP() << "no disk of our own can be mounted here";
-    EXPECT_TRUE(answer.starts_with((folder / "session.db") + " is incomplete: the disk is full. Free some space")) << answer;
+    EXPECT_TRUE(answer.starts_with((folder / "session.db") + " is incomplete: the disk is full. Free some space"))
+        << answer;
     EXPECT_TRUE(answer.ends_with("|incomplete|ok|1")) << answer;
 }
 

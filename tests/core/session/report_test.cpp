@@ -4,11 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
@@ -21,7 +26,8 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string synthetic_report() {
-    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
+    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(),
+                       drawn_surface(test::synthetic_bone(16)));
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -121,7 +127,8 @@ TEST(Report, AHostileNameStaysText) {
 }
 
 TEST(Report, TheDataInItIsJsonWithAllRows) {
-    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
+    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(),
+                                              test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
     const auto data = nlohmann::json::parse(json);
     EXPECT_EQ(data["rows"]["count"], 14'000);
     EXPECT_EQ(data["rows"]["time"].get<std::string>().size(), (14'000u * 4 + 2) / 3 * 4);
@@ -165,18 +172,22 @@ TEST(Report, AMeshWithNumbersOutOfRangeDoesNotHarm) {
 /// What the page's script computes of numbers, as JavaScript would print it; empty where there is no node to run it.
 std::string computed_by_script(const std::string& expression) {
     const std::string html = synthetic_report();
-    const std::size_t begin = html.find("const clamp ="), numbers = html.find("// ---- numbers"), end = html.find("// ---- plots");
+    const std::size_t begin = html.find("const clamp ="), numbers = html.find("// ---- numbers"),
+                      end = html.find("// ---- plots");
     EXPECT_TRUE(begin < numbers && numbers < end && end != std::string::npos);
     const test::TemporaryFolder folder;
-    std::ofstream(folder / "numbers.js") << html.substr(begin, end - begin) << "\nconsole.log(JSON.stringify(" << expression << "));\n";
-    if (std::system(("node " + (folder / "numbers.js") + " > " + (folder / "out") + " 2> /dev/null").c_str()) != 0) return "";
+    std::ofstream(folder / "numbers.js") << html.substr(begin, end - begin) << "\nconsole.log(JSON.stringify("
+                                         << expression << "));\n";
+    if (std::system(("node " + (folder / "numbers.js") + " > " + (folder / "out") + " 2> /dev/null").c_str()) != 0)
+        return "";
     return test::contents_of(folder / "out");
 }
 
 TEST(Report, TheNumbersOnAnAxisAreShortHoweverSmallOrLarge) {
     if (computed_by_script("1") != "1\n") GTEST_SKIP() << "there is no node here to run the page's script";
     const auto axis = [](const std::string& low, const std::string& high) {
-        return computed_by_script("(({texts, power}) => [texts, axisTitle('thrust', 'N', power)])(roundTicks(" + low + ", " + high + ", 2))");
+        return computed_by_script("(({texts, power}) => [texts, axisTitle('thrust', 'N', power)])(roundTicks(" + low +
+                                  ", " + high + ", 2))");
     };
     EXPECT_EQ(axis("0", "60"), "[[\"0\",\"50\"],\"thrust in N\"]\n");
     EXPECT_EQ(axis("0", "0.0012"), "[[\"0.000\",\"0.001\"],\"thrust in N\"]\n");
@@ -184,7 +195,8 @@ TEST(Report, TheNumbersOnAnAxisAreShortHoweverSmallOrLarge) {
     EXPECT_EQ(axis("-2e-16", "2e-16"), "[[\"−200\",\"0\",\"200\"],\"thrust in 10⁻¹⁸ N\"]\n");
     EXPECT_EQ(axis("0", "5e7"), "[[\"0\",\"50\"],\"thrust in 10⁶ N\"]\n");
     EXPECT_EQ(computed_by_script("axisTitle('teeth', '', -6)"), "\"teeth in 10⁻⁶\"\n");
-    EXPECT_EQ(computed_by_script("[0, 12.345, -0.02, 1.234e-9].map(sensible)"), "[\"0\",\"12.3\",\"−0.0200\",\"1.23\u00a0·\u00a010⁻⁹\"]\n");
+    EXPECT_EQ(computed_by_script("[0, 12.345, -0.02, 1.234e-9].map(sensible)"),
+              "[\"0\",\"12.3\",\"−0.0200\",\"1.23\u00a0·\u00a010⁻⁹\"]\n");
 }
 
 TEST(Report, ThrustOverDepthIsDrawnForThoseWithoutScripts) {

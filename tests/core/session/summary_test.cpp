@@ -5,6 +5,8 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "synthetic_run.h"
 
@@ -20,16 +22,20 @@ TEST(Summary, HasTheKeysThatScriptsDependOnInThisOrder) {
     const Json document = read(test::synthetic_summary());
     for (const auto& [key, value] : document.items()) keys.push_back(key);
 
-    const std::vector<std::string> promised{"schema", "notice", "procedure", "verdict", "reasons", "score", "duration_s", "steps",
-                                            "metrics", "ticks", "late_ticks", "removed_mm3", "pieces", "force_scale", "hash", "versions",
-                                            "anatomy_notes", "variant"};
+    const std::vector<std::string> promised{"schema",     "notice",        "procedure", "verdict",     "reasons",
+                                            "score",      "duration_s",    "steps",     "metrics",     "ticks",
+                                            "late_ticks", "removed_mm3",   "pieces",    "force_scale", "hash",
+                                            "versions",   "anatomy_notes", "variant"};
     EXPECT_EQ(keys, promised);
     EXPECT_EQ(document["schema"], 1);
 }
 
 TEST(Summary, AStepSaysWhetherAndWhenItWasDoneAndWhichLimitsBroke) {
     const Json step = read(test::synthetic_summary())["steps"][0];
-    EXPECT_EQ(step, (Json{{"id", "pilot-hole"}, {"done", true}, {"start_s", 0.0}, {"end_s", 12.1},
+    EXPECT_EQ(step, (Json{{"id", "pilot-hole"},
+                          {"done", true},
+                          {"start_s", 0.0},
+                          {"end_s", 12.1},
                           {"limits", {"clearance to spinal-canal", "depth"}}}));
 }
 

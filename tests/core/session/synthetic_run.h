@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/session/recording.h"
@@ -27,11 +28,14 @@ inline RunSummary synthetic_summary() {
     summary.duration = 14.0;
     summary.steps = {{"pilot-hole", "Drill the pilot hole", true, 0.0, 12.1, {"clearance to spinal-canal", "depth"}},
                      {"withdraw", "Withdraw the bit", false, 12.1, 14.0, {}}};
-    summary.metrics = {
-        {"pilot-hole.depth", 1, "pilot-hole", 1, 1, 31.23456e-3, "mm", 1e-3, 0.13e-3, "broken", "depth of the tip past the entry"},
-        {"pilot-hole.clearance", 2, "pilot-hole", 1, 1, 0.412e-3, "mm", 1e-3, 0.13e-3, "broken", "least distance from the bit to the spinal canal"},
-        {"pilot-hole.peak-thrust", 1, "pilot-hole", 1, 2, 38.4721, "N", 1.0, -1.0, "info", "greatest thrust in the first cortex"},
-        {"pilot-hole.deviation", 1, "pilot-hole", 1, 1, 0.0349, "deg", 0.017453292519943295, 0.005, "ok", "angle between hole and plan"}};
+    summary.metrics = {{"pilot-hole.depth", 1, "pilot-hole", 1, 1, 31.23456e-3, "mm", 1e-3, 0.13e-3, "broken",
+                        "depth of the tip past the entry"},
+                       {"pilot-hole.clearance", 2, "pilot-hole", 1, 1, 0.412e-3, "mm", 1e-3, 0.13e-3, "broken",
+                        "least distance from the bit to the spinal canal"},
+                       {"pilot-hole.peak-thrust", 1, "pilot-hole", 1, 2, 38.4721, "N", 1.0, -1.0, "info",
+                        "greatest thrust in the first cortex"},
+                       {"pilot-hole.deviation", 1, "pilot-hole", 1, 1, 0.0349, "deg", 0.017453292519943295, 0.005, "ok",
+                        "angle between hole and plan"}};
     summary.ticks = 14000;
     summary.late_ticks = 3;
     summary.removed = 2.2e-7;
@@ -59,7 +63,8 @@ inline std::vector<TickRow> synthetic_ticks(std::size_t count = 14000) {
         row.tissue = row.depth < 0.0 ? -1 : row.depth < 3e-3 || row.depth > 29e-3 ? 0 : 1;
         const double aim = !is_cutting ? 0.0 : row.tissue == 0 ? 34.0 : 9.0;
         load += 0.006 * (aim - load);
-        const double ripple = is_cutting ? 1.0 + 0.06 * std::sin(0.9 * row.time * 31.0) + 0.04 * std::sin(211.0 * row.time) : 0.05;
+        const double ripple =
+            is_cutting ? 1.0 + 0.06 * std::sin(0.9 * row.time * 31.0) + 0.04 * std::sin(211.0 * row.time) : 0.05;
         row.thrust = load * ripple;
         row.torque = -0.0021 * row.thrust * (1.0 + 0.1 * std::sin(7.0 * row.time));
         row.world_from_tool = {{0.0, 0.0, -row.depth}, {0.0, 1.0, 0.0, 0.0}};  // shaft along −z
@@ -112,8 +117,8 @@ inline Mesh synthetic_bone(int cells = 96) {
         }
     // The other five faces
     const auto quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-        const auto p = add_vertex(a, tissue_at(a.z - 1e-6)), q = add_vertex(b, tissue_at(b.z - 1e-6)), r = add_vertex(c, tissue_at(c.z - 1e-6)),
-                   s = add_vertex(d, tissue_at(d.z - 1e-6));
+        const auto p = add_vertex(a, tissue_at(a.z - 1e-6)), q = add_vertex(b, tissue_at(b.z - 1e-6)),
+                   r = add_vertex(c, tissue_at(c.z - 1e-6)), s = add_vertex(d, tissue_at(d.z - 1e-6));
         mesh.triangles.push_back({p, q, r});
         mesh.triangles.push_back({p, r, s});
     };

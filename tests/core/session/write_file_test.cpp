@@ -2,12 +2,13 @@
 #include "core/session/write_file.h"
 
 #include <gtest/gtest.h>
-
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <iterator>
+#include <string>
 
 #include "core/session/recorder.h"
 #include "tests/support/temporary_folder.h"
@@ -94,7 +95,8 @@ TEST(PrepareOutput, IsNotFooledByTheNameOfASession) {
 TEST(PrepareOutput, TakesAwayWhatAKilledRunLeftHalfWritten) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
-    for (const char* name : {"session.db-wal", "session.db-journal", "bone.stl.part"}) ASSERT_EQ(write_file(folder / name, "half"), "");
+    for (const char* name : {"session.db-wal", "session.db-journal", "bone.stl.part"})
+        ASSERT_EQ(write_file(folder / name, "half"), "");
     EXPECT_EQ(prepared(folder.path()), "");
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }

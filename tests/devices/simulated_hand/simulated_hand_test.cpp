@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "tests/support/layered_slab.h"
 #include "tests/support/probe.h"
 
@@ -62,7 +65,8 @@ double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
     gains.force_limit = 50.0;
     gains.spare_damping = gains.release_damping = 0.0;  // the spring alone
     Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
-    SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm), dt);
+    SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm),
+                       dt);
     double low = 1.0, high = -1.0;
     for (int i = 0; i < 12000; ++i) {
         hand.step(simulation.tick({hand.reported()}).command);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "tests/support/drill_rig.h"
@@ -37,22 +38,26 @@ struct Bored {
 };
 
 /// How far apart two end.
-double apart(const Bored& a, const Bored& b) { return length(a.simulation.world_from_tool().position - b.simulation.world_from_tool().position); }
+double apart(const Bored& a, const Bored& b) {
+    return length(a.simulation.world_from_tool().position - b.simulation.world_from_tool().position);
+}
 
 TEST(Askew, ADrillWalksTheSameWayOnEveryGrid) {
     for (const double feed : {1.0_mm_per_s, 4.0_mm_per_s}) {
         constexpr double tilt = 10.0_deg, depth = 8.0_mm;
-        const Bored coarse(0.5_mm, tilt, depth, feed), fine(0.25_mm, tilt, depth, feed), finest(0.125_mm, tilt, depth, feed);
+        const Bored coarse(0.5_mm, tilt, depth, feed), fine(0.25_mm, tilt, depth, feed),
+            finest(0.125_mm, tilt, depth, feed);
         const Vec3 aside = finest.simulation.world_from_tool().position - test::at_depth(depth, tilt).position;
         EXPECT_GT(std::hypot(aside.x, aside.y), 0.2_mm) << "it does walk, at " << feed;
         EXPECT_LT(apart(fine, finest), 0.01_mm) << feed;
-        EXPECT_LT(apart(coarse, finest), 0.0625_mm) << feed << ": as well as its own wall is known, an eighth of a voxel";
+        EXPECT_LT(apart(coarse, finest), 0.0625_mm)
+            << feed << ": as well as its own wall is known, an eighth of a voxel";
         EXPECT_EQ(coarse.turned_back + fine.turned_back + finest.turned_back, 0) << "it does not shake, at " << feed;
     }
 }
 
-// Pushed at 8 mm/s on a slope of 30° whole bone takes no drill: it skids, and its lips catch and let go. That is the drill's own motion:
-// shorter ticks do not calm it. A catch lasts 3 ms, so ticks of 1 ms make a third too much of it.
+// Pushed at 8 mm/s on a slope of 30° whole bone takes no drill: it skids, and its lips catch and let go. That is the
+// drill's own motion: shorter ticks do not calm it. A catch lasts 3 ms, so ticks of 1 ms make a third too much of it.
 TEST(Askew, ADrillThatSkidsChattersByItselfAndNotByTheTick) {
     struct Skid {
         double speed = 0.0;  ///< [m/s] RMS of the tip across, of the second half
@@ -102,8 +107,8 @@ TEST(Askew, InItsOwnHoleTheLandMeetsTheSameWallOnEveryGrid) {
     EXPECT_NEAR(coarse / fine, 1.0, 0.02);
 }
 
-// Pulled aside, a bit bends and lies deep in the wall of its hole: deeper than a fine grid knows distances. Its hole holds it all the
-// same.
+// Pulled aside, a bit bends and lies deep in the wall of its hole: deeper than a fine grid knows distances. Its hole
+// holds it all the same.
 TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
     const auto tip = [](const ToolSetup& setup, double spacing) {
         Body body = test::block({-5.0_mm, -5.0_mm, -24.0_mm}, {8.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
@@ -123,7 +128,8 @@ TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
     EXPECT_LT(length(coarse - finest), 0.0625_mm);
     EXPECT_LT(length(fine - finest), 0.01_mm);
     // Behind a short and thin pilot nearly all of a step drill's shank is as wide, and held as firmly.
-    const Vec3 stepped = tip(test::step_drill({{"diameter", 1.0_mm}, {"shoulder_diameter", 3.2_mm}, {"shoulder_depth", 1.0_mm}}), 0.125_mm);
+    const Vec3 stepped = tip(
+        test::step_drill({{"diameter", 1.0_mm}, {"shoulder_diameter", 3.2_mm}, {"shoulder_depth", 1.0_mm}}), 0.125_mm);
     EXPECT_NEAR(stepped.x, finest.x, 0.1_mm);
 }
 
@@ -166,7 +172,8 @@ TEST(PulledAside, AShankIsHeldHoweverFarItIsPulled) {
     }
 }
 
-// 68 MPa (ρ / 1 g/cm³)² crush it. Four channels of those that stand for the shank push back here, of a diameter's length each: less than all of it.
+// 68 MPa (ρ / 1 g/cm³)² crush it. Four channels of those that stand for the shank push back here, of a diameter's
+// length each: less than all of it.
 TEST(PulledAside, WeakBoneIsCrushedByTheShank) {
     const double bears = 68e6 * 0.1 * 0.1 * 3.2_mm * 20.0_mm;  // [N] along all of the shank in bone
     for (const double spacing : {0.5_mm, 0.25_mm}) {

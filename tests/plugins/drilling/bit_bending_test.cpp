@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How hard a bit is bent: what steel stands is the limit of what a trainee may pull.
+#include "plugins/drilling/bit_bending.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
-#include "plugins/drilling/bit_bending.h"
 #include "plugins/drilling/drill_parameters.h"
 #include "tests/support/drill_rig.h"
 
@@ -50,7 +54,8 @@ TEST(BitBending, BetweenTwoPushesItBendsByTheFirstAlone) {
     EXPECT_EQ(drilling::bending_stress(bit(), Pushes{}.advance()), 0.0);
 }
 
-// What follows goes with filtered forces and has a limit: where a lip comes out of a wall, a sum of the law's own figures was thousands of N/mm2.
+// What follows goes with filtered forces and has a limit: where a lip comes out of a wall, a sum of the law's own
+// figures was thousands of N/mm2.
 TEST(BitBending, WhatFollowsBendsAsItWasGivenAndNotAsItWasAskedFor) {
     Pushes held;
     held.add(-0.5_mm, 60.0);
@@ -60,7 +65,8 @@ TEST(BitBending, WhatFollowsBendsAsItWasGivenAndNotAsItWasAskedFor) {
     held.following = rate_at({0, 0, -0.5_mm}, {-60, 0, 0});
     EXPECT_NEAR(drilling::bending_stress(bit(), held.advance()), 0.0, 1e-3) << "at one height, and as much";
     held.following = rate_at({0, 0, 0}, {-60, 0, 0});
-    EXPECT_NEAR(drilling::bending_stress(bit(), held.advance()), 60.0 * 0.5_mm / section, 1.0) << "half a millimetre apart";
+    EXPECT_NEAR(drilling::bending_stress(bit(), held.advance()), 60.0 * 0.5_mm / section, 1.0)
+        << "half a millimetre apart";
 }
 
 TEST(BitBending, AThinPilotIsBentTheHarder) {
@@ -74,7 +80,8 @@ TEST(BitBending, AThinPilotIsBentTheHarder) {
     Pushes at_tip;
     at_tip.add(0.0, 10.0);
     at_tip.add(-10.0_mm, 1e-9);
-    EXPECT_NEAR(drilling::bending_stress(stepped, at_tip.advance()), std::max(10.0 * 10.0_mm / section, 10.0 * 60.0_mm / (8.0 * section)), 10.0);
+    EXPECT_NEAR(drilling::bending_stress(stepped, at_tip.advance()),
+                std::max(10.0 * 10.0_mm / section, 10.0 * 60.0_mm / (8.0 * section)), 10.0);
 }
 
 // In bone: what the law says bends the bit is what the hand holds it with.
@@ -94,7 +101,7 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
         return r;
     };
     double depth = -0.1_mm;
-    for (; -simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um) (void)go(depth, 0.0);
+    for (; - simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um) (void)go(depth, 0.0);
     simulation.command_drive(drilling::drive_spindle_speed, 0.0);
     for (int i = 0; i < 500; ++i) (void)go(depth, 0.0);
     TickResult r;
@@ -103,10 +110,13 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     EXPECT_GT(stress_when_told, 1000e6);
     EXPECT_LT(least_not_told, 1000e6);
     const Quat q = simulation.world_from_tool().rotation;
-    const Vec3 force = rotate(conjugate(q), linear(r.bone_on_tool)), torque = rotate(conjugate(q), angular(r.bone_on_tool));
+    const Vec3 force = rotate(conjugate(q), linear(r.bone_on_tool)),
+               torque = rotate(conjugate(q), angular(r.bone_on_tool));
     const Vec3 at_chuck = torque + cross(Vec3{0, 0, 60.0_mm}, force);  // from (0, 0, −60 mm) to the tip
-    EXPECT_GE(stress_when_told * section * 1.005, std::hypot(at_chuck.x, at_chuck.y)) << "N m; no less than at the chuck";
-    EXPECT_NEAR(stress_when_told * section / std::hypot(at_chuck.x, at_chuck.y), 1.0, 0.05) << "held near its tip it bends most there";
+    EXPECT_GE(stress_when_told * section * 1.005, std::hypot(at_chuck.x, at_chuck.y))
+        << "N m; no less than at the chuck";
+    EXPECT_NEAR(stress_when_told * section / std::hypot(at_chuck.x, at_chuck.y), 1.0, 0.05)
+        << "held near its tip it bends most there";
 }
 
 }  // namespace

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "tests/support/drill_rig.h"
 
@@ -15,7 +19,7 @@ namespace {
 
 using namespace literals;
 
-constexpr double cortex = 1850.0;                                // [kg/m³]
+constexpr double cortex = 1850.0;                               // [kg/m³]
 constexpr double tension = 68e6 * 1.85 * 1.85 * 133.0 / 193.0;  // [Pa] that cracks it
 
 /// What a plate bears that is met at `tilt`: 4π m along its normal, and what rubs across that, with μ = 0.3 [N].
@@ -29,17 +33,26 @@ struct Awl {
     Body body;
     ToolSetup setup;
     Simulation simulation;
-    int broke = 0;          ///< times
-    double deepest = 0.0;   ///< [m] it was led to
+    int broke = 0;         ///< times
+    double deepest = 0.0;  ///< [m] it was led to
 
-    explicit Awl(double thickness, double spacing = 0.25_mm, double askew = 0.0, const std::string& tool = "profile_drill", const std::map<std::string, double>& shape = slender())
+    explicit Awl(double thickness, double spacing = 0.25_mm, double askew = 0.0,
+                 const std::string& tool = "profile_drill", const std::map<std::string, double>& shape = slender())
         : Awl(made_of(thickness, spacing), tool, shape, askew) {}
-    explicit Awl(Body made, const std::string& tool = "profile_drill", const std::map<std::string, double>& shape = slender(), double askew = 0.0)
-        : tilt(askew), body(std::move(made)), setup(test::drill(tool, shape)),
-          simulation(body, setup, test::outline(setup), test::gains(0.005), test::at_depth(-0.2_mm, askew)), deepest(-0.2_mm) {}
+    explicit Awl(Body made, const std::string& tool = "profile_drill",
+                 const std::map<std::string, double>& shape = slender(), double askew = 0.0)
+        : tilt(askew),
+          body(std::move(made)),
+          setup(test::drill(tool, shape)),
+          simulation(body, setup, test::outline(setup), test::gains(0.005), test::at_depth(-0.2_mm, askew)),
+          deepest(-0.2_mm) {}
 
     static std::map<std::string, double> slender() {
-        return {{"spindle_speed", 0.0}, {"diameter", 0.5_mm}, {"point_angle", 60.0_deg}, {"depth_1", 0.433_mm + 1.75_mm / std::tan(15.0_deg)}, {"diameter_1", 4.0_mm}};
+        return {{"spindle_speed", 0.0},
+                {"diameter", 0.5_mm},
+                {"point_angle", 60.0_deg},
+                {"depth_1", 0.433_mm + 1.75_mm / std::tan(15.0_deg)},
+                {"diameter_1", 4.0_mm}};
     }
     static Body made_of(double thickness, double spacing) {
         Body made = test::block({-8.0_mm, -8.0_mm, -thickness}, {8.0_mm, 8.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
@@ -52,7 +65,9 @@ struct Awl {
         for (std::size_t i = 0; i < r.event_count; ++i) broke += std::string(r.events[i]) == "drilling.wall_broken";
         return r;
     }
-    double led_to(Vec3 entry, double to) { return tell(simulation.tick_direct({test::at_depth(to, tilt, entry)})).thrust; }
+    double led_to(Vec3 entry, double to) {
+        return tell(simulation.tick_direct({test::at_depth(to, tilt, entry)})).thrust;
+    }
     /// The largest thrust on the way to a depth, by so much a tick [m].
     double peak(double to, Vec3 entry = {}, double step = 8.0_um) {
         double most = 0.0;
@@ -69,17 +84,22 @@ TEST(BreakingWall, APlateOfTwoVoxelsAndMoreBearsTheClosedForm) {
     struct Case {
         double thickness, tilt, spacing;
     };
-    for (const Case& one : {Case{0.5_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.5_mm}, Case{1.0_mm, 0.0, 0.25_mm}, Case{2.0_mm, 0.0, 0.25_mm}, Case{0.5_mm, 25.0_deg, 0.125_mm},
-                            Case{1.0_mm, 25.0_deg, 0.25_mm}, Case{2.0_mm, 25.0_deg, 0.5_mm}, Case{0.5_mm, 50.0_deg, 0.25_mm}, Case{1.0_mm, 50.0_deg, 0.5_mm}, Case{1.0_mm, 50.0_deg, 0.125_mm}}) {
+    for (const Case& one :
+         {Case{0.5_mm, 0.0, 0.25_mm}, Case{1.0_mm, 0.0, 0.5_mm}, Case{1.0_mm, 0.0, 0.25_mm}, Case{2.0_mm, 0.0, 0.25_mm},
+          Case{0.5_mm, 25.0_deg, 0.125_mm}, Case{1.0_mm, 25.0_deg, 0.25_mm}, Case{2.0_mm, 25.0_deg, 0.5_mm},
+          Case{0.5_mm, 50.0_deg, 0.25_mm}, Case{1.0_mm, 50.0_deg, 0.5_mm}, Case{1.0_mm, 50.0_deg, 0.125_mm}}) {
         Awl awl(one.thickness, one.spacing, one.tilt);
-        EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.04) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
+        EXPECT_NEAR(awl.peak(11.0_mm) / closed_form(one.thickness, one.tilt), 1.0, 0.04)
+            << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
         EXPECT_EQ(awl.broke, 1) << one.thickness << ", " << one.tilt / 1.0_deg << ", " << one.spacing;
     }
 }
 
 TEST(BreakingWall, WideTipsLookAsCloselyAsSlenderOnes) {
-    for (const auto& [diameter, point] : {std::pair{6.0_mm, 118.0_deg}, std::pair{10.0_mm, 118.0_deg}, std::pair{14.0_mm, 60.0_deg}}) {
-        Awl drill(0.5_mm, 0.25_mm, 0.0, "twist_drill", {{"spindle_speed", 0.0}, {"diameter", diameter}, {"point_angle", point}});
+    for (const auto& [diameter, point] :
+         {std::pair{6.0_mm, 118.0_deg}, std::pair{10.0_mm, 118.0_deg}, std::pair{14.0_mm, 60.0_deg}}) {
+        Awl drill(0.5_mm, 0.25_mm, 0.0, "twist_drill",
+                  {{"spindle_speed", 0.0}, {"diameter", diameter}, {"point_angle", point}});
         EXPECT_NEAR(drill.peak(1.0_mm, {}, 1.0_um) / closed_form(0.5_mm), 1.0, 0.06) << diameter;
         EXPECT_EQ(drill.broke, 1) << diameter;
     }
@@ -94,11 +114,14 @@ TEST(BreakingWall, APlateOfOneVoxelBearsLess) {
 }
 
 /// [m] of bone 16 mm wide, from the height `top` down to `bottom`.
-double slab(Vec3 p, double top, double bottom) { return std::max({std::abs(p.x) - 8.0_mm, std::abs(p.y) - 8.0_mm, p.z - top, bottom - p.z}); }
+double slab(Vec3 p, double top, double bottom) {
+    return std::max({std::abs(p.x) - 8.0_mm, std::abs(p.y) - 8.0_mm, p.z - top, bottom - p.z});
+}
 
 Body cortex_with(const std::function<double(Vec3)>& surface) {
     Body made = Awl::made_of(1.0_mm, 0.25_mm);
-    made.surface = LevelSet::build(Grid::covering({-9.0_mm, -9.0_mm, -20.0_mm}, {9.0_mm, 9.0_mm, 1.0_mm}, 0.25_mm), surface);
+    made.surface =
+        LevelSet::build(Grid::covering({-9.0_mm, -9.0_mm, -20.0_mm}, {9.0_mm, 9.0_mm, 1.0_mm}, 0.25_mm), surface);
     return made;
 }
 
@@ -135,7 +158,8 @@ TEST(BreakingWall, SetDownBesideItTheWallIsWhole) {
     Awl awl(1.0_mm);
     const double first = awl.peak(9.0_mm, {-3.0_mm, 0, 0});
     for (double depth = 9.0_mm; depth > -0.5_mm; depth -= 0.1_mm) (void)awl.led_to({-3.0_mm, 0, 0}, depth);
-    for (double x = -3.0_mm; x < 3.0_mm; x += 0.1_mm) (void)awl.led_to({x, 0, 0}, -0.5_mm);  // half a millimetre above it
+    for (double x = -3.0_mm; x < 3.0_mm; x += 0.1_mm)
+        (void)awl.led_to({x, 0, 0}, -0.5_mm);  // half a millimetre above it
     awl.deepest = -0.5_mm;
     const double second = awl.peak(9.0_mm, {3.0_mm, 0, 0});
     EXPECT_NEAR(second / closed_form(1.0_mm), 1.0, 0.03);
@@ -145,7 +169,11 @@ TEST(BreakingWall, SetDownBesideItTheWallIsWhole) {
 
 // A pilot through a thin floor while the shoulder stands in thick bone: each bears its own.
 TEST(BreakingWall, APilotBreaksItsFloorWhateverTheShoulderStandsIn) {
-    const std::map<std::string, double> shape{{"spindle_speed", 0.0}, {"diameter", 3.2_mm}, {"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 118.0_deg}, {"shoulder_depth", 7.0_mm}};
+    const std::map<std::string, double> shape{{"spindle_speed", 0.0},
+                                              {"diameter", 3.2_mm},
+                                              {"shoulder_diameter", 5.0_mm},
+                                              {"shoulder_angle", 118.0_deg},
+                                              {"shoulder_depth", 7.0_mm}};
     Awl drill(cortex_with([](Vec3 p) {
                   const double bore = std::max(std::hypot(p.x, p.y) - 1.7_mm, -6.3_mm - p.z);  // a floor of 0.5 mm
                   return std::max(slab(p, 0.0, -6.8_mm), -bore);
@@ -175,7 +203,11 @@ TEST(BreakingWall, PushedLessItStandsAndPushedMoreItGoesThrough) {
 
 TEST(BreakingWall, AShoulderThatIsStillAboveBoneChangesNothing) {
     const auto breaks_at = [](double shoulder_depth) {
-        Awl drill(4.0_mm, 0.25_mm, 0.0, "step_drill", {{"spindle_speed", 0.0}, {"diameter", 2.0_mm}, {"shoulder_diameter", 4.0_mm}, {"shoulder_depth", shoulder_depth}});
+        Awl drill(4.0_mm, 0.25_mm, 0.0, "step_drill",
+                  {{"spindle_speed", 0.0},
+                   {"diameter", 2.0_mm},
+                   {"shoulder_diameter", 4.0_mm},
+                   {"shoulder_depth", shoulder_depth}});
         double depth = -0.2_mm;
         for (; depth < 6.0_mm && drill.broke == 0; depth += 8.0_um) (void)drill.led_to({}, depth);
         return depth;
@@ -233,13 +265,16 @@ TEST(Shells, AWayThatMeetsNoBoneTellsNothingAndOneWithoutAFarSideNever) {
     const Ways ways(10.0_mm, -1.0_mm);
     EXPECT_EQ(ways.ask({0, 0, 0.5_mm}, {1, 0, 0}).on(0).load, 0.0) << "it stays above";
     EXPECT_EQ(ways.ask({0, 0, 1.2_mm}, {0, 0, 1}).on(0).load, drilling::Shell::never) << "32 steps end in bone";
-    EXPECT_EQ(ways.ask({0, 0, 2.0_mm}, {0, 0, -1}).on(0).load, drilling::Shell::never) << "it comes out where the tip came in";
+    EXPECT_EQ(ways.ask({0, 0, 2.0_mm}, {0, 0, -1}).on(0).load, drilling::Shell::never)
+        << "it comes out where the tip came in";
 }
 
 // ---- What has broken ------------------------------------------------------------------------------------------------
 
 /// A wall across the shaft, whose far side is so far beyond the tip [m].
-drilling::Shell wall_at(double beyond, double load) { return {.load = load, .normal = {0, 0, 1}, .far = {0, 0, beyond}}; }
+drilling::Shell wall_at(double beyond, double load) {
+    return {.load = load, .normal = {0, 0, 1}, .far = {0, 0, beyond}};
+}
 
 TEST(BrokenWall, IsToldOnceAndOfNoSliver) {
     drilling::BrokenWall wall(1.0_mm);

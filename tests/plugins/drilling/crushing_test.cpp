@@ -2,7 +2,11 @@
 // A drill that does not turn, or an awl: pushed harder than bone bears it goes in, and else it stands.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
@@ -28,16 +32,21 @@ struct Rig {
     double tick;  ///< [s]
     int begun = 0;
 
-    explicit Rig(double density = spongy, double spacing = 0.25_mm, const std::map<std::string, double>& set = {}, const std::string& tool = "twist_drill",
-                 Pose start = test::at_depth(-0.1_mm), double period = Simulation::dt, double half_width = 6.0_mm)
-        : body(made_of(density, spacing, half_width)), setup(test::drill(tool, with_still_spindle(set))), simulation(body, setup, test::outline(setup), test::gains(0.005), start, period), tick(period) {}
+    explicit Rig(double density = spongy, double spacing = 0.25_mm, const std::map<std::string, double>& set = {},
+                 const std::string& tool = "twist_drill", Pose start = test::at_depth(-0.1_mm),
+                 double period = Simulation::dt, double half_width = 6.0_mm)
+        : body(made_of(density, spacing, half_width)),
+          setup(test::drill(tool, with_still_spindle(set))),
+          simulation(body, setup, test::outline(setup), test::gains(0.005), start, period),
+          tick(period) {}
 
     static std::map<std::string, double> with_still_spindle(std::map<std::string, double> set) {
         set["spindle_speed"] = 0.0;
         return set;
     }
     static Body made_of(double density, double spacing, double half_width) {
-        Body body = test::block({-half_width, -half_width, -20.0_mm}, {half_width, half_width, 0}, spacing, {0.31, 0.17, 0.73});
+        Body body =
+            test::block({-half_width, -half_width, -20.0_mm}, {half_width, half_width, 0}, spacing, {0.31, 0.17, 0.73});
         body.materials = {{"bone", density, {}}};
         return body;
     }
@@ -81,19 +90,22 @@ TEST(Crushing, ItsForceIsTheClosedFormOnEveryGrid) {
     for (const double spacing : {0.5_mm, 0.25_mm})
         for (const double density : {200.0, 400.0}) {
             Rig rig(density, spacing);
-            EXPECT_NEAR(rig.thrust_between(5.0_mm, 8.0_mm, 2.0_mm_per_s) / closed_form(density, 3.2_mm), 1.0, 0.02) << density << ", " << spacing;
+            EXPECT_NEAR(rig.thrust_between(5.0_mm, 8.0_mm, 2.0_mm_per_s) / closed_form(density, 3.2_mm), 1.0, 0.02)
+                << density << ", " << spacing;
         }
 }
 
 TEST(Crushing, ItIsTheSameAtEveryRate) {
     Rig slow, fast;
-    const double at_one = slow.thrust_between(4.0_mm, 6.0_mm, 1.0_mm_per_s), at_eight = fast.thrust_between(4.0_mm, 6.0_mm, 8.0_mm_per_s);
+    const double at_one = slow.thrust_between(4.0_mm, 6.0_mm, 1.0_mm_per_s),
+                 at_eight = fast.thrust_between(4.0_mm, 6.0_mm, 8.0_mm_per_s);
     EXPECT_NEAR(at_eight / at_one, 1.0, 0.01);
 }
 
 TEST(Crushing, ItIsTheSameAtEveryLoopRate) {
     const auto thrust_at = [](double period) {
-        return Rig(spongy, 0.25_mm, {}, "twist_drill", test::at_depth(-0.1_mm), period).thrust_between(4.0_mm, 6.0_mm, 2.0_mm_per_s);
+        return Rig(spongy, 0.25_mm, {}, "twist_drill", test::at_depth(-0.1_mm), period)
+            .thrust_between(4.0_mm, 6.0_mm, 2.0_mm_per_s);
     };
     const double slow = thrust_at(2e-3), fast = thrust_at(0.25e-3);
     EXPECT_NEAR(slow / fast, 1.0, 0.01);
@@ -102,7 +114,8 @@ TEST(Crushing, ItIsTheSameAtEveryLoopRate) {
 TEST(Crushing, ItIsTheSameSeenInAMirror) {
     const auto aside = [](double side) {
         Rig rig(spongy, 0.25_mm, {}, "twist_drill", at(side * 5.5_mm, -0.1_mm));
-        for (double hand = -0.1_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um) (void)rig.go(at(side * 5.5_mm, hand));
+        for (double hand = -0.1_mm; rig.depth() < 4.0_mm && hand < 60.0_mm; hand += 4.0_um)
+            (void)rig.go(at(side * 5.5_mm, hand));
         return rig.simulation.world_from_tool().position.x - side * 5.5_mm;
     };
     const double right = aside(1.0), left = aside(-1.0);  // it stands half on the edge of the block
@@ -141,13 +154,16 @@ TEST(Crushing, CortexIsPrickedAsDeepAsItBears) {
     EXPECT_NEAR(rig.depth(), pricked, 10.0_um);
 }
 
-// Whatever it stands with, crushing that begins because its spring gave too far must not end at once and let it go on by that much.
+// Whatever it stands with, crushing that begins because its spring gave too far must not end at once and let it go on
+// by that much.
 TEST(Crushing, WideTipsAndSoftSpringsStandInCortexAsWell) {
     struct Case {
         double diameter, stiffness, push;
     };
-    for (const Case& one : {Case{5.0_mm, 500e3, 400.0}, Case{10.0_mm, 500e3, 400.0}, Case{3.2_mm, 50e3, 150.0}, Case{3.2_mm, 200e3, 150.0}}) {
-        Rig rig(1850.0, 0.25_mm, {{"diameter", one.diameter}, {"contact_stiffness", one.stiffness}, {"motor_torque", 20.0}});
+    for (const Case& one : {Case{5.0_mm, 500e3, 400.0}, Case{10.0_mm, 500e3, 400.0}, Case{3.2_mm, 50e3, 150.0},
+                            Case{3.2_mm, 200e3, 150.0}}) {
+        Rig rig(1850.0, 0.25_mm,
+                {{"diameter", one.diameter}, {"contact_stiffness", one.stiffness}, {"motor_torque", 20.0}});
         rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
         for (double depth = -0.1_mm; depth < 5.0_mm; depth += 2.0_um) (void)rig.go_direct(test::at_depth(depth));
         rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
@@ -186,12 +202,14 @@ TEST(Crushing, SidewaysItTakesWhatTheAreaItShowsBears) {
     const double land = 0.25 * 3.2_mm;
     EXPECT_NEAR(aside("twist_drill", {}) / (strength * (1.6_mm * point + 3.2_mm * land)), 1.0, 0.08);
     const double straight = 6.0_mm - point;
-    EXPECT_NEAR(aside("profile_drill", {{"depth_1", 6.0_mm}, {"diameter_1", 3.2_mm}, {"depth_2", 6.5_mm}, {"diameter_2", 4.2_mm}}) /
+    EXPECT_NEAR(aside("profile_drill",
+                      {{"depth_1", 6.0_mm}, {"diameter_1", 3.2_mm}, {"depth_2", 6.5_mm}, {"diameter_2", 4.2_mm}}) /
                     (strength * (1.6_mm * point + 3.2_mm * straight + 0.5_mm * 3.7_mm + 4.2_mm * land)),
                 1.0, 0.08);
 }
 
-// Before anything is crushed its point sticks to a slope that is less steep than friction's angle, and slides down a steeper one.
+// Before anything is crushed its point sticks to a slope that is less steep than friction's angle, and slides down a
+// steeper one.
 TEST(StillTip, SticksToASlopeByFriction) {
     const auto slides = [](double friction) {
         Rig rig(1850.0, 0.25_mm, {{"friction", friction}}, "twist_drill", test::at_depth(-1.0_mm, 20.0_deg));
@@ -224,7 +242,8 @@ TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
     const double stands = rig.depth();
     for (int i = 0; i < 1000; ++i) (void)rig.push(5.0);
     EXPECT_NEAR(rig.depth(), stands, 2.0_um) << "it takes no bone by turning";
-    EXPECT_NEAR(rig.thrust_between(stands + 0.5_mm, stands + 2.0_mm, 2.0_mm_per_s) / closed_form(spongy, 3.2_mm), 1.0, 0.03);
+    EXPECT_NEAR(rig.thrust_between(stands + 0.5_mm, stands + 2.0_mm, 2.0_mm_per_s) / closed_form(spongy, 3.2_mm), 1.0,
+                0.03);
 }
 
 TEST(Crushing, LeavesTheHoleItIsShapedLike) {
@@ -244,7 +263,8 @@ TEST(Crushing, NothingPushesItOutAgain) {
     double pushed_back = 0.0;
     for (int i = 0; i < 1000; ++i) (void)rig.go(test::at_depth(deep));
     EXPECT_NEAR(rig.depth(), deep, 20.0_um);
-    for (int i = 0; i < 1000; ++i) pushed_back = std::max(pushed_back, rig.go(test::at_depth(deep - 1.0_um * i)).thrust);
+    for (int i = 0; i < 1000; ++i)
+        pushed_back = std::max(pushed_back, rig.go(test::at_depth(deep - 1.0_um * i)).thrust);
     EXPECT_LT(pushed_back, 0.1) << "N, on the way out";
 }
 
@@ -264,16 +284,21 @@ TEST(Crushing, BoneHoldsItSidewaysAsWell) {
 }
 
 TEST(Crushing, AnAwlsForceIsTheClosedFormOfItsCones) {
-    // In a block so wide that nothing breaks out of its sides. A point of 60° to 1 mm, from there on a slender cone to 4 mm, 12 mm behind the tip: most of what it takes is friction.
+    // In a block so wide that nothing breaks out of its sides. A point of 60° to 1 mm, from there on a slender cone to
+    // 4 mm, 12 mm behind the tip: most of what it takes is friction.
     for (const double spacing : {0.5_mm, 0.25_mm}) {
-        Rig rig(200.0, spacing, {{"diameter", 1.0_mm}, {"point_angle", 60.0_deg}, {"depth_1", 12.0_mm}, {"diameter_1", 4.0_mm}}, "profile_drill", test::at_depth(-0.1_mm), Simulation::dt, 12.0_mm);
-        const double strength = 68e6 * 0.2 * 0.2, point = 0.5_mm / std::tan(30.0_deg), slope = 1.5_mm / (12.0_mm - point);
+        Rig rig(200.0, spacing,
+                {{"diameter", 1.0_mm}, {"point_angle", 60.0_deg}, {"depth_1", 12.0_mm}, {"diameter_1", 4.0_mm}},
+                "profile_drill", test::at_depth(-0.1_mm), Simulation::dt, 12.0_mm);
+        const double strength = 68e6 * 0.2 * 0.2, point = 0.5_mm / std::tan(30.0_deg),
+                     slope = 1.5_mm / (12.0_mm - point);
         double hand = -0.1_mm;
         for (const double depth : {4.0_mm, 7.0_mm, 10.0_mm}) {
             TickResult r;
             for (; rig.depth() < depth && hand < 60.0_mm; hand += 2.0_um) r = rig.go(test::at_depth(hand));
             const double radius = 0.5_mm + slope * (depth - point), of_point = pi * 0.25_mm * 1.0_mm;
-            const double force = strength * (of_point * (1.0 + 0.3 / std::tan(30.0_deg)) + (pi * radius * radius - of_point) * (1.0 + 0.3 / slope));
+            const double force = strength * (of_point * (1.0 + 0.3 / std::tan(30.0_deg)) +
+                                             (pi * radius * radius - of_point) * (1.0 + 0.3 / slope));
             EXPECT_NEAR(r.thrust / force, 1.0, 0.06) << depth << ", " << spacing;
         }
     }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "tests/support/drill_rig.h"
@@ -43,7 +45,8 @@ kerf_bone_query whole_bone() {
     kerf_bone_query query{};
     query.size = sizeof query;
     query.tissue_count = 1;
-    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t n, const kerf_vec3*, std::uint32_t, kerf_bone_sample* out) {
+    query.sample = [](const kerf_bone*, const kerf_vec3*, std::uint32_t n, const kerf_vec3*, std::uint32_t,
+                      kerf_bone_sample* out) {
         for (std::uint32_t i = 0; i < n; ++i) out[i] = {1.0, 0.0, {1.0, 0, 0, 0}, {1850.0, 0, 0, 0}, 0, 0};
     };
     return query;
@@ -81,7 +84,8 @@ TEST(ShareOfTheFeed, AsideTheLipThatLeadsTakesWhatTheOtherLeaves) {
         const double more = el.normal_radial * aside * at.x / std::hypot(at.x, at.y) / (el.normal_axial * along);
         EXPECT_GT(more, 0.0);
         EXPECT_NEAR(edges.takes[i].chip, 1.0 + more, 1e-12) << i;
-        EXPECT_NEAR(edges.takes[i].chip + edges.takes[edges.places.lip.count + i].chip, 2.0, 1e-12) << "together they take the feed";
+        EXPECT_NEAR(edges.takes[i].chip + edges.takes[edges.places.lip.count + i].chip, 2.0, 1e-12)
+            << "together they take the feed";
     }
 }
 
@@ -91,7 +95,8 @@ TEST(ShareOfTheFeed, ALipThatGoesAwayTakesNothing) {
     const std::size_t corner = edges.places.lip.count - 1;
     EXPECT_EQ(edges.takes[edges.places.lip.count + corner].chip, 0.0);
     EXPECT_EQ(edges.takes[corner].chip, 2.0) << "no more: that a drill goes mostly sideways is felt elsewhere";
-    EXPECT_GT(edge_forces(edges, lips.tick, Lips::n, 1.0_mm_per_s).normal[0], 0.0) << "so the bone pushes the other way";
+    EXPECT_GT(edge_forces(edges, lips.tick, Lips::n, 1.0_mm_per_s).normal[0], 0.0)
+        << "so the bone pushes the other way";
 }
 
 TEST(ShareOfTheFeed, DrawnBackOrHeldStillAnyWobbleLeavesItEven) {
@@ -119,7 +124,8 @@ TEST(EdgeForces, InWholeBoneOnlyThrustAndTorqueAreLeft) {
     for (const std::size_t other : {0u, 1u, 2u, 3u, 4u}) EXPECT_NEAR(forces.cutting[other], 0.0, 1e-9) << other;
 }
 
-// With bone on one side the normal force points where the lip's normal does: a rate along the cut surface does no work on it.
+// With bone on one side the normal force points where the lip's normal does: a rate along the cut surface does no work
+// on it.
 TEST(EdgeForces, OneLipPushesAlongItsOwnNormal) {
     Lips lips;
     for (std::size_t i = 0; i < lips.edges->count; ++i)

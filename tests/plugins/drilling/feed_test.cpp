@@ -2,8 +2,12 @@
 // The drill fed through bone at a prescribed rate (`coupling: direct`), against exact forces and published ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "tests/support/layered_slab.h"
 
@@ -51,7 +55,9 @@ Felt steady(const ToolSetup& setup, double rate, double spacing = 0.25_mm) {
 
 // B1-a: one line through three speeds of a study meets each within its spread; a law proportional to feed does not.
 TEST(DrillThrust, MeetsTheHumanFemurOfMacAvelia) {
-    const struct { double rpm, thrust, thrust_sd, torque, torque_sd; } measured[] = {
+    const struct {
+        double rpm, thrust, thrust_sd, torque, torque_sd;
+    } measured[] = {
         {1000, 198.4, 14.2, 186.3, 16.9}, {1250, 180.6, 14.0, 157.8, 16.1}, {1500, 176.3, 11.2, 140.2, 16.4}};
     for (const auto& m : measured) {
         const Felt f = steady(test::twist_drill({{"spindle_speed", m.rpm / 60.0}}), 2.0_mm_per_s);
@@ -63,8 +69,13 @@ TEST(DrillThrust, MeetsTheHumanFemurOfMacAvelia) {
 // C.2, with the edge terms: T = k_t f R²/2 and F = k_a f R hold for constant coefficients and no web.
 TEST(DrillThrust, IsTheClosedFormOfTheLipIntegral) {
     const double f = 0.12_mm, r = 1.6_mm, k_cut = 1000.0_N_per_mm2, k_thrust = 400.0_N_per_mm2;
-    const ToolSetup setup = test::twist_drill({{"web", 0.05}, {"thrust_edge", 0.0}, {"cutting_edge", 0.0}, {"chisel_edge", 0.0},
-                                               {"chisel_chip", 0.0}, {"thrust_chip", k_thrust}, {"cutting_chip", k_cut}});
+    const ToolSetup setup = test::twist_drill({{"web", 0.05},
+                                               {"thrust_edge", 0.0},
+                                               {"cutting_edge", 0.0},
+                                               {"chisel_edge", 0.0},
+                                               {"chisel_chip", 0.0},
+                                               {"thrust_chip", k_thrust},
+                                               {"cutting_chip", k_cut}});
     const Felt felt = steady(setup, 2.0_mm_per_s);
     const double r_c = 0.5 * 0.05 * 3.2_mm / std::sin(55.0_deg);
     EXPECT_NEAR(felt.torque / (k_cut * f * (r * r - r_c * r_c) / 2.0), 1.0, 0.005);
@@ -78,7 +89,11 @@ TEST(DrillThrust, IsTheClosedFormOfTheLipIntegral) {
 TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     using namespace drilling;
     const double rate = 2.0_mm_per_s, n = 1000.0_rpm;
-    const ToolSetup setup = test::twist_drill({{"chisel_edge", 0.0}, {"chisel_chip", 0.0}, {"thrust_edge", 0.0}, {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */}, {"web", 0.05}});
+    const ToolSetup setup = test::twist_drill({{"chisel_edge", 0.0},
+                                               {"chisel_chip", 0.0},
+                                               {"thrust_edge", 0.0},
+                                               {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */},
+                                               {"web", 0.05}});
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
     double work = 0.0, at = -1.0_mm, from_volume = 0.0, revolutions = 0.0;
@@ -96,7 +111,8 @@ TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
 
     const Lip lip = make_lip(drill_of(setup.tool_parameters), 0.1_mm);
     double edge_area_per_turn = 0.0;
-    for (std::size_t i = 0; i < lip.count; ++i) edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
+    for (std::size_t i = 0; i < lip.count; ++i)
+        edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
     const double cost = setup.force_parameters[force_cutting_chip] * (simulation.present().removed() - from_volume) +
                         setup.force_parameters[force_cutting_edge] * edge_area_per_turn * revolutions;
     EXPECT_NEAR(work / cost, 1.0, 0.02);
@@ -133,7 +149,8 @@ TEST(DrillThrust, IsTheSameInAnyUnitsOfLengthAndTime) {
                                                    {"chisel_chip", 871.0_N_per_mm2 / length / length},
                                                    {"spindle_speed", 1000.0_rpm / time}});
         const double mm = length * 1.0_mm;
-        const Body body = test::block({-5.0 * mm, -5.0 * mm, -8.0 * mm}, {5.0 * mm, 5.0 * mm, 0}, 0.25 * mm, {0.21, 0.34, 0.55});
+        const Body body =
+            test::block({-5.0 * mm, -5.0 * mm, -8.0 * mm}, {5.0 * mm, 5.0 * mm, 0}, 0.25 * mm, {0.21, 0.34, 0.55});
         return mean_between(feed(body, setup, 2.0 * mm / time, 4.0 * mm), 2.5 * mm, 4.0 * mm);
     };
     const Felt one = scaled(1.0, 1.0);
@@ -156,8 +173,8 @@ TEST(DrillThrust, OpposesTheMotionOnBothStrokes) {
         constexpr int ticks = 1000;
         for (int i = 1; i <= ticks; ++i) {
             const double t = static_cast<double>(i) / ticks;
-            const TickResult r = simulation.tick_direct(
-                {test::at_depth(depth_from + t * (depth_to - depth_from), 0.0, {aside_from + t * (aside_to - aside_from), 0, 0})});
+            const TickResult r = simulation.tick_direct({test::at_depth(
+                depth_from + t * (depth_to - depth_from), 0.0, {aside_from + t * (aside_to - aside_from), 0, 0})});
             simulation.after_tick();
             work += dot(linear(r.bone_on_tool), r.world_from_tool.position - last);
             last = r.world_from_tool.position;
@@ -226,7 +243,8 @@ TEST(DrillThrust, MoreRakeIsLessForceAndTheFittedHelixIsAsFitted) {
 }
 
 TEST(DrillThrust, AWiderWebNeedsMorePush) {
-    EXPECT_GT(steady(test::twist_drill({{"web", 0.25}}), 2.0_mm_per_s).thrust, 1.1 * steady(test::twist_drill(), 2.0_mm_per_s).thrust);
+    EXPECT_GT(steady(test::twist_drill({{"web", 0.25}}), 2.0_mm_per_s).thrust,
+              1.1 * steady(test::twist_drill(), 2.0_mm_per_s).thrust);
 }
 
 // R5: what a lip feeds beyond its relief stands on its heel, however often the loop asks.
@@ -292,13 +310,21 @@ TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
 TEST(StepDrill, ItsTorqueIsTheClosedFormOfItsWidestCircle) {
     const double k_cut = 1000.0_N_per_mm2, f = 0.12_mm, r_c = 0.5 * 0.15 * 3.2_mm / std::sin(55.0_deg);
     for (const double angle : {20.0_deg, 90.0_deg}) {
-        const ToolSetup setup = test::step_drill({{"thrust_edge", 0.0}, {"cutting_edge", 0.0}, {"chisel_edge", 0.0}, {"chisel_chip", 0.0},
-                                                  {"thrust_chip", 1.0_N_per_mm2}, {"cutting_chip", k_cut}, {"element_pitch", 0.05_mm},
-                                                  {"shoulder_diameter", 5.0_mm}, {"shoulder_angle", angle}, {"shoulder_depth", 2.0_mm}});
+        const ToolSetup setup = test::step_drill({{"thrust_edge", 0.0},
+                                                  {"cutting_edge", 0.0},
+                                                  {"chisel_edge", 0.0},
+                                                  {"chisel_chip", 0.0},
+                                                  {"thrust_chip", 1.0_N_per_mm2},
+                                                  {"cutting_chip", k_cut},
+                                                  {"element_pitch", 0.05_mm},
+                                                  {"shoulder_diameter", 5.0_mm},
+                                                  {"shoulder_angle", angle},
+                                                  {"shoulder_depth", 2.0_mm}});
         const double full = 2.0_mm + 0.9_mm / std::tan(0.5 * angle) + 0.5_mm;  // the whole cone is in
         const Body body = test::block({-6.0_mm, -6.0_mm, -20.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
         const auto felt = feed(body, setup, 2.0_mm_per_s, full + 1.0_mm);
-        const double pilot = mean_between(felt, 1.3_mm, 1.9_mm).torque, whole = mean_between(felt, full, full + 1.0_mm).torque;
+        const double pilot = mean_between(felt, 1.3_mm, 1.9_mm).torque,
+                     whole = mean_between(felt, full, full + 1.0_mm).torque;
         EXPECT_NEAR(pilot / (k_cut * f * (1.6_mm * 1.6_mm - r_c * r_c) / 2.0), 1.0, 0.01) << angle;
         EXPECT_NEAR(whole / (k_cut * f * (2.5_mm * 2.5_mm - r_c * r_c) / 2.0), 1.0, 0.01) << angle;
     }
@@ -320,7 +346,8 @@ TEST(LayeredSlab, ThrustIsThatOfTheExactLipIntegral) {
             count += 1.0;
         }
         const double relative = std::sqrt(error2 / count) / (mean / count);
-        RecordProperty("rms_percent_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um", std::to_string(100.0 * relative));
+        RecordProperty("rms_percent_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um",
+                       std::to_string(100.0 * relative));
         EXPECT_LT(relative, h > 0.4_mm ? 0.01 : 0.005) << "spacing " << h;
     }
 }

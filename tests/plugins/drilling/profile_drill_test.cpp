@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,7 +52,8 @@ struct Drilled {
 };
 
 /// Straight down to `depth` at `feed` [m/s] through bone that is thicker than that, or `plate` thick.
-Drilled drill_down(const ToolSetup& setup, double depth, double feed = 4.0e-3, double plate = 16.0_mm, double spacing = 0.2_mm) {
+Drilled drill_down(const ToolSetup& setup, double depth, double feed = 4.0e-3, double plate = 16.0_mm,
+                   double spacing = 0.2_mm) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -plate}, {5.0_mm, 5.0_mm, 0}, spacing, {0.21, 0.34, 0.55});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
     Drilled drilled;
@@ -63,7 +67,8 @@ Drilled drill_down(const ToolSetup& setup, double depth, double feed = 4.0e-3, d
     return drilled;
 }
 
-void expect_alike(const std::map<std::uint32_t, kerf_channel>& one, const std::map<std::uint32_t, kerf_channel>& other, double within) {
+void expect_alike(const std::map<std::uint32_t, kerf_channel>& one, const std::map<std::uint32_t, kerf_channel>& other,
+                  double within) {
     ASSERT_EQ(one.size(), other.size());
     for (const auto& [id, c] : one) {
         ASSERT_TRUE(other.contains(id)) << id;
@@ -76,11 +81,13 @@ void expect_alike(const std::map<std::uint32_t, kerf_channel>& one, const std::m
 }
 
 TEST(ProfileDrill, WithoutCornersItIsTheTwistDrill) {
-    expect_alike(drill_down(test::twist_drill(), 6.0_mm).channels, drill_down(profile_drill({}, {}), 6.0_mm).channels, 1e-12);
+    expect_alike(drill_down(test::twist_drill(), 6.0_mm).channels, drill_down(profile_drill({}, {}), 6.0_mm).channels,
+                 1e-12);
 }
 
 TEST(ProfileDrill, WithAShouldersCornersItIsTheStepDrill) {
-    const ToolSetup step = test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
+    const ToolSetup step =
+        test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
     const ToolSetup profile = profile_drill({}, {{3.0_mm, 1.6_mm}, {3.9_mm, 2.5_mm}});
     const Drilled one = drill_down(step, 5.0_mm), other = drill_down(profile, 5.0_mm);
     expect_alike(one.channels, other.channels, 1e-9);
@@ -95,8 +102,10 @@ TEST(ProfileDrill, WithItsCornersOnOneConeItIsThatTwistDrill) {
         const double r = pilot + (whole - pilot) * i / 8;
         corners.emplace_back(r * cot, r);
     }
-    const ToolSetup setup = profile_drill({{"diameter", 2.0 * pilot}, {"web", 0.3}, {"corner", 0.5}, {"element_pitch", 0.05_mm}}, corners);
-    const Drilled one = drill_down(test::twist_drill({{"element_pitch", 0.05_mm}}), 6.0_mm), other = drill_down(setup, 6.0_mm);
+    const ToolSetup setup =
+        profile_drill({{"diameter", 2.0 * pilot}, {"web", 0.3}, {"corner", 0.5}, {"element_pitch", 0.05_mm}}, corners);
+    const Drilled one = drill_down(test::twist_drill({{"element_pitch", 0.05_mm}}), 6.0_mm),
+                  other = drill_down(setup, 6.0_mm);
     expect_alike(one.channels, other.channels, 0.03);
     EXPECT_NEAR(other.removed / one.removed, 1.0, 1e-3);
 }
@@ -108,26 +117,33 @@ TEST(ProfileDrill, ABallLeavesItsHole) {
     EXPECT_NEAR(drill_down(ball(), depth).removed / volume, 1.0, 0.01);
 }
 
-// What an edge gives along the axis does not depend on the outline; what a chip does goes with sin p, a ball's √(1 − (r/R)²):
+// What an edge gives along the axis does not depend on the outline; what a chip does goes with sin p, a ball's √(1 −
+// (r/R)²):
 //
 //     F_z = Σ over both lips ∫ (K_e + K_c f/2 sin p cos β / cos i) cos β ds,  and the chisel's
 TEST(ProfileDrill, ABallsThrustIsTheIntegralAlongItsLips) {
     const double feed = 4.0e-3, n = 1000.0 / 60.0, per_lip = feed / (2.0 * n);
     const ToolSetup setup = ball({{"element_pitch", 0.05_mm}, {"edge_depth", 0.01e-6}});
     const auto f = [&](std::size_t at) { return setup.force_parameters[at]; };
-    const double half_web = 0.5 * 0.15 * setup.tool_parameters[drilling::tool_diameter], c = half_web / 0.81915204428899180, r = ball_radius;
+    const double half_web = 0.5 * 0.15 * setup.tool_parameters[drilling::tool_diameter],
+                 c = half_web / 0.81915204428899180, r = ball_radius;
     constexpr int pieces = 20000;
-    const double first = std::sqrt(c * c - half_web * half_web), last = std::sqrt(r * r - half_web * half_web), ds = (last - first) / pieces;
+    const double first = std::sqrt(c * c - half_web * half_web), last = std::sqrt(r * r - half_web * half_web),
+                 ds = (last - first) / pieces;
     double thrust = 2.0 * c * (f(drilling::force_chisel_edge) + f(drilling::force_chisel_chip) * per_lip);
     for (int i = 0; i < pieces; ++i) {
         const double s = first + (i + 0.5) * ds, at = std::sqrt(s * s + half_web * half_web), cos_beta = s / at;
-        const double sin_p = std::sqrt(1.0 - at * at / (r * r)), cos2_i = 1.0 - sin_p * sin_p * (1.0 - cos_beta * cos_beta);
-        thrust += 2.0 * ds * cos_beta * (f(drilling::force_thrust_edge) + f(drilling::force_thrust_chip) * per_lip * sin_p * cos_beta / std::sqrt(cos2_i));
+        const double sin_p = std::sqrt(1.0 - at * at / (r * r)),
+                     cos2_i = 1.0 - sin_p * sin_p * (1.0 - cos_beta * cos_beta);
+        thrust += 2.0 * ds * cos_beta *
+                  (f(drilling::force_thrust_edge) +
+                   f(drilling::force_thrust_chip) * per_lip * sin_p * cos_beta / std::sqrt(cos2_i));
     }
     EXPECT_NEAR(drill_down(setup, 8.0_mm, feed).last.thrust / thrust, 1.0, 0.005) << thrust << " N";
 }
 
-// Behind its head a thin shank is free of the hole: moved aside, the head's land meets the wall, and nothing behind it does.
+// Behind its head a thin shank is free of the hole: moved aside, the head's land meets the wall, and nothing behind it
+// does.
 TEST(ProfileDrill, ShankThinnerThanItsHoleTouchesNothing) {
     const auto pressed = [](double shank) {
         const ToolSetup setup = ball({{"shank_diameter", shank}, {"spindle_speed", 1000.0_rpm}});
@@ -156,15 +172,23 @@ TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
     };
     const std::string begin = "tool `profile_drill` cannot be made from these parameters: ";
     EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {5.0_mm, 2.0_mm}, {8.0_mm, 2.0_mm}, {9.0_mm, 3.0_mm}}), "");
-    EXPECT_EQ(refusal({}, {{0.5_mm, 2.0_mm}}), begin + "`depth_1` is 0.5 mm; it needs 0.01 mm or more beyond the depth of the point, 0.961 mm.");
-    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}), begin + "`depth_2` is 4 mm; it needs 0.01 mm or more beyond the depth of the corner before, 4 mm.");
+    EXPECT_EQ(refusal({}, {{0.5_mm, 2.0_mm}}),
+              begin + "`depth_1` is 0.5 mm; it needs 0.01 mm or more beyond the depth of the point, 0.961 mm.");
+    EXPECT_EQ(refusal({}, {{4.0_mm, 1.6_mm}, {4.0_mm, 2.0_mm}}),
+              begin + "`depth_2` is 4 mm; it needs 0.01 mm or more beyond the depth of the corner before, 4 mm.");
     EXPECT_NE(refusal({}, {{4.0_mm, 1.6_mm}, {4.001_mm, 2.0_mm}}).find("0.01 mm or more beyond"), std::string::npos);
-    EXPECT_EQ(refusal({}, {{4.0_mm, 1.0_mm}}), begin + "`diameter_1` is 2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 3.31 mm.");
-    EXPECT_EQ(refusal({}, {{40.0_mm, 1.601_mm}}), begin + "`diameter_1` is 3.2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 4.56 mm.");
+    EXPECT_EQ(
+        refusal({}, {{4.0_mm, 1.0_mm}}),
+        begin + "`diameter_1` is 2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 3.31 mm.");
+    EXPECT_EQ(
+        refusal({}, {{40.0_mm, 1.601_mm}}),
+        begin + "`diameter_1` is 3.2 mm; it needs that of the point, 3.2 mm, or a degree of half angle more: 4.56 mm.");
     EXPECT_EQ(refusal({{"depth_3", 9.0_mm}, {"diameter_3", 4.0_mm}}, {{4.0_mm, 1.6_mm}}),
-              begin + "corner 3 is given, but `depth_2` is 0 mm; corners need numbers from 1 on without a gap, each a depth and a diameter.");
+              begin + "corner 3 is given, but `depth_2` is 0 mm; corners need numbers from 1 on without a gap, each a "
+                      "depth and a diameter.");
     EXPECT_EQ(refusal({{"diameter_1", 4.0_mm}}, {}),
-              begin + "corner 1 is given, but `depth_1` is 0 mm; corners need numbers from 1 on without a gap, each a depth and a diameter.");
+              begin + "corner 1 is given, but `depth_1` is 0 mm; corners need numbers from 1 on without a gap, each a "
+                      "depth and a diameter.");
     EXPECT_EQ(refusal({{"length", 10.0_mm}}, {{9.0_mm, 1.6_mm}, {9.8_mm, 3.0_mm}}),
               begin + "`length` is 10 mm; it needs more than what is cut with and the land behind it, 10.6 mm.");
 }

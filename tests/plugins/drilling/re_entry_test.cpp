@@ -2,6 +2,9 @@
 // S-12 and B5: what a drill has cut is gone, for the ends of its lips along the wall too, and it runs free in its hole.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/layered_slab.h"
 #include "tests/support/tremor.h"
 
@@ -14,9 +17,18 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
     struct Hole {
         double diameter, spacing, depth;
     };
-    for (const auto [d, h, deep] : {Hole{5.4_mm, 1.0_mm, 4.5_mm}, {5.4_mm, 1.0_mm, 13.0_mm}, {5.4_mm, 0.7_mm, 13.0_mm}, {5.4_mm, 0.5_mm, 4.5_mm}, {5.4_mm, 0.5_mm, 13.0_mm},
-                                    {5.4_mm, 0.25_mm, 4.5_mm}, {3.2_mm, 1.0_mm, 13.0_mm}, {3.2_mm, 0.8_mm, 13.0_mm}, {3.2_mm, 0.7_mm, 13.0_mm}, {3.2_mm, 0.5_mm, 13.0_mm},
-                                    {3.2_mm, 0.9_mm, 8.0_mm}, {1.5_mm, 0.42_mm, 8.0_mm}})
+    for (const auto [d, h, deep] : {Hole{5.4_mm, 1.0_mm, 4.5_mm},
+                                    {5.4_mm, 1.0_mm, 13.0_mm},
+                                    {5.4_mm, 0.7_mm, 13.0_mm},
+                                    {5.4_mm, 0.5_mm, 4.5_mm},
+                                    {5.4_mm, 0.5_mm, 13.0_mm},
+                                    {5.4_mm, 0.25_mm, 4.5_mm},
+                                    {3.2_mm, 1.0_mm, 13.0_mm},
+                                    {3.2_mm, 0.8_mm, 13.0_mm},
+                                    {3.2_mm, 0.7_mm, 13.0_mm},
+                                    {3.2_mm, 0.5_mm, 13.0_mm},
+                                    {3.2_mm, 0.9_mm, 8.0_mm},
+                                    {1.5_mm, 0.42_mm, 8.0_mm}})
         for (const double offset : {0.1, 0.35, 0.6, 0.85}) {
             const ToolSetup setup = test::twist_drill({{"diameter", d}, {"motor_torque", 20.0}});
             const Body body = test::Slab::make(h, {0.3, 0.7, offset});
@@ -56,7 +68,9 @@ TEST(InItsHole, HandNoiseIsNotFeltAcrossTheDrill) {
         double most = 0.0;
         for (int i = 0; i < 10000; ++i) {
             const double t = i * Simulation::dt;
-            most = std::max(most, felt_across(still * Pose{{test::tremor(t, 1.0), test::tremor(t, 2.0), test::tremor(t, 3.0)}, {1, 0, 0, 0}}));
+            most = std::max(most,
+                            felt_across(still * Pose{{test::tremor(t, 1.0), test::tremor(t, 2.0), test::tremor(t, 3.0)},
+                                                     {1, 0, 0, 0}}));
         }
         EXPECT_LT(most, 0.05) << "N, at " << h;
     }

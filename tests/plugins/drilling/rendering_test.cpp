@@ -40,7 +40,9 @@ Felt push_into_bone(const Plant& arm, bool is_direct) {
         const double h = Simulation::dt / substeps;
         for (int k = 0; k < substeps; ++k) {
             aim += h / 0.2 * (depth - aim);
-            speed += h / mass * (push + arm.arm_stiffness * (aim - depth) - (arm.arm_damping + arm.device_viscosity) * speed - force);
+            speed +=
+                h / mass *
+                (push + arm.arm_stiffness * (aim - depth) - (arm.arm_damping + arm.device_viscosity) * speed - force);
             depth += h * speed;
         }
     }
@@ -54,7 +56,8 @@ const Plant stiff{.arm_mass = 1.0, .arm_damping = 30.0, .arm_stiffness = 2000.0}
 TEST(Rendering, DirectlyTheCuttingLawChattersAtDeviceScale) {
     for (const Plant& arm : {light, nominal, stiff}) {
         const Felt felt = push_into_bone(arm, true);
-        EXPECT_GT(felt.unrest, 5.0) << "arm of " << arm.arm_stiffness << " N/m: the push itself, up and down, every millisecond";
+        EXPECT_GT(felt.unrest, 5.0) << "arm of " << arm.arm_stiffness
+                                    << " N/m: the push itself, up and down, every millisecond";
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drill that goes sideways: what it takes it feels, by the same law as along its shaft; what it does not take holds it.
+// A drill that goes sideways: what it takes it feels, by the same law as along its shaft; what it does not take holds
+// it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,13 +13,15 @@ namespace {
 
 using namespace literals;
 
-// Over a turn the lips pass each azimuth at which the land moves into bone, and push back along the motion with cos θ of their force:
+// Over a turn the lips pass each azimuth at which the land moves into bone, and push back along the motion with cos θ
+// of their force:
 //
 //     F = (2 / 2π) ∫ cos θ (K_e (1 − e^(−t/t_e)) + K_c t) dθ b,    t = s cos θ / (2 n),    −π/2 … π/2
 //
 // of which the law has three azimuths, ±45° apart. Of its length [N/m], at `rate` [m/s].
 double of_land(double rate) {
-    const double turns = 1000.0 / 60.0, edge = 27.163e3, edge_depth = 4.0_um, chip = 284.77e6;  // as calibrated: docs/models/drilling.md
+    const double turns = 1000.0 / 60.0, edge = 27.163e3, edge_depth = 4.0_um,
+                 chip = 284.77e6;  // as calibrated: docs/models/drilling.md
     double sum = 0.0;
     for (const double facing : {1.0, std::sqrt(0.5), std::sqrt(0.5)}) {
         const double t = rate * facing / (2.0 * turns);
@@ -27,7 +30,8 @@ double of_land(double rate) {
     return sum;
 }
 
-/// What a drill resists that stands 6 mm deep, drawn back by `withdrawn` from where it drilled to, and goes sideways at `rate` [N].
+/// What a drill resists that stands 6 mm deep, drawn back by `withdrawn` from where it drilled to, and goes sideways at
+/// `rate` [N].
 double pushed(const ToolSetup& setup, double spacing, double rate, double withdrawn) {
     const Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
@@ -52,28 +56,38 @@ double pushed(const ToolSetup& setup, double spacing, double rate, double withdr
 
 // At the front, and drawn back from it. (There it took for nothing what it took.)
 TEST(Sideways, ALandIsResistedByItsLength) {
-    const auto drill = [](double corner) { return test::twist_drill({{"diameter", 3.2_mm}, {"corner", corner}, {"motor_torque", 20.0}}); };
+    const auto drill = [](double corner) {
+        return test::twist_drill({{"diameter", 3.2_mm}, {"corner", corner}, {"motor_torque", 20.0}});
+    };
     for (const double spacing : {0.5_mm, 0.25_mm})
         for (const double rate : {1.0_mm_per_s, 10.0_mm_per_s})
             for (const double withdrawn : {0.0, 0.5_mm, 2.0_mm}) {
-                const double more = pushed(drill(1.0), spacing, rate, withdrawn) - pushed(drill(0.25), spacing, rate, withdrawn);
-                EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << rate << ", " << withdrawn;
+                const double more =
+                    pushed(drill(1.0), spacing, rate, withdrawn) - pushed(drill(0.25), spacing, rate, withdrawn);
+                EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03)
+                    << spacing << ", " << rate << ", " << withdrawn;
             }
 }
 
-// (Of a pilot, only what lies a land's length behind its corner cost anything.) The shank behind the shoulder stands out of the bone: it would bend.
+// (Of a pilot, only what lies a land's length behind its corner cost anything.) The shank behind the shoulder stands
+// out of the bone: it would bend.
 TEST(Sideways, SoIsAPilotByItsOwn) {
     const auto drill = [](double shoulder) {
-        return test::step_drill({{"diameter", 3.2_mm}, {"shoulder_diameter", 4.5_mm}, {"shoulder_depth", shoulder}, {"motor_torque", 20.0}});
+        return test::step_drill({{"diameter", 3.2_mm},
+                                 {"shoulder_diameter", 4.5_mm},
+                                 {"shoulder_depth", shoulder},
+                                 {"motor_torque", 20.0}});
     };
     for (const double spacing : {0.5_mm, 0.25_mm})
         for (const double withdrawn : {0.0, 0.5_mm}) {
-            const double rate = 1.0_mm_per_s, more = pushed(drill(4.5_mm), spacing, rate, withdrawn) - pushed(drill(3.5_mm), spacing, rate, withdrawn);
+            const double rate = 1.0_mm_per_s, more = pushed(drill(4.5_mm), spacing, rate, withdrawn) -
+                                                     pushed(drill(3.5_mm), spacing, rate, withdrawn);
             EXPECT_NEAR(more / (1.0_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << withdrawn;
         }
 }
 
-// The bit bends, the bone holds its shank. (Only what was behind the land touched: 2.5 mm deep it went through for nothing.)
+// The bit bends, the bone holds its shank. (Only what was behind the land touched: 2.5 mm deep it went through for
+// nothing.)
 TEST(Sideways, AStillDrillIsHeldByTheSideOfABone) {
     for (const double depth : {2.5_mm, 4.0_mm})
         for (const double spacing : {0.25_mm, 0.125_mm}) {
@@ -113,8 +127,8 @@ TEST(Sideways, APlateHoldsAllOfTheShank) {
     }
 }
 
-// A hand that gives way lets a drill centre itself where its tip runs off: bone costs what it costs without. (It cost a hundredth, when
-// the lips did not see that they had been moved aside.)
+// A hand that gives way lets a drill centre itself where its tip runs off: bone costs what it costs without. (It cost a
+// hundredth, when the lips did not see that they had been moved aside.)
 TEST(Runout, AFreeDrillPaysForItsHole) {
     struct Cost {
         double thrust = 0.0, torque = 0.0;

@@ -2,7 +2,10 @@
 // The drill and its motor: what happens when it is slow, too weak, or switched off.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +26,8 @@ struct Rig {
     std::vector<std::string> events;
 
     explicit Rig(const std::map<std::string, double>& set)
-        : setup(test::twist_drill(set)), simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
+        : setup(test::twist_drill(set)),
+          simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
 
     TickResult push(double force) {
         const double stretch = force * test::gains().force_scale / test::gains().stiffness;
@@ -54,7 +58,8 @@ TEST(SpindleInBone, AWeakMotorBogsDownUnderAHardPushAndRecoversWhenLet) {
     EXPECT_GT(rig.rpm(), 0.0);
     for (int i = 0; i < 500; ++i) (void)rig.push(0.0);
     EXPECT_NEAR(rig.rpm(), 1000.0, 1e-9);
-    EXPECT_EQ(rig.events, (std::vector<std::string>{"drilling.spinning_up", "drilling.running", "drilling.bogging", "drilling.running"}));
+    EXPECT_EQ(rig.events, (std::vector<std::string>{"drilling.spinning_up", "drilling.running", "drilling.bogging",
+                                                    "drilling.running"}));
 }
 
 TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedOff) {
@@ -103,7 +108,8 @@ TEST(SpindleInBone, StalledInReverseItPullsTheOtherWay) {
     EXPECT_NEAR(r.torque, -20.0_Nmm, 0.5_Nmm);
 }
 
-// A motor that cannot turn what such a push asks of it stays where it stalled, and does not creep through bone a jerk at a time.
+// A motor that cannot turn what such a push asks of it stays where it stalled, and does not creep through bone a jerk
+// at a time.
 TEST(SpindleInBone, AMotorTooWeakForThePushStaysWhereItStalls) {
     for (const double torque : {60.0_Nmm, 100.0_Nmm, 120.0_Nmm}) {
         Rig rig({{"run_up", 0.2}, {"motor_torque", torque}});

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <string>
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
@@ -15,7 +17,8 @@ namespace {
 using namespace literals;
 
 TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
-    const ToolSetup setup = test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
+    const ToolSetup setup =
+        test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
     double at = -1.0_mm;
@@ -26,7 +29,8 @@ TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
     simulation.finish();
     const double removed = simulation.present().removed();
     const double tip = 0.9614_mm, cone = 0.9_mm, r = 1.6_mm, w = 2.5_mm;
-    const double volume = pi * r * r * (tip / 3.0 + 3.0_mm - tip) + pi * cone / 3.0 * (r * r + r * w + w * w) + pi * w * w * (5.0_mm - 3.0_mm - cone);
+    const double volume = pi * r * r * (tip / 3.0 + 3.0_mm - tip) + pi * cone / 3.0 * (r * r + r * w + w * w) +
+                          pi * w * w * (5.0_mm - 3.0_mm - cone);
     EXPECT_NEAR(removed / volume, 1.0, 0.005);
 }
 
@@ -38,7 +42,8 @@ TEST(StepDrill, RefusesAShoulderThatIsNone) {
     EXPECT_TRUE(outline_of(test::step_drill(), outline, why)) << why;
 }
 
-// The pilot of one drill and its shoulder make one cone: the drill of the shoulder's diameter. It is resisted as that one is.
+// The pilot of one drill and its shoulder make one cone: the drill of the shoulder's diameter. It is resisted as that
+// one is.
 TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
     const double whole = 3.2_mm, pilot = 2.0_mm, turn = 118.0_deg, cot = 0.6008606190275604;
     const auto law = [](const ToolSetup& setup) {
@@ -58,9 +63,14 @@ TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
         return channels;
     };
     const auto one = law(test::twist_drill({{"diameter", whole}, {"element_pitch", 0.05_mm}}));
-    const auto two = law(test::step_drill({{"diameter", pilot}, {"shoulder_diameter", whole}, {"shoulder_angle", turn}, {"point_angle", turn},
-                                           {"shoulder_depth", 0.5 * pilot * cot + 1e-9}, {"web", 0.15 * whole / pilot},
-                                           {"corner", 0.25 * whole / pilot}, {"element_pitch", 0.05_mm}}));
+    const auto two = law(test::step_drill({{"diameter", pilot},
+                                           {"shoulder_diameter", whole},
+                                           {"shoulder_angle", turn},
+                                           {"point_angle", turn},
+                                           {"shoulder_depth", 0.5 * pilot * cot + 1e-9},
+                                           {"web", 0.15 * whole / pilot},
+                                           {"corner", 0.25 * whole / pilot},
+                                           {"element_pitch", 0.05_mm}}));
     ASSERT_EQ(one.size(), two.size());
     for (const auto& [id, c] : one) {
         ASSERT_TRUE(two.contains(id)) << id;
@@ -76,7 +86,10 @@ TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
 // Through a plate with its pilot, onto its face with its shoulder.
 struct Countersink {
     Body body = test::block({-8.0_mm, -8.0_mm, -4.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
-    ToolSetup setup = test::step_drill({{"diameter", 3.2_mm}, {"shoulder_diameter", 8.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 8.0_mm}});
+    ToolSetup setup = test::step_drill({{"diameter", 3.2_mm},
+                                        {"shoulder_diameter", 8.0_mm},
+                                        {"shoulder_angle", 90.0_deg},
+                                        {"shoulder_depth", 8.0_mm}});
     Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)};
 
     explicit Countersink(double to) {
@@ -100,7 +113,8 @@ TEST(StepDrill, SwitchedOffItStandsOnItsShoulder) {
     TickResult r;
     for (double hand = 7.5_mm; hand < 11.0_mm; hand += 4.0_um) r = sink.tick(test::at_depth(hand));
     EXPECT_GT(r.thrust, 20.0) << "N";
-    EXPECT_LT(-sink.simulation.world_from_tool().position.z, 8.35_mm) << "it touches at 8.24 mm, with the foremost of its points";
+    EXPECT_LT(-sink.simulation.world_from_tool().position.z, 8.35_mm)
+        << "it touches at 8.24 mm, with the foremost of its points";
     EXPECT_FALSE(r.is_cutting);
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "tests/support/drill_rig.h"
 #include "tests/support/made_outline.h"
@@ -19,7 +21,8 @@ struct Drilling {
     Simulation simulation;
     double hand = -2.0_mm;
 
-    Drilling(const Body& body, std::vector<Tool> tools) : simulation(body, std::move(tools), test::gains(), test::at_depth(-2.0_mm)) {}
+    Drilling(const Body& body, std::vector<Tool> tools)
+        : simulation(body, std::move(tools), test::gains(), test::at_depth(-2.0_mm)) {}
     void feed(double by, double rate = 2.0_mm_per_s) {
         for (const double to = hand + by; hand < to; hand += rate * Simulation::dt) {
             simulation.tick({test::at_depth(hand)});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 
 #include "kerf/units.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 
 using namespace literals;
 
-const TwistDrill orthopaedic{.diameter = 5.4_mm, .point_angle = 118.0_deg, .web = 0.15, .length = 80.0_mm, .corner = 0.25};
+const TwistDrill orthopaedic{
+    .diameter = 5.4_mm, .point_angle = 118.0_deg, .web = 0.15, .length = 80.0_mm, .corner = 0.25};
 
 // P1: every local → tool transform keeps lengths; the lip transform of [tsai-2007] as printed does not.
 TEST(Lip, TheNormalOfTheCutIsAUnitVector) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The saw fed through bone at a prescribed rate (`coupling: direct`), against the law's closed form and against what is measured.
+// The saw fed through bone at a prescribed rate (`coupling: direct`), against the law's closed form and against what is
+// measured.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
@@ -87,20 +92,24 @@ double exact_thrust(const ToolSetup& setup, double feed) {
     double sum = 0.0;
     for (std::size_t i = 0; i < teeth.count; ++i)
         for (int s = 0; s < steps; ++s) {
-            const double c = teeth.tooth[i].normal.z, t = feed * c * sawing::chip_per_feed(stroke, std::cos((s + 0.5) / steps * 0.5 * pi));
+            const double c = teeth.tooth[i].normal.z,
+                         t = feed * c * sawing::chip_per_feed(stroke, std::cos((s + 0.5) / steps * 0.5 * pi));
             sum += c * blade.kerf() * sawing::force_per_width(t, k) / steps;
         }
     return sum;
 }
 
-// ---- the sum over the teeth -------------------------------------------------------------------------------------------
+// ---- the sum over the teeth
+// -------------------------------------------------------------------------------------------
 
 TEST(SawThrust, IsThatOfAllTeethOverTheOscillation) {
     const ToolSetup setup = test::saw();
     for (const double feed : {0.1_mm_per_s, 1.0_mm_per_s, 6.0_mm_per_s}) {
         Feeding saw(wide_block(), setup);
         saw.to(5.0_mm);
-        EXPECT_NEAR(saw.mean(feed, 100).thrust / exact_thrust(setup, feed), 1.0, 0.035 /* two parts stand for the oscillation */) << feed;
+        EXPECT_NEAR(saw.mean(feed, 100).thrust / exact_thrust(setup, feed), 1.0,
+                    0.035 /* two parts stand for the oscillation */)
+            << feed;
     }
 }
 
@@ -175,12 +184,13 @@ TEST(SawThrust, BackInItsSlotASawMeetsNothingBeforeTheFront) {  // S-12
     }
 }
 
-// ---- frames, mirrors, ticks ---------------------------------------------------------------------------------------------
+// ---- frames, mirrors, ticks
+// ---------------------------------------------------------------------------------------------
 
 TEST(SawThrust, TurnsWithTheSaw) {
     const auto felt = [](double about) {
-        Feeding saw(test::block({-18.0_mm, -18.0_mm, -7.0_mm}, {18.0_mm, 18.0_mm, 0}, 0.5_mm, {0.31, 0.17, 0.73}), test::saw({{"tooth_count", 17.0}}),
-                    Simulation::dt, about);
+        Feeding saw(test::block({-18.0_mm, -18.0_mm, -7.0_mm}, {18.0_mm, 18.0_mm, 0}, 0.5_mm, {0.31, 0.17, 0.73}),
+                    test::saw({{"tooth_count", 17.0}}), Simulation::dt, about);
         saw.to(4.0_mm);
         return saw.mean(rate, 200).wrench;
     };
@@ -244,25 +254,34 @@ TEST(SawThrust, OpposesTheMotionInEveryDirection) {
     EXPECT_LT(work_of({}, 4.0_mm, {}), -0.05) << "in [J]";
     EXPECT_LT(work_of({0, 0.6_mm, 0}, 0.0, {}), -1e-3) << "to one side of the blade";
     EXPECT_LT(work_of({0, -1.2_mm, 0}, 0.0, {0, 0.6_mm, 0}), -1e-3) << "to the other";
-    EXPECT_LT(work_of({0, 0.6_mm, 0}, 0.0, {0, -0.6_mm, 0}), 1e-3) << "back it is given no more than the bent blade held";
+    EXPECT_LT(work_of({0, 0.6_mm, 0}, 0.0, {0, -0.6_mm, 0}), 1e-3)
+        << "back it is given no more than the bent blade held";
     EXPECT_LT(work_of({1.0_mm, 0, 0}, 0.0, {}), -1e-3) << "the way the teeth go";
     EXPECT_LE(work_of({-1.0_mm, 0, 0}, -4.0_mm, {1.0_mm, 0, 0}), 1e-9) << "out";
 }
 
-// C.8: what the thrust and the teeth's own motion work is the law's: chip energy times volume, and the edges' on the way.
+// C.8: what the thrust and the teeth's own motion work is the law's: chip energy times volume, and the edges' on the
+// way.
 TEST(SawThrust, WorksAsMuchAsTheBoneItTakesCosts) {
-    // Chips alone: the energy is in the volume. A cutting chip of 500 N/mm² costs half a joule for each cubic millimetre.
+    // Chips alone: the energy is in the volume. A cutting chip of 500 N/mm² costs half a joule for each cubic
+    // millimetre.
     const double k_cut = 500.0_N_per_mm2;
-    const ToolSetup setup = test::saw({{"thrust_edge", 0.0}, {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */}, {"cutting_edge", 0.0},
-                                       {"cutting_chip", k_cut}, {"motor_torque", 5.0}, {"arc", 12.0_deg}, {"tooth_pitch", 0.7_mm}, {"tooth_count", 18.0}});
+    const ToolSetup setup = test::saw({{"thrust_edge", 0.0},
+                                       {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */},
+                                       {"cutting_edge", 0.0},
+                                       {"cutting_chip", k_cut},
+                                       {"motor_torque", 5.0},
+                                       {"arc", 12.0_deg},
+                                       {"tooth_pitch", 0.7_mm},
+                                       {"tooth_count", 18.0}});
     Feeding saw(wide_block(0.25_mm), setup);
     saw.to(3.0_mm);
     const double before = saw.simulation.present().removed();
     double work = 0.0;
     for (int i = 0; i < 2000; ++i) work += saw.go(rate).signals[sawing::signal_drive_power] * saw.dt;
     saw.simulation.finish();
-    // The blade sweeps more than its front, by half a swing at either end, where teeth come by only a part of the time: those
-    // ends are bone that nobody is charged for. What 18 teeth of 0.7 mm take: kerf x 12.6 mm x 2 mm.
+    // The blade sweeps more than its front, by half a swing at either end, where teeth come by only a part of the time:
+    // those ends are bone that nobody is charged for. What 18 teeth of 0.7 mm take: kerf x 12.6 mm x 2 mm.
     const double front = 1.0_mm * 18.0 * 0.7_mm * 2.0_mm;
     EXPECT_GT(saw.simulation.present().removed() - before, front);
     const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
@@ -273,7 +292,8 @@ TEST(SawThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     EXPECT_GE(work, k_cut * front) << "no bone for nothing";
 }
 
-// ---- the oscillation ----------------------------------------------------------------------------------------------------
+// ---- the oscillation
+// ----------------------------------------------------------------------------------------------------
 
 TEST(SawOscillation, Above100HzSwingsInItsOwnSignalAndNotInTheForce) {
     Feeding saw(wide_block(), test::saw({{"stroke_rate", 12000.0_rpm}}));

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
@@ -25,7 +27,8 @@ TEST(OwnSlot, StaysWhereItIsWhileTheBladeMoves) {
 }
 TEST(OwnSlot, TiltsAgainstTheBlade) {
     OwnSlot slot;
-    slot.move(make_vec6({}, {0.01, 0, 0}), 1.0, 0.0, 1.0_mm);  // about x: what is behind the tip goes towards +y of the blade
+    slot.move(make_vec6({}, {0.01, 0, 0}), 1.0, 0.0,
+              1.0_mm);  // about x: what is behind the tip goes towards +y of the blade
     EXPECT_NEAR(slot.middle(0, -10.0_mm), -0.1_mm, 1e-9);
     slot = {};
     slot.move(make_vec6({}, {0, 0, 0.01}), 1.0, 0.0, 1.0_mm);  // about z
@@ -68,8 +71,9 @@ struct InItsSlot {
             const double t = i * Simulation::dt;
             const auto shake = [t](double phase) { return test::tremor(t, phase); };
             // About the grip, 140 mm behind the tip, the same speed at the tip.
-            const Pose moved = still * Pose{{0.3 * shake(1.0), 0.5 * shake(2.0), 0.3 * shake(3.0)},
-                                            quat_from_rotation_vector({0.5 / 140e-3 * shake(4.0), 0.0, 0.5 / 140e-3 * shake(5.0)})};
+            const Pose moved =
+                still * Pose{{0.3 * shake(1.0), 0.5 * shake(2.0), 0.3 * shake(3.0)},
+                             quat_from_rotation_vector({0.5 / 140e-3 * shake(4.0), 0.0, 0.5 / 140e-3 * shake(5.0)})};
             const Vec6 wrench = tick(moved).bone_on_tool;
             most = std::max(most, std::abs(wrench[1]));
         }
@@ -109,7 +113,8 @@ TEST(BladeInItsSlot, HandNoiseIsNotFeltAcrossTheBlade) {
             InItsSlot saw(h);
             if (!is_on) saw.switch_off();
             const double most = saw.largest_side_force_while_shaken();
-            RecordProperty("side_force_mN_at_" + std::to_string(static_cast<int>(h * 1e6)) + (is_on ? "_on" : "_off"), std::to_string(1e3 * most));
+            RecordProperty("side_force_mN_at_" + std::to_string(static_cast<int>(h * 1e6)) + (is_on ? "_on" : "_off"),
+                           std::to_string(1e3 * most));
             EXPECT_LT(most, 0.05) << "N, at " << h << (is_on ? ", going" : ", still");
         }
 }
@@ -134,7 +139,8 @@ TEST(BladeInItsSlot, IsTwistedBackWhenItIsTwisted) {
     InItsSlot saw(0.25_mm);
     saw.switch_off();
     TickResult last;
-    for (double angle = 0.0; angle < 3.0_deg; angle += 0.01_deg) last = saw.tick(saw.still * Pose{{0, 0, 0}, quat_from_rotation_vector({0, 0, angle})});
+    for (double angle = 0.0; angle < 3.0_deg; angle += 0.01_deg)
+        last = saw.tick(saw.still * Pose{{0, 0, 0}, quat_from_rotation_vector({0, 0, angle})});
     // The shaft points along −z of the world: a turn about it comes back as a torque about it.
     EXPECT_LT(-last.bone_on_tool[5], -1.0_Nmm);
     double work = 0.0;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
 
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
@@ -18,7 +21,9 @@ SawBlade blade(const std::map<std::string, double>& set = {}) { return blade_of(
 // C.7: 5° at 60 mm.
 TEST(SawBlade, ItsStrokeIsTheArcOfItsSwing) { EXPECT_NEAR(blade().stroke(), 5.236_mm, 0.001_mm); }
 
-TEST(SawBlade, KerfIsTheBladeAndItsSetOnBothSides) { EXPECT_NEAR(blade({{"blade_thickness", 0.9_mm}, {"tooth_set", 0.05_mm}}).kerf(), 1.0_mm, 1e-15); }
+TEST(SawBlade, KerfIsTheBladeAndItsSetOnBothSides) {
+    EXPECT_NEAR(blade({{"blade_thickness", 0.9_mm}, {"tooth_set", 0.05_mm}}).kerf(), 1.0_mm, 1e-15);
+}
 
 // E03-2: the angle of the tooth at the middle is none, and tips lie on the arc, a pitch apart along it.
 TEST(SawBlade, TeethLieOnTheArcAPitchApartAndFaceOutwards) {
@@ -70,7 +75,8 @@ TEST(SawBlade, SweepsWhatItsTeethReachAtEitherTurningPoint) {
     for (const double swing : {-0.5 * b.arc, 0.0, 0.5 * b.arc}) {
         const Teeth teeth = teeth_of(b, swing);
         for (std::size_t i = 0; i < teeth.count; ++i)
-            EXPECT_NEAR(outline.cutting.distance({teeth.tooth[i].tip.x, 0.0, teeth.tooth[i].tip.z}), 0.0, 8.0_um) << "on the front of what it removes";
+            EXPECT_NEAR(outline.cutting.distance({teeth.tooth[i].tip.x, 0.0, teeth.tooth[i].tip.z}), 0.0, 8.0_um)
+                << "on the front of what it removes";
     }
     EXPECT_NEAR(outline.cutting.largest_radius(), b.radius * std::sin(b.half_front() + 0.5 * b.arc), 1e-12);
 }
@@ -82,8 +88,11 @@ TEST(SawBlade, RefusesTeethThatAreNoWholeNumberAndAFrontThatGoesAround) {
     std::string why;
     EXPECT_FALSE(outline_of(test::saw({{"tooth_count", 2.5}}), outline, why));
     EXPECT_NE(why.find("oscillating_blade"), std::string::npos);
-    EXPECT_FALSE(outline_of(test::saw({{"tooth_count", 64.0}, {"tooth_pitch", 5.0_mm}}), outline, why)) << "320 mm of teeth on an arc of 60 mm";
-    EXPECT_FALSE(outline_of(test::saw({{"radius", 20.0_mm}, {"tooth_count", 14.0}, {"tooth_height", 16.0_mm}}), outline, why)) << "teeth as long as the blade";
+    EXPECT_FALSE(outline_of(test::saw({{"tooth_count", 64.0}, {"tooth_pitch", 5.0_mm}}), outline, why))
+        << "320 mm of teeth on an arc of 60 mm";
+    EXPECT_FALSE(
+        outline_of(test::saw({{"radius", 20.0_mm}, {"tooth_count", 14.0}, {"tooth_height", 16.0_mm}}), outline, why))
+        << "teeth as long as the blade";
     EXPECT_TRUE(outline_of(test::saw(), outline, why)) << why;
 }
 

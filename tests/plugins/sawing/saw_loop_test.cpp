@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between pose read and force out a saw allocates nothing, takes no lock and makes no system call, also while the worker beside it
-// makes two bodies of the bone that it parts, and the loop takes them over.
+// Between pose read and force out a saw allocates nothing, takes no lock and makes no system call, also while the
+// worker beside it makes two bodies of the bone that it parts, and the loop takes them over.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "core/haptics/surface_worker.h"
@@ -24,8 +26,8 @@ struct Hand {
     bool is_on = true;
 };
 
-/// Air, speeding up, half through the tube, back out of the slot and in again, bent aside until it binds, the trigger let go and
-/// pulled in the slot, a leap, a device that is gone for a while, and through the tube.
+/// Air, speeding up, half through the tube, back out of the slot and in again, bent aside until it binds, the trigger
+/// let go and pulled in the slot, a leap, a device that is gone for a while, and through the tube.
 std::vector<Hand> eventful_way() {
     std::vector<Hand> way;
     const auto at = [](double depth, double tilt = 0.0) { return test::at_depth(depth, tilt, {0, 0, outer}); };
@@ -111,7 +113,8 @@ TEST(SawLoop, MakesNoSystemCallThroughASplit) {
         const bool is_due = rig.is_offer_due();
         if (i % 40 == 0 || is_due) {
             const auto calls = test::system_calls_of([&] { (void)rig.loop(way[i]); });
-            if (calls == test::SystemCalls::cannot_tell) GTEST_SKIP() << "this kernel does not let a process forbid itself system calls";
+            if (calls == test::SystemCalls::cannot_tell)
+                GTEST_SKIP() << "this kernel does not let a process forbid itself system calls";
             ASSERT_EQ(calls, test::SystemCalls::none) << "tick " << i;
         }
         const bool adopts = rig.loop(way[i]).has_adopted;

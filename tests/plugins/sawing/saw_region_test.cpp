@@ -2,7 +2,9 @@
 // A saw at the end of the region in which bone can be cut.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 #include "tests/support/saw_rig.h"
@@ -28,7 +30,8 @@ struct AtTheEnd {
     TickResult tick(const Pose& hand) {
         const TickResult r = simulation.tick({hand});
         simulation.after_tick();
-        for (std::size_t e = 0; e < r.event_count; ++e) times_said += std::string_view(r.events[e]) == "haptics.left_region";
+        for (std::size_t e = 0; e < r.event_count; ++e)
+            times_said += std::string_view(r.events[e]) == "haptics.left_region";
         return r;
     }
 };
@@ -54,7 +57,8 @@ TEST(SawAtTheRegionsEnd, TakesNothingBeyondIt) {
             for (int i = 0; i < g.samples(0); ++i) {
                 const bool is_changed = cut.sample(i, j, k) != uncut.sample(i, j, k);
                 taken += is_changed;
-                ASSERT_FALSE(is_changed && outside_region(saw.body, g.sample_position(i, j, k)) > 1e-9) << i << " " << j << " " << k;
+                ASSERT_FALSE(is_changed && outside_region(saw.body, g.sample_position(i, j, k)) > 1e-9)
+                    << i << " " << j << " " << k;
             }
     EXPECT_GT(taken, 0u);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <string>
 
 #include "plugins/sawing/saw_parameters.h"
@@ -51,7 +53,8 @@ struct Held {
     double hand = -0.2_mm;
 
     explicit Held(const std::map<std::string, double>& set)
-        : setup(test::saw(set)), simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
+        : setup(test::saw(set)),
+          simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
     TickResult tick(double speed) {
         hand += speed * Simulation::dt;
         const TickResult r = simulation.tick({test::at_depth(hand)});
@@ -84,7 +87,8 @@ TEST(StillSaw, SwitchedOffUnderPushItStopsCuttingAndStands) {
 TEST(SawMotor, RunsUpInItsTimeAndHoldsItsRate) {
     Held saw({{"run_up", 200.0_ms}});
     for (int i = 0; i < 100; ++i) (void)saw.tick(0.0);
-    EXPECT_NEAR(saw.simulation.signals()[sawing::signal_stroke_rate], 100.0, 2.0) << "half of 12000 a minute, in half of the time";
+    EXPECT_NEAR(saw.simulation.signals()[sawing::signal_stroke_rate], 100.0, 2.0)
+        << "half of 12000 a minute, in half of the time";
     for (int i = 0; i < 200; ++i) (void)saw.tick(0.0);
     EXPECT_NEAR(saw.simulation.signals()[sawing::signal_stroke_rate], 200.0, 1e-6);
 }
@@ -109,8 +113,10 @@ TEST(SawLaw, IsSoundAnywhere) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
         for (int i = 0; i < 3000; ++i) {
             const double t = 1e-3 * i;
-            Pose pose = test::at_depth(4.0_mm * std::sin(3.0 * t), 0.3 * std::sin(5.0 * t), {3.0_mm * std::sin(7.0 * t), 2.0_mm * std::sin(2.0 * t), 0});
-            pose.rotation = pose.rotation * quat_from_rotation_vector({0.2 * std::sin(4.0 * t), 0.0, 0.5 * std::sin(t)});
+            Pose pose = test::at_depth(4.0_mm * std::sin(3.0 * t), 0.3 * std::sin(5.0 * t),
+                                       {3.0_mm * std::sin(7.0 * t), 2.0_mm * std::sin(2.0 * t), 0});
+            pose.rotation =
+                pose.rotation * quat_from_rotation_vector({0.2 * std::sin(4.0 * t), 0.0, 0.5 * std::sin(t)});
             const TickResult r = simulation.tick({pose});
             simulation.after_tick();
             ASSERT_FALSE(r.is_quarantined) << strokes << " at tick " << i;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "kerf/units.hpp"
 
@@ -16,7 +18,9 @@ constexpr double inch = 25.4_mm;
 
 // E03-1: 0.5 mm/s, a stroke of 3 mm, 18 teeth an inch, at the mean speed 2Su, which is |cos φ| = 2/π of the highest.
 TEST(Stroke, AtItsMeanSpeedAChipIsFeedTimesPitchOverSpeed) {
-    const struct { double rate, chip; } expected[] = {{8000.0_rpm, 0.882_um}, {10000.0_rpm, 0.706_um}, {15000.0_rpm, 0.470_um}};
+    const struct {
+        double rate, chip;
+    } expected[] = {{8000.0_rpm, 0.882_um}, {10000.0_rpm, 0.706_um}, {15000.0_rpm, 0.470_um}};
     for (const auto& e : expected) {
         const Stroke stroke{3.0_mm, inch / 18.0, e.rate};
         EXPECT_NEAR(0.5_mm_per_s * chip_per_feed(stroke, 2.0 / pi), e.chip, 0.001_um) << e.rate;
@@ -55,8 +59,11 @@ TEST(Stroke, TwoPartsStandForTheOscillationWithinAThirtiethAtAnyFeed) {
         for (double edge_depth_per_feed = 1e-7; edge_depth_per_feed < 1.0; edge_depth_per_feed *= 1.3) {
             double exact = 0.0, two = 0.0;
             for (int i = 0; i < steps; ++i)
-                exact += (1.0 - std::exp(-chip_per_feed(stroke, std::cos((i + 0.5) / steps * 0.5 * pi)) / edge_depth_per_feed)) / steps;
-            for (const StrokePart& part : parts_of(stroke)) two += part.share * (1.0 - std::exp(-part.chip_per_feed / edge_depth_per_feed));
+                exact += (1.0 - std::exp(-chip_per_feed(stroke, std::cos((i + 0.5) / steps * 0.5 * pi)) /
+                                         edge_depth_per_feed)) /
+                         steps;
+            for (const StrokePart& part : parts_of(stroke))
+                two += part.share * (1.0 - std::exp(-part.chip_per_feed / edge_depth_per_feed));
             worst = std::max(worst, std::abs(two / exact - 1.0));
         }
     RecordProperty("worst_percent", std::to_string(100.0 * worst));

@@ -2,7 +2,9 @@
 // A shaft of bone, sawn across: 26 mm with a canal of 10.6 mm (E.1).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "plugins/sawing/saw_parameters.h"
 #include "tests/support/saw_rig.h"
@@ -41,7 +43,8 @@ TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
         for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
             simulation.after_tick();
-            const double teeth = simulation.signals()[sawing::signal_engaged_teeth], exact = arc_in_tube(blade, depth) / blade.pitch;
+            const double teeth = simulation.signals()[sawing::signal_engaged_teeth],
+                         exact = arc_in_tube(blade, depth) / blade.pitch;
             worst = std::max(worst, std::abs(teeth - exact));
             most = std::max(most, exact);
         }
@@ -61,11 +64,15 @@ TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
     const sawing::Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     double per_tooth = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
-        per_tooth += part.share * blade.kerf() * sawing::force_per_width(part.chip_per_feed * rate, sawing::coefficients(setup.force_parameters).thrust);
+        per_tooth +=
+            part.share * blade.kerf() *
+            sawing::force_per_width(part.chip_per_feed * rate, sawing::coefficients(setup.force_parameters).thrust);
     for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
         const double thrust = simulation.tick_direct({above(depth)}).thrust;
         simulation.after_tick();
-        ASSERT_NEAR(thrust / per_tooth, arc_in_tube(blade, depth) / blade.pitch, 1.3 /* a tooth, and the front's slant of 4 % */) << depth;
+        ASSERT_NEAR(thrust / per_tooth, arc_in_tube(blade, depth) / blade.pitch,
+                    1.3 /* a tooth, and the front's slant of 4 % */)
+            << depth;
     }
 }
 
@@ -82,7 +89,8 @@ TEST(SawnTube, LosesItsRingsAreaTimesTheKerf) {
         simulation.finish();
         const double removed = simulation.present().removed();
         const double exact = 1.0_mm * pi * (outer * outer - inner * inner);
-        RecordProperty("volume_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um", std::to_string(removed / exact));
+        RecordProperty("volume_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um",
+                       std::to_string(removed / exact));
         EXPECT_NEAR(removed / exact, 1.0, 0.01) << "at " << h << ", a kerf of 1 mm";
     }
 }

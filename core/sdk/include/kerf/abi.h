@@ -33,12 +33,21 @@ extern "C" {
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
-typedef struct kerf_vec3 { double x, y, z; } kerf_vec3;
-typedef struct kerf_quat { double w, x, y, z; } kerf_quat; /* unit quaternion */
-typedef struct kerf_pose { kerf_vec3 position; kerf_quat rotation; } kerf_pose;
+typedef struct kerf_vec3 {
+    double x, y, z;
+} kerf_vec3;
+typedef struct kerf_quat {
+    double w, x, y, z;
+} kerf_quat; /* unit quaternion */
+typedef struct kerf_pose {
+    kerf_vec3 position;
+    kerf_quat rotation;
+} kerf_pose;
 
 /* Exponents of m, kg, s, A, K, mol, cd, rad. */
-typedef struct kerf_dimension { int8_t exponent[8]; } kerf_dimension;
+typedef struct kerf_dimension {
+    int8_t exponent[8];
+} kerf_dimension;
 
 typedef int32_t kerf_status; /* 0 ok, < 0 failure */
 enum { KERF_OK = 0, KERF_FAILED = -1, KERF_OUT_OF_RANGE = -2, KERF_CAPACITY = -3 };
@@ -46,53 +55,54 @@ enum { KERF_OK = 0, KERF_FAILED = -1, KERF_OUT_OF_RANGE = -2, KERF_CAPACITY = -3
 /* ---- self-description -------------------------------------------------------------------------------------- */
 
 typedef struct kerf_param {
-    const char *id;           /* snake_case, unique within its component                      */
-    const char *help;         /* one sentence                                                  */
+    const char* id;           /* snake_case, unique within its component                      */
+    const char* help;         /* one sentence                                                  */
     kerf_dimension dimension; /* of the value; all zero for a plain number                     */
-    const char *display_unit; /* "mm", "deg", "rpm", "N/mm"; "" for a plain number             */
+    const char* display_unit; /* "mm", "deg", "rpm", "N/mm"; "" for a plain number             */
     double min, max, def;     /* SI                                                            */
-    const char *source;       /* where the default comes from, and whether it is calibrated or assumed */
+    const char* source;       /* where the default comes from, and whether it is calibrated or assumed */
 } kerf_param;
 
 /* A drive channel: what the user's trigger or the procedure sets on a powered tool. */
 typedef struct kerf_drive {
-    const char *id; /* spindle_speed, stroke_rate, amplitude, irrigation, trigger … */
-    const char *help;
+    const char* id; /* spindle_speed, stroke_rate, amplitude, irrigation, trigger … */
+    const char* help;
     kerf_dimension dimension;
-    const char *display_unit;
+    const char* display_unit;
     double min, max, def;
     double least; /* magnitude under which the tool does not cut though it goes; 0: there is none */
 } kerf_drive;
 
 /* A quantity the force component reports each tick: recorded, and usable in goals and scores. */
 typedef struct kerf_signal {
-    const char *id;
-    const char *help;
+    const char* id;
+    const char* help;
     kerf_dimension dimension;
-    const char *display_unit;
+    const char* display_unit;
 } kerf_signal;
 
 /* What may happen that is worth telling: recorded with its tick, by its id. */
 typedef struct kerf_event {
-    const char *id;   /* "<plugin>.<name>", the plugin by all of its id or by what follows its last dot */
-    const char *help; /* one sentence */
+    const char* id;   /* "<plugin>.<name>", the plugin by all of its id or by what follows its last dot */
+    const char* help; /* one sentence */
 } kerf_event;
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
-/* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the radius
- * never falls while z decreases within the cutting region.
- *   revolution   turned about the tool's z axis
- *   prism        a blade: `radius` is half of its width along x, the front may be round, and two flat sides stand at
- *                ± half of its thickness across y; its outline must be convex as a whole */
-typedef struct kerf_profile_point { double z, radius; } kerf_profile_point;
+/* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the
+ * radius never falls while z decreases within the cutting region. revolution   turned about the tool's z axis prism a
+ * blade: `radius` is half of its width along x, the front may be round, and two flat sides stand at ± half of its
+ * thickness across y; its outline must be convex as a whole */
+typedef struct kerf_profile_point {
+    double z, radius;
+} kerf_profile_point;
 
 enum { KERF_SOLID_REVOLUTION = 1, KERF_SOLID_PRISM = 2 };
 
 typedef struct kerf_solid {
     uint32_t size;
     uint32_t kind;
-    const kerf_profile_point *profile;
+    const kerf_profile_point* profile;
     uint32_t profile_count;
     uint32_t cutting_count; /* the first this many profile points bound the region that removes bone            */
 } kerf_solid;
@@ -101,27 +111,27 @@ typedef struct kerf_solid {
 typedef struct kerf_tool_shape {
     uint32_t size;
     uint32_t profile_capacity;
-    kerf_profile_point *profile;
-    uint32_t profile_count;  /* out */
-    uint32_t cutting_count;  /* out */
-    double grip_z;           /* out: where the hand holds the tool on its axis [m], < 0 */
-    uint32_t kind;           /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION when asked */
+    kerf_profile_point* profile;
+    uint32_t profile_count; /* out */
+    uint32_t cutting_count; /* out */
+    double grip_z;          /* out: where the hand holds the tool on its axis [m], < 0 */
+    uint32_t kind;          /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION when asked */
     uint32_t reserved;
-    double kerf;             /* out, prism: thickness of what removes bone [m], > 0 */
-    double thickness;        /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
-    double mass;             /* out: of the tool with its handpiece [kg]; 0: it has none */
-    double centre_z;         /* out, with a mass: where its centre lies on the axis [m] */
-    double gyration;         /* out, with a mass: its radius of gyration about that centre [m], > 0 */
-    char refusal[240];       /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, what they are and what is
-                                needed; UTF-8, ends with NUL. Empty when asked */
+    double kerf;       /* out, prism: thickness of what removes bone [m], > 0 */
+    double thickness;  /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
+    double mass;       /* out: of the tool with its handpiece [kg]; 0: it has none */
+    double centre_z;   /* out, with a mass: where its centre lies on the axis [m] */
+    double gyration;   /* out, with a mass: its radius of gyration about that centre [m], > 0 */
+    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, what they are and what is
+                          needed; UTF-8, ends with NUL. Empty when asked */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {
     uint32_t size;
-    const kerf_drive *drives;
+    const kerf_drive* drives;
     uint32_t drive_count;
     /* The tool's outline for these parameters. [main] */
-    kerf_status (*shape)(const double *params, kerf_tool_shape *out);
+    kerf_status (*shape)(const double* params, kerf_tool_shape* out);
 } kerf_tool;
 
 /* ---- bone: an opaque handle with batch queries --------------------------------------------------------------- */
@@ -131,15 +141,15 @@ typedef struct kerf_bone kerf_bone;
 typedef struct kerf_bone_sample {
     double engagement; /* [-] 0 in air … 1 in bone not yet cut (the cut as committed about one voxel behind)     */
     double gap;        /* [m] how far the point must travel along its direction to reach uncut bone; ≥ 0           */
-    double weight[KERF_MAX_TISSUES]; /* [-] share of each tissue; sums to 1 where there is bone                    */
+    double weight[KERF_MAX_TISSUES];  /* [-] share of each tissue; sums to 1 where there is bone                    */
     double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                        */
-    int32_t body;      /* which body answered, -1 for none                                                          */
+    int32_t body; /* which body answered, -1 for none                                                          */
     uint32_t reserved;
 } kerf_bone_sample;
 
 typedef struct kerf_surface_point {
-    double distance;   /* [m] to the present surface, negative inside, clamped to a few voxels                     */
-    kerf_vec3 normal;  /* outward unit normal, tool frame; zero where there is no surface near                     */
+    double distance;  /* [m] to the present surface, negative inside, clamped to a few voxels                     */
+    kerf_vec3 normal; /* outward unit normal, tool frame; zero where there is no surface near                     */
     int32_t body;
     uint32_t reserved;
 } kerf_surface_point;
@@ -149,12 +159,13 @@ typedef struct kerf_bone_query {
     uint32_t tissue_count;
     double reach; /* [m] distances are known as far as this on either side of a surface */
     /* Edges ask here. `points`, `directions` (unit) in the tool frame at the pose of this tick; `direction_count` is 1,
-       for all points the same, or `count`; of any other number the first holds for all. One question of many points is cheaper than many.  [haptic, nonblocking] */
-    void (*sample)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, const kerf_vec3 *directions,
-                   uint32_t direction_count, kerf_bone_sample *out);
+       for all points the same, or `count`; of any other number the first holds for all. One question of many points is
+       cheaper than many.  [haptic, nonblocking] */
+    void (*sample)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, const kerf_vec3* directions,
+                   uint32_t direction_count, kerf_bone_sample* out);
     /* Contact asks here: the present geometry.  [haptic, nonblocking] */
-    void (*nearest)(const kerf_bone *bone, const kerf_vec3 *points, uint32_t count, kerf_surface_point *out);
-    const kerf_bone *bone;
+    void (*nearest)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, kerf_surface_point* out);
+    const kerf_bone* bone;
 } kerf_bone_query;
 
 /* ---- force: the law of one tick ------------------------------------------------------------------------------ */
@@ -184,23 +195,24 @@ typedef struct kerf_channel {
 typedef struct kerf_law {
     uint32_t size;
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
-    kerf_channel *channel;
+    kerf_channel* channel;
     double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
                          reaction. Zero when asked. Together with what follows the channels the host gives at most half
                          of what the coupling can hold. */
-    double note[KERF_MAX_NOTES]; /* out: what commit will want to know and would have to ask the bone again: the host hands
-                                    back those of the law that was solved. Zero when asked; finite. */
+    double note[KERF_MAX_NOTES]; /* out: what commit will want to know and would have to ask the bone again: the host
+                                    hands back those of the law that was solved. Zero when asked; finite. */
 } kerf_law;
 
 typedef struct kerf_tick_in {
     uint32_t size;
-    uint32_t hand;              /* index of the hand that holds the tool */
+    uint32_t hand; /* index of the hand that holds the tool */
     uint64_t tick;
-    double dt;                  /* [s] nominal, always */
-    const double *tool_params;  /* SI, declared order: those of the tool that is held, which may be any of the plugin's */
-    const double *force_params;
-    const double *drive;        /* the commanded drive values, declared order */
-    const kerf_bone_query *bone;
+    double dt; /* [s] nominal, always */
+    const double*
+        tool_params; /* SI, declared order: those of the tool that is held, which may be any of the plugin's */
+    const double* force_params;
+    const double* drive; /* the commanded drive values, declared order */
+    const kerf_bone_query* bone;
     uint32_t tool_param_count;
     uint32_t reserved;
 } kerf_tick_in;
@@ -209,12 +221,13 @@ typedef struct kerf_tick_in {
 typedef struct kerf_advance {
     uint32_t size;
     uint32_t channel_count;
-    double rate[6];           /* the tool's rate that balanced, tool frame [m/s, rad/s] */
-    const kerf_channel *channel; /* the law that was solved                    */
-    const double *lambda;        /* what each of its channels carried [N]      */
-    double following[6];         /* on the tool, about its tip, tool frame [N, N·m]: what the host gave of what follows the channels and of
-                                    the law's own wrench. It goes with filtered λ and has a limit, so it is no sum over `lambda` */
-    const double *note;          /* that law's notes; null when no law was asked */
+    double rate[6];              /* the tool's rate that balanced, tool frame [m/s, rad/s] */
+    const kerf_channel* channel; /* the law that was solved                    */
+    const double* lambda;        /* what each of its channels carried [N]      */
+    double following[6]; /* on the tool, about its tip, tool frame [N, N·m]: what the host gave of what follows the
+                            channels and of the law's own wrench. It goes with filtered λ and has a limit, so it is no
+                            sum over `lambda` */
+    const double* note;  /* that law's notes; null when no law was asked */
 } kerf_advance;
 
 /*   cut      what the tool sweeps in this tick is gone
@@ -230,26 +243,26 @@ typedef struct kerf_action {
 
 typedef struct kerf_commit_out {
     uint32_t size;
-    uint32_t action_count;   /* out, ≤ KERF_MAX_ACTIONS */
-    kerf_action *action;
-    double *signal;          /* out, declared order */
+    uint32_t action_count; /* out, ≤ KERF_MAX_ACTIONS */
+    kerf_action* action;
+    double* signal; /* out, declared order */
 } kerf_commit_out;
 
 typedef struct kerf_force {
     uint32_t size;
     uint32_t state_size, state_align;
-    const kerf_signal *signals;
+    const kerf_signal* signals;
     uint32_t signal_count;
-    const kerf_event *events;
+    const kerf_event* events;
     uint32_t event_count;
     uint32_t budget_ns; /* what one `resist` should take at most */
-    /* The state that a law begins with. Parameters, and how finely the bone of `in` is known, stay as they are until it begins again: what
-       follows from them alone is worked out here, once. [haptic, nonblocking] */
-    void (*begin)(const kerf_tick_in *in, void *state);
+    /* The state that a law begins with. Parameters, and how finely the bone of `in` is known, stay as they are until it
+       begins again: what follows from them alone is worked out here, once. [haptic, nonblocking] */
+    void (*begin)(const kerf_tick_in* in, void* state);
     /* States the law at the present pose. Pure: may be asked again. [haptic, nonblocking] */
-    kerf_status (*resist)(const kerf_tick_in *in, const void *state, kerf_law *out);
+    kerf_status (*resist)(const kerf_tick_in* in, const void* state, kerf_law* out);
     /* Told once which motion happened. [haptic, nonblocking] */
-    kerf_status (*commit)(const kerf_tick_in *in, const kerf_advance *advance, void *state, kerf_commit_out *out);
+    kerf_status (*commit)(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out);
 } kerf_force;
 
 /* ---- components and the entry --------------------------------------------------------------------------------- */
@@ -263,8 +276,8 @@ enum {
 };
 /* Lines with the same id are one feature, switched together. */
 typedef struct kerf_feature {
-    const char *id;   /* snake_case */
-    const char *help; /* one sentence: what is there with it */
+    const char* id;   /* snake_case */
+    const char* help; /* one sentence: what is there with it */
     uint32_t kind;
     uint32_t param; /* index into the component's params */
     double off;     /* SI, within that parameter's range */
@@ -273,14 +286,14 @@ typedef struct kerf_feature {
 typedef struct kerf_component {
     uint32_t size;
     uint32_t kind;
-    const char *id;
-    const char *help;
-    const kerf_param *params;
+    const char* id;
+    const char* help;
+    const kerf_param* params;
     uint32_t param_count;
     uint32_t feature_count;
-    const kerf_tool *tool;   /* for KERF_KIND_TOOL  */
-    const kerf_force *force; /* for KERF_KIND_FORCE */
-    const kerf_feature *features;
+    const kerf_tool* tool;   /* for KERF_KIND_TOOL  */
+    const kerf_force* force; /* for KERF_KIND_FORCE */
+    const kerf_feature* features;
 } kerf_component;
 
 /* Sizes of every struct that crosses the boundary, so that a mismatch is named, not suffered. */
@@ -289,12 +302,13 @@ typedef struct kerf_layout {
         tick_in, advance, action, commit_out, force, component, feature;
 } kerf_layout;
 
-#define KERF_LAYOUT_INIT                                                                                              \
-    {                                                                                                                 \
-        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_event), sizeof(kerf_solid), sizeof(kerf_tool_shape), \
-            sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), sizeof(kerf_bone_query),         \
-            sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in), sizeof(kerf_advance), sizeof(kerf_action),  \
-            sizeof(kerf_commit_out), sizeof(kerf_force), sizeof(kerf_component), sizeof(kerf_feature)     \
+#define KERF_LAYOUT_INIT                                                                                      \
+    {                                                                                                         \
+        sizeof(kerf_param), sizeof(kerf_drive), sizeof(kerf_signal), sizeof(kerf_event), sizeof(kerf_solid),  \
+            sizeof(kerf_tool_shape), sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), \
+            sizeof(kerf_bone_query), sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in),            \
+            sizeof(kerf_advance), sizeof(kerf_action), sizeof(kerf_commit_out), sizeof(kerf_force),           \
+            sizeof(kerf_component), sizeof(kerf_feature)                                                      \
     }
 
 typedef struct kerf_entry {
@@ -303,11 +317,11 @@ typedef struct kerf_entry {
     uint32_t size;
     uint32_t component_count;
     kerf_layout layout;
-    const char *plugin_id;      /* "kerf.drilling" */
-    const char *plugin_version; /* "0.1.0" */
-    const char *licence;        /* SPDX */
-    const char *toolchain;      /* printed, never compared */
-    const kerf_component *components;
+    const char* plugin_id;      /* "kerf.drilling" */
+    const char* plugin_version; /* "0.1.0" */
+    const char* licence;        /* SPDX */
+    const char* toolchain;      /* printed, never compared */
+    const kerf_component* components;
 } kerf_entry;
 
 #define KERF_ENTRY_SYMBOL "kerf_plugin_entry"

@@ -8,11 +8,11 @@
 #ifdef NDEBUG
 #define KERF_ASSERT(condition, advice) static_cast<void>(0)
 #else
-#define KERF_ASSERT(condition, advice)                                                                        \
-    do {                                                                                                      \
-        if (!(condition)) {                                                                                   \
-            std::fprintf(stderr, "%s:%d: %s does not hold: %s\n", __FILE__, __LINE__, #condition, advice);    \
-            std::abort();                                                                                     \
-        }                                                                                                     \
+#define KERF_ASSERT(condition, advice)                                                                     \
+    do {                                                                                                   \
+        if (!(condition)) {                                                                                \
+            std::fprintf(stderr, "%s:%d: %s does not hold: %s\n", __FILE__, __LINE__, #condition, advice); \
+            std::abort();                                                                                  \
+        }                                                                                                  \
     } while (false)
 #endif

@@ -11,7 +11,7 @@ namespace kerf {
 /// From the device. Anything that is no pose (NaN, no unit rotation) is taken as "not there".
 struct DeviceSample {
     Pose world_from_handle = identity_pose();  ///< where the hand wants the tool
-    std::uint32_t missed = 0;  ///< ticks that were due since the last one and did not run
+    std::uint32_t missed = 0;                  ///< ticks that were due since the last one and did not run
 };
 
 /// For a device that closes the spring itself, faster than the loop: until the next one comes it makes

@@ -39,7 +39,8 @@ constexpr double polynomial(const std::array<double, all>& c, const double (&pow
         return c[first];
     } else {
         constexpr std::size_t half = std::bit_floor(count - 1);
-        return polynomial<first, half>(c, power) + polynomial<first + half, count - half>(c, power) * power[std::countr_zero(half)];
+        return polynomial<first, half>(c, power) +
+               polynomial<first + half, count - half>(c, power) * power[std::countr_zero(half)];
     }
 }
 template <std::size_t all>
@@ -73,14 +74,19 @@ constexpr SinCos sin_cos_exact(double x) noexcept {
     const double q = static_cast<double>(quarter);
     const double r = (x - q * half_pi_high) - q * half_pi_low;  // |r| ≤ π/4
     const double r2 = r * r;
-    constexpr auto of_sine = detail::one_over_factorials<9>(3, 2, -1.0), of_cosine = detail::one_over_factorials<9>(2, 2, -1.0);
+    constexpr auto of_sine = detail::one_over_factorials<9>(3, 2, -1.0),
+                   of_cosine = detail::one_over_factorials<9>(2, 2, -1.0);
     const double s = r - r * r2 * detail::polynomial(of_sine, r2);
     const double c = 1.0 - r2 * detail::polynomial(of_cosine, r2);
     switch (static_cast<int>(((quarter % 4) + 4) % 4)) {
-        case 0: return {s, c};
-        case 1: return {c, -s};
-        case 2: return {-s, -c};
-        default: return {-c, s};
+        case 0:
+            return {s, c};
+        case 1:
+            return {c, -s};
+        case 2:
+            return {-s, -c};
+        default:
+            return {-c, s};
     }
 }
 

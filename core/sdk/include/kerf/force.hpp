@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <span>
@@ -18,10 +19,10 @@ namespace kerf {
 
 /// One tick as a force law sees it.
 struct Tick {
-    double dt;                     ///< [s]
-    std::span<const double> tool;  ///< parameters of the tool that is held, declared order, SI
-    std::span<const double> force; ///< force parameters, declared order, SI
-    std::span<const double> drive; ///< commanded drive values, declared order, SI
+    double dt;                      ///< [s]
+    std::span<const double> tool;   ///< parameters of the tool that is held, declared order, SI
+    std::span<const double> force;  ///< force parameters, declared order, SI
+    std::span<const double> drive;  ///< commanded drive values, declared order, SI
 };
 
 /// Batch questions to the bone, tool frame.   [haptic, nonblocking]
@@ -33,7 +34,8 @@ public:
         sample(points, std::span<const Vec3>(&direction, 1), out);
     }
     /// @param directions  one for all points, or one for each. One question of many points is cheaper than many
-    void sample(std::span<const Vec3> points, std::span<const Vec3> directions, std::span<kerf_bone_sample> out) const noexcept {
+    void sample(std::span<const Vec3> points, std::span<const Vec3> directions,
+                std::span<kerf_bone_sample> out) const noexcept {
         query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), directions.data(),
                        static_cast<std::uint32_t>(directions.size()), out.data());
     }
@@ -47,7 +49,9 @@ public:
     /// [m] a cut's wall may stand so far from where the tool went (B5).
     [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
     /// The same of a hole of `radius` [m].
-    [[nodiscard]] double wall_error(double radius) const noexcept { return wall_error() + wall_sagitta(radius, voxel()); }
+    [[nodiscard]] double wall_error(double radius) const noexcept {
+        return wall_error() + wall_sagitta(radius, voxel());
+    }
 
 private:
     const kerf_bone_query* query_;
@@ -88,8 +92,8 @@ private:
 /// A unit rate along `n` at `point`, as a rate of the tool about its tip: the `d` of a channel there.
 [[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
 
-/// Sum of edge elements that share a rate into one cut channel. They share the width of their onset: the τ-weighted mean
-/// (resolutions R1).
+/// Sum of edge elements that share a rate into one cut channel. They share the width of their onset: the τ-weighted
+/// mean (resolutions R1).
 struct ChannelSum {
     double tau = 0.0, eta = 0.0, tau_w = 0.0;
 
@@ -117,7 +121,8 @@ struct Advance {
     std::span<const kerf_channel> channel;  ///< the law that was solved
     std::span<const double> lambda;         ///< what each of its channels carried [N]
     std::span<const double> note;           ///< what `resist` left; empty when no law was asked
-    Vec6 following{};                       ///< on the tool: what was given of what follows the channels and of the law's own wrench [N, N·m]
+    Vec6
+        following{};  ///< on the tool: what was given of what follows the channels and of the law's own wrench [N, N·m]
 
     /// What all channels of one kind carried together [N].
     [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
@@ -157,8 +162,10 @@ template <class L>
 concept ForceLaw = requires(const Tick& tick, const BoneQuery& bone, const typename L::State& state,
                             typename L::State& next, Channels& channels, const Advance& advance,
                             std::span<double> signals, Actions& actions) {
-    { L::resist(tick, bone, state, channels) } noexcept;                    // [haptic, nonblocking] pure
-    { L::commit(tick, bone, advance, next, signals, actions) } noexcept;    // [haptic, nonblocking]
+    { L::resist(tick, bone, state, channels) }
+    noexcept;  // [haptic, nonblocking] pure
+    { L::commit(tick, bone, advance, next, signals, actions) }
+    noexcept;                                                  // [haptic, nonblocking]
     requires std::is_trivially_copyable_v<typename L::State>;  // the host saves, restores and moves it
     requires std::is_default_constructible_v<typename L::State>;
 };

@@ -5,7 +5,8 @@
 
 namespace kerf {
 
-/// How far inside the true one a round wall of `radius` may lie, known by samples `h` apart and straight between them [m]:
+/// How far inside the true one a round wall of `radius` may lie, known by samples `h` apart and straight between them
+/// [m]:
 ///
 ///     h²/(8 r),   r where the innermost samples are, 0.7 h further in; half a voxel at least
 ///

@@ -67,9 +67,11 @@ struct Spindle {
         }
         return phase != before;
     }
-    /// What the motor turns against besides the load: the reaction that its holder feels on top of the load's [N·m], along
-    /// the sense of turning.
-    [[nodiscard]] double reaction_beyond(double load) const noexcept { return torque - load * fading(speed < 0.0 ? -speed : speed); }
+    /// What the motor turns against besides the load: the reaction that its holder feels on top of the load's [N·m],
+    /// along the sense of turning.
+    [[nodiscard]] double reaction_beyond(double load) const noexcept {
+        return torque - load * fading(speed < 0.0 ? -speed : speed);
+    }
 
 private:
     static constexpr double bogged_down = 0.7, back_to_speed = 0.95;
@@ -79,21 +81,23 @@ private:
 
     [[nodiscard]] static double fading(double at) noexcept { return 1.0 - exp_exact(-at / onset); }
 
-    [[nodiscard]] static double next_speed(const Motor& motor, double old, double wanted, double load, double dt) noexcept {
-        if (wanted >= old)
-            return reached(motor, old, std::min(wanted, old + motor.ramp * dt), motor.torque, load, dt);
+    [[nodiscard]] static double next_speed(const Motor& motor, double old, double wanted, double load,
+                                           double dt) noexcept {
+        if (wanted >= old) return reached(motor, old, std::min(wanted, old + motor.ramp * dt), motor.torque, load, dt);
         const double braked = reached(motor, old, std::max(wanted, old - motor.ramp * dt), 0.0, load, dt);
         return braked >= wanted ? braked : reached(motor, old, wanted, motor.torque, load, dt);
     }
 
     /// The speed after a step in which the motor drives with `most` at most and brakes with all it has.
-    [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double most, double load, double dt) noexcept {
+    [[nodiscard]] static double reached(const Motor& motor, double old, double wanted, double most, double load,
+                                        double dt) noexcept {
         const double inertia = 2.0 * pi * motor.inertia / dt;  // [N·m·s] per revolution
         // What is left over of a torque at a speed: falls with the speed.
         const auto left_over = [&](double pull, double at) { return pull - load * fading(at) - inertia * (at - old); };
         const double least = -motor.torque;
         if (left_over(most, wanted) >= 0.0 && left_over(least, wanted) <= 0.0) return wanted;
-        // Too weak to get there, or still too fast: it gives all it has. Halve between standing and the faster of the two.
+        // Too weak to get there, or still too fast: it gives all it has. Halve between standing and the faster of the
+        // two.
         const double pull = left_over(most, wanted) < 0.0 ? most : least;
         double low = 0.0, high = std::max(old, wanted);
         if (left_over(pull, low) <= 0.0) return 0.0;

@@ -9,7 +9,7 @@ namespace kerf {
 inline constexpr double pi = 3.14159265358979323846;
 
 namespace literals {
-#define KERF_LITERAL(suffix, factor)                                                                         \
+#define KERF_LITERAL(suffix, factor)                                                                          \
     constexpr double operator""##suffix(long double v) noexcept { return static_cast<double>(v) * (factor); } \
     constexpr double operator""##suffix(unsigned long long v) noexcept { return static_cast<double>(v) * (factor); }
 KERF_LITERAL(_m, 1.0)

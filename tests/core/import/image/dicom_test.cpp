@@ -2,11 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <ios>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/import/image/scan.h"
 #include "kerf/units.hpp"
@@ -102,8 +113,12 @@ TEST_F(Dicom, IsNeverMirroredWhateverTheOrientation) {
         std::vector<std::int16_t> values;
         for (int r = 0; r < rows; ++r)
             for (int c = 0; c < columns; ++c)
-                values.push_back(static_cast<std::int16_t>(std::lround(linear(x, 20.0 + pixel * c, 30.0 - pixel * r)) + 1024));
-        sagittal.files[n].number(tag::orientation, {0, 1, 0, 0, 0, -1}).number(tag::position, {x, 20, 30}).voxels(values);
+                values.push_back(
+                    static_cast<std::int16_t>(std::lround(linear(x, 20.0 + pixel * c, 30.0 - pixel * r)) + 1024));
+        sagittal.files[n]
+            .number(tag::orientation, {0, 1, 0, 0, 0, -1})
+            .number(tag::position, {x, 20, 30})
+            .voxels(values);
     }
     write(sagittal);
     const auto image = read();
@@ -118,7 +133,8 @@ TEST_F(Dicom, ScalesEverySliceByItsOwnSlopeAndIntercept) {
     std::vector<std::int16_t> stored;
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c)
-            stored.push_back(static_cast<std::int16_t>(std::lround((linear(10.0 + pixel * c, 20.0 + pixel * r, 34.0) + 500.0) / 0.5)));
+            stored.push_back(static_cast<std::int16_t>(
+                std::lround((linear(10.0 + pixel * c, 20.0 + pixel * r, 34.0) + 500.0) / 0.5)));
     series.files[2].number(tag::slope, {0.5}).number(tag::intercept, {-500}).voxels(stored);
     write(series);
     const auto image = read();
@@ -131,7 +147,8 @@ TEST_F(Dicom, ReadsSignedAndShortPixelsAndSetsPaddingAside) {
     Series series = Series::straight();
     for (DicomWriter& file : series.files) {
         // 12 bits, signed; bit 12 to 15 hold an overlay that is nobody's HU
-        std::vector<std::int16_t> raw(columns * rows, static_cast<std::int16_t>(0xa000 | (static_cast<std::uint16_t>(-100) & 0x0fff)));
+        std::vector<std::int16_t> raw(columns * rows,
+                                      static_cast<std::int16_t>(0xa000 | (static_cast<std::uint16_t>(-100) & 0x0fff)));
         raw[0] = static_cast<std::int16_t>(0x0fff & static_cast<std::uint16_t>(-2000));  // padding
         file.word(tag::bits_stored, 12).word(tag::high_bit, 11).word(tag::representation, 1);
         file.word(tag::padding, -2000, "SS").number(tag::intercept, {0}).voxels(raw);
@@ -244,8 +261,14 @@ TEST_F(Dicom, NamesSeriesThatShareANumber) {
 
 TEST_F(Dicom, RefusesSlicesThatDiffer) {
     const std::vector<std::pair<std::string, std::function<void(DicomWriter&)>>> changes{
-        {"another orientation", [](DicomWriter& f) { f.number(tag::orientation, {1, 0, 0, 0, 0, 1}); }},
-        {"another pixel spacing", [](DicomWriter& f) { f.number(tag::pixel_spacing, {0.6, 0.5}); }},
+        {"another orientation",
+         [](DicomWriter& f) {
+             f.number(tag::orientation, {1, 0, 0, 0, 0, 1});
+         }},
+        {"another pixel spacing",
+         [](DicomWriter& f) {
+             f.number(tag::pixel_spacing, {0.6, 0.5});
+         }},
         {"another frame of reference", [](DicomWriter& f) { f.uid(tag::frame_of_reference, "1.9"); }},
         {"another modality", [](DicomWriter& f) { f.text(tag::modality, "CS", "MR"); }},
     };
@@ -265,8 +288,14 @@ TEST_F(Dicom, RefusesASliceThatLacksSomething) {
         {"no orientation", [](DicomWriter& f) { f.without(tag::orientation); }},
         {"no pixel spacing", [](DicomWriter& f) { f.without(tag::pixel_spacing); }},
         {"no position", [](DicomWriter& f) { f.text(tag::position, "DS", "1,5\\2\\3"); }},
-        {"no pair of unit vectors", [](DicomWriter& f) { f.number(tag::orientation, {1, 0, 0, 1, 0, 0}); }},
-        {"outside 0.001 mm", [](DicomWriter& f) { f.number(tag::pixel_spacing, {0, 0}); }},
+        {"no pair of unit vectors",
+         [](DicomWriter& f) {
+             f.number(tag::orientation, {1, 0, 0, 1, 0, 0});
+         }},
+        {"outside 0.001 mm",
+         [](DicomWriter& f) {
+             f.number(tag::pixel_spacing, {0, 0});
+         }},
         {"3 numbers per pixel", [](DicomWriter& f) { f.word(tag::samples, 3); }},
         {"several frames", [](DicomWriter& f) { f.text(tag::frames, "IS", "12"); }},
         {"not MONOCHROME2", [](DicomWriter& f) { f.text(tag::photometric, "CS", "PALETTE COLOR"); }},
@@ -288,7 +317,9 @@ TEST_F(Dicom, RefusesASliceThatLacksSomething) {
 /// DICOM's run lengths, without runs: high bytes, then low bytes, in literal groups.
 std::string run_length_coded(const std::vector<std::int16_t>& values) {
     std::string coded(64, '\0');
-    const auto word = [&](std::size_t at, std::uint32_t value) { std::memcpy(coded.data() + at, &value, sizeof value); };
+    const auto word = [&](std::size_t at, std::uint32_t value) {
+        std::memcpy(coded.data() + at, &value, sizeof value);
+    };
     word(0, 2);
     for (const int byte : {1, 0}) {
         word(byte == 1 ? 4 : 8, static_cast<std::uint32_t>(coded.size()));
@@ -307,7 +338,8 @@ TEST_F(Dicom, UnpacksRunLengths) {
     Series series = Series::straight();
     for (std::size_t n = 0; n < series.files.size(); ++n) {
         std::vector<std::int16_t> values;
-        for (int i = 0; i < columns * rows; ++i) values.push_back(static_cast<std::int16_t>(1024 + 300 * static_cast<int>(n) + i));
+        for (int i = 0; i < columns * rows; ++i)
+            values.push_back(static_cast<std::int16_t>(1024 + 300 * static_cast<int>(n) + i));
         series.files[n].fragment("1.2.840.10008.1.2.5", run_length_coded(values));
     }
     write(series);
@@ -389,8 +421,10 @@ TEST_F(Dicom, SurvivesDamagedHeaders) {
         std::ofstream(folder / "IM1", std::ios::binary) << bytes;
         diagnostics.clear();
         const auto image = read();
-        if (image) EXPECT_EQ(image->values.size(), image->all().voxels());
-        else EXPECT_FALSE(diagnostics.empty());
+        if (image)
+            EXPECT_EQ(image->values.size(), image->all().voxels());
+        else
+            EXPECT_FALSE(diagnostics.empty());
     }
 }
 
@@ -436,7 +470,9 @@ TEST_F(Dicom, DoubtsLossyCompressionOtherModalitiesAndATiltThatIsNotThere) {
 TEST_F(Dicom, SaysNothingOfWhoseItIs) {
     Series series = Series::straight();
     for (DicomWriter& file : series.files)
-        file.text(tag::patient_name, "PN", "Doe^Jane").text(0x00100020, "LO", "PAT-4711").text(0x0008103e, "LO", "DOE HEAD");
+        file.text(tag::patient_name, "PN", "Doe^Jane")
+            .text(0x00100020, "LO", "PAT-4711")
+            .text(0x0008103e, "LO", "DOE HEAD");
     write(series);
     const auto scan = open_scan(folder.path(), {}, {}, diagnostics);
     ASSERT_TRUE(scan);
@@ -446,7 +482,8 @@ TEST_F(Dicom, SaysNothingOfWhoseItIs) {
         EXPECT_EQ(all.find(planted), std::string::npos) << planted;
 }
 
-// ---- real ones --------------------------------------------------------------------------------------------------------
+// ---- real ones
+// --------------------------------------------------------------------------------------------------------
 
 std::string data(const std::string& name) {
     const char* root = std::getenv("KERF_DATA");
@@ -483,10 +520,12 @@ TEST_F(Dicom, RealUnevenSeriesKeepsItsSlicesWhereTheyWere) {
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0665");
     EXPECT_NE(diagnostics[0].message.find("2 gaps are wider: 1.00 mm behind z -6.00 mm, 1.50 mm behind z -5.00 mm"),
-              std::string::npos) << diagnostics[0].message;
+              std::string::npos)
+        << diagnostics[0].message;
     diagnostics.clear();
 
-    const auto scan = open_scan(data("dicom/uneven_vertex_harvard02"), {.name = "", .may_resample = true}, {}, diagnostics);
+    const auto scan =
+        open_scan(data("dicom/uneven_vertex_harvard02"), {.name = "", .may_resample = true}, {}, diagnostics);
     ASSERT_TRUE(scan) << to_text(diagnostics);
     EXPECT_NEAR(scan->grid().spacing(2), 0.5_mm, 1e-9);
     EXPECT_EQ(scan->grid().size[2], 23);  // 20 slices, and three where there were none
@@ -526,8 +565,9 @@ TEST_F(Dicom, RealTiltedSeriesAgreesWithItsGroundTruth) {
         return Agreement{sum / n, size / n, (xy - x1 * y1 / n) / std::sqrt((x2 - x1 * x1 / n) * (y2 - y1 * y1 / n))};
     };
     const Agreement found = agreement({});
-    std::printf("tilted series against its ground truth: mean difference %.1f HU, mean size %.1f HU, correlation %.4f\n",
-                found.mean, found.mean_size, found.correlation);
+    std::printf(
+        "tilted series against its ground truth: mean difference %.1f HU, mean size %.1f HU, correlation %.4f\n",
+        found.mean, found.mean_size, found.correlation);
     EXPECT_LT(std::abs(found.mean), 5.0 /* HU */);
     EXPECT_GT(found.correlation, 0.99 /* slices of 3 mm against voxels of 1 mm */);
     const double here = found.mean_size;

@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "core/import/image/image_file.h"
 #include "kerf/units.hpp"

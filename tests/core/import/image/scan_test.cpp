@@ -3,8 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/import/image/write_nrrd.h"
 #include "kerf/units.hpp"
@@ -29,17 +37,18 @@ struct ScanFile : testing::Test {
     }
 };
 
-// ---- segmentations of 3D Slicer ---------------------------------------------------------------------------------------
+// ---- segmentations of 3D Slicer
+// ---------------------------------------------------------------------------------------
 
-const std::string segments =
-    "Segment0_Name:=L3 vertebra\nSegment0_LabelValue:=7\nSegment0_Layer:=0\n"
-    "Segment1_Name:=Canal\nSegment1_LabelValue:=1\nSegment1_Layer:=";
+const std::string segments = "Segment0_Name:=L3 vertebra\nSegment0_LabelValue:=7\nSegment0_Layer:=0\n"
+                             "Segment1_Name:=Canal\nSegment1_LabelValue:=1\nSegment1_Layer:=";
 
 TEST_F(ScanFile, KnowsTheNamesOfASegmentation) {
     const auto scan = open("bone.seg.nrrd",
                            "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 3 2 2\n"
                            "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\n"
-                           "space origin: (0,0,0)\n" + segments + "0\n\n" + std::string("\7\7\0\0\1\1\0\0\0\0\0\7", 12));
+                           "space origin: (0,0,0)\n" +
+                               segments + "0\n\n" + std::string("\7\7\0\0\1\1\0\0\0\0\0\7", 12));
     ASSERT_TRUE(scan) << to_text(diagnostics);
     ASSERT_EQ(scan->segments().size(), 2u);
     EXPECT_EQ(scan->segments()[0].name, "L3 vertebra");
@@ -59,10 +68,11 @@ TEST_F(ScanFile, ReadsTheLayersOfStructuresThatOverlap) {
         voxels.push_back(static_cast<char>(n));
         voxels.push_back(static_cast<char>(100 + n));
     }
-    const auto scan = open("bone.seg.nrrd",
-                           "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 3 2 2\n"
-                           "space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\n"
-                           "encoding: raw\nspace origin: (0,0,0)\n" + segments + "1\n\n" + voxels);
+    const auto scan = open(
+        "bone.seg.nrrd", "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 3 2 2\n"
+                         "space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\n"
+                         "encoding: raw\nspace origin: (0,0,0)\n" +
+                             segments + "1\n\n" + voxels);
     ASSERT_TRUE(scan) << to_text(diagnostics);
     for (const int layer : {0, 1}) {
         const auto labels = read(scan, layer);
@@ -75,16 +85,18 @@ TEST_F(ScanFile, ReadsTheLayersOfStructuresThatOverlap) {
 TEST_F(ScanFile, RefusesALayerThatIsNotThere) {
     EXPECT_FALSE(open("bone.seg.nrrd",
                       "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 3 2 2\n"
-                      "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (0,0,0)\n" + segments + "4\n\n" +
-                          std::string(12, '\0')));
+                      "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\nspace origin: (0,0,0)\n" +
+                          segments + "4\n\n" + std::string(12, '\0')));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0622");
 }
 
-// ---- places -----------------------------------------------------------------------------------------------------------
+// ---- places
+// -----------------------------------------------------------------------------------------------------------
 
 /// A NIfTI-1 file of 3 × 4 × 5 voxels of 1 mm, value = 100 i + 10 j + k, in either byte order.
-std::string nifti(bool is_big, const std::vector<std::pair<std::size_t, float>>& reals, std::int16_t sform, std::int16_t qform) {
+std::string nifti(bool is_big, const std::vector<std::pair<std::size_t, float>>& reals, std::int16_t sform,
+                  std::int16_t qform) {
     std::string bytes(352, '\0');
     const auto put = [&](std::size_t at, auto value) {
         char raw[sizeof value];
@@ -121,7 +133,8 @@ TEST_F(ScanFile, ReadsNiftiInBothByteOrders) {
         const auto image = read(open("a.nii", nifti(is_big, straight, 1, 0)));
         ASSERT_TRUE(image) << to_text(diagnostics);
         EXPECT_EQ(image->at(2, 3, 4), 234.0f);
-        EXPECT_NEAR(length(image->lps({2, 3, 4}) - Vec3{3.0_mm, 3.0_mm, 11.0_mm}), 0.0, 1e-9);  // LPS: −(2 − 5), −(3 − 6), 4 + 7
+        EXPECT_NEAR(length(image->lps({2, 3, 4}) - Vec3{3.0_mm, 3.0_mm, 11.0_mm}), 0.0,
+                    1e-9);  // LPS: −(2 − 5), −(3 − 6), 4 + 7
     }
 }
 
@@ -172,14 +185,16 @@ TEST_F(ScanFile, PutsAShearedImageStraight) {
     EXPECT_NEAR(image->sample_trilinear({4.0_mm, 3.0_mm, 9.0_mm}, -1.0), 122.0, 1e-3);
 }
 
-// ---- writing ----------------------------------------------------------------------------------------------------------
+// ---- writing
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_F(ScanFile, IsReadAsItWasWritten) {
     for (const bool as_short : {true, false}) {
         VoxelImage image;
         image.size = {5, 4, 3};
         image.place({0.3_mm, 0.4_mm, 0}, {-(0.8_mm), 0.6_mm, 0}, {0, 0, 2.5_mm}, {10.0_mm, -(20.0_mm), 30.0_mm});
-        for (int n = 0; n < 60; ++n) image.values.push_back(as_short ? static_cast<float>(n - 1000) : 0.25f * static_cast<float>(n));
+        for (int n = 0; n < 60; ++n)
+            image.values.push_back(as_short ? static_cast<float>(n - 1000) : 0.25f * static_cast<float>(n));
         NrrdWriter writer(folder / "out.nrrd", image, "a remark", as_short);
         writer.add({image.values.data(), 20});
         writer.add({image.values.data() + 20, 40});

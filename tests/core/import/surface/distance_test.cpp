@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "core/import/surface/crossings.h"
 #include "core/import/surface/orient3d.h"
@@ -24,7 +29,8 @@ std::vector<Vec3> scattered(double half_edge, int count) {
     return points;
 }
 
-// ---- predicates ------------------------------------------------------------------------------------------------------
+// ---- predicates
+// ------------------------------------------------------------------------------------------------------
 
 TEST(Orient3d, TellsTheSidesOfAPlane) {
     EXPECT_EQ(orient3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, -1}), 1);
@@ -52,7 +58,8 @@ TEST(Orient3d, TurnsItsSignWithTwoPoints) {
     }
 }
 
-// ---- distance --------------------------------------------------------------------------------------------------------
+// ---- distance
+// --------------------------------------------------------------------------------------------------------
 
 TEST(SignedDistance, IsThatOfACube) {
     const SurfaceMesh mesh = cube(10.0_mm);
@@ -60,9 +67,9 @@ TEST(SignedDistance, IsThatOfACube) {
     SignedDistance distance(tree);
     EXPECT_NEAR(distance({0, 0, 0}), -5.0_mm, 1e-15);
     EXPECT_NEAR(distance({4.0_mm, 0, 0}), -1.0_mm, 1e-15);
-    EXPECT_NEAR(distance({7.0_mm, 1.0_mm, 1.0_mm}), 2.0_mm, 1e-15);         // a face
-    EXPECT_NEAR(distance({8.0_mm, 9.0_mm, 1.0_mm}), 5.0_mm, 1e-15);         // an edge: 3, 4
-    EXPECT_NEAR(distance({6.0_mm, 7.0_mm, 7.0_mm}), 3.0_mm, 1e-15);         // a corner: 1, 2, 2
+    EXPECT_NEAR(distance({7.0_mm, 1.0_mm, 1.0_mm}), 2.0_mm, 1e-15);  // a face
+    EXPECT_NEAR(distance({8.0_mm, 9.0_mm, 1.0_mm}), 5.0_mm, 1e-15);  // an edge: 3, 4
+    EXPECT_NEAR(distance({6.0_mm, 7.0_mm, 7.0_mm}), 3.0_mm, 1e-15);  // a corner: 1, 2, 2
     EXPECT_NEAR(distance({5.0_mm, 0.3_mm, 0.3_mm}), 0.0, 1e-15);
 }
 
@@ -83,7 +90,8 @@ TEST(SignedDistance, IsThatOfEveryTriangleTriedInTurn) {
 }
 
 TEST(SignedDistance, OfASphereIsThatOfASphereToTheDepthOfItsFaces) {
-    // Chords of 1/32 of a quarter circle stand 1 − cos(π/128) = 0.03 % from the circle; a face's middle, about twice that
+    // Chords of 1/32 of a quarter circle stand 1 − cos(π/128) = 0.03 % from the circle; a face's middle, about twice
+    // that
     const SurfaceMesh mesh = sphere(10.0_mm, 5);
     const TriangleTree tree(mesh);
     SignedDistance distance(tree);
@@ -131,11 +139,13 @@ TEST(TriangleTree, QuickWindingIsWithinAQuarterOfTheExactOne) {
     // Two walls that lie close and look away from each other: the worst for dipoles
     const TriangleTree tree(together(sphere(8.0_mm, 4), turned(sphere(6.0_mm, 4))));
     double worst = 0.0;
-    for (const Vec3 p : scattered(10.0_mm, 500)) worst = std::max(worst, std::abs(tree.winding(p) - tree.exact_winding(p)));
+    for (const Vec3 p : scattered(10.0_mm, 500))
+        worst = std::max(worst, std::abs(tree.winding(p) - tree.exact_winding(p)));
     EXPECT_LT(worst, 0.25);
 }
 
-// ---- crossings -------------------------------------------------------------------------------------------------------
+// ---- crossings
+// -------------------------------------------------------------------------------------------------------
 
 std::size_t crossings_in(const SurfaceMesh& mesh) { return crossings_of(mesh, TriangleTree(mesh)).size(); }
 
@@ -174,7 +184,8 @@ TEST(Crossings, SeeTouchingFoldedAndFlatOverlaps) {
     EXPECT_EQ(with({{0.5, 0.1, -1}, {0.5, 0.2, 1}}, {0, 3, 4}), 1u) << "sharing a corner and going through";
 }
 
-// ---- thickness -------------------------------------------------------------------------------------------------------
+// ---- thickness
+// -------------------------------------------------------------------------------------------------------
 
 constexpr Box everywhere{{-1, -1, -1}, {1, 1, 1}};
 
@@ -200,7 +211,8 @@ TEST(Thickness, LooksOnlyIntoTheRegion) {
     const SurfaceMesh mesh = together(cube(10.0_mm), cube(2.0_mm, {20.0_mm, 0, 0}));
     const TriangleTree tree(mesh);
     EXPECT_NEAR(thinnest(measure_walls(mesh, tree, everywhere, 1.0_mm))->thickness, 2.0_mm, 1e-12);
-    EXPECT_NEAR(thinnest(measure_walls(mesh, tree, {{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}}, 1.0_mm))->thickness, 10.0_mm, 1e-12);
+    EXPECT_NEAR(thinnest(measure_walls(mesh, tree, {{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}}, 1.0_mm))->thickness,
+                10.0_mm, 1e-12);
 }
 TEST(Thickness, DoesNotTakeACrestForAWall) {
     // A roof of 90° with eaves of 45°; only its two gables are walls, 20 mm apart

@@ -3,10 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <clocale>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tests/core/import/surface/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -36,7 +45,8 @@ void expect_refused(const Read& read, const std::string& bytes, const char* code
     EXPECT_FALSE(error.advice.empty());
 }
 
-// ---- STL -------------------------------------------------------------------------------------------------------------
+// ---- STL
+// -------------------------------------------------------------------------------------------------------------
 
 const std::string text_stl = R"(solid a bone, made by hand
   facet normal 0 0 1
@@ -57,7 +67,8 @@ TEST(ReadStl, ReadsTextAndBinary) {
 }
 TEST(ReadStl, TakesABinaryFileThatBeginsWithSolidForBinary) {
     SurfaceError error;
-    expect_corner(read_stl(test::binary_stl(corner_mesh(), "solid from a program that does not know better"), error), error);
+    expect_corner(read_stl(test::binary_stl(corner_mesh(), "solid from a program that does not know better"), error),
+                  error);
 }
 TEST(ReadStl, ReadsBigLettersAndCarriageReturns) {
     std::string loud;
@@ -70,7 +81,8 @@ TEST(ReadStl, ReadsBigLettersAndCarriageReturns) {
 }
 TEST(ReadStl, RefusesWhatIsCutOff) {
     const std::string binary = test::binary_stl(test::cube(1.0));
-    for (const std::size_t size : {std::size_t{0}, std::size_t{83}, std::size_t{84}, std::size_t{133}, binary.size() - 1})
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{83}, std::size_t{84}, std::size_t{133}, binary.size() - 1})
         expect_refused(read_stl, binary.substr(0, size), "E0644");
     expect_refused(read_stl, text_stl.substr(0, text_stl.size() - 16), "E0644");
 }
@@ -103,13 +115,19 @@ TEST(ReadStl, RefusesAFileWithoutFaces) {
     expect_refused(read_stl, test::binary_stl({}), "E0647");
 }
 
-// ---- OBJ -------------------------------------------------------------------------------------------------------------
+// ---- OBJ
+// -------------------------------------------------------------------------------------------------------------
 
 TEST(ReadObj, ReadsAllFormsOfACorner) {
-    for (const char* face : {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f -3 -2 -1", "f -3//-1 2 3/1"}) {
+    for (const char* face :
+         {"f 1 2 3", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1", "f -3 -2 -1", "f -3//-1 2 3/1"}) {
         SurfaceError error;
-        expect_corner(read_obj("# by hand\no bone\nv 0 0 0.5\nv 1.25 0 0 1.0\nv 0 -2e0 0\nvt 0 0\nvn 0 0 1\ng part\nusemtl "
-                               "ivory\ns off\n" + std::string(face) + "\n", error), error);
+        expect_corner(
+            read_obj("# by hand\no bone\nv 0 0 0.5\nv 1.25 0 0 1.0\nv 0 -2e0 0\nvt 0 0\nvn 0 0 1\ng part\nusemtl "
+                     "ivory\ns off\n" +
+                         std::string(face) + "\n",
+                     error),
+            error);
     }
 }
 TEST(ReadObj, CutsPolygonsIntoTrianglesOfTheSameArea) {
@@ -145,20 +163,26 @@ TEST(ReadObj, RefusesWhatItCannotUnderstand) {
     expect_refused(read_obj, round, "E0643");
 }
 
-// ---- PLY -------------------------------------------------------------------------------------------------------------
+// ---- PLY
+// -------------------------------------------------------------------------------------------------------------
 
 /// With colours, normals and an element nobody knows, as programs write them.
-std::string ply_header(const std::string& format, const std::string& count_type = "uchar", const std::string& index_type = "int") {
-    return "ply\nformat " + format + " 1.0\ncomment by hand\nelement vertex 3\nproperty uchar red\nproperty double x\nproperty "
-           "float y\nproperty float z\nelement material 1\nproperty list uint float shine\nproperty short kind\nelement face "
-           "1\nproperty list " + count_type + " " + index_type + " vertex_indices\nproperty uchar flags\nend_header\n";
+std::string ply_header(const std::string& format, const std::string& count_type = "uchar",
+                       const std::string& index_type = "int") {
+    return "ply\nformat " + format +
+           " 1.0\ncomment by hand\nelement vertex 3\nproperty uchar red\nproperty double x\nproperty "
+           "float y\nproperty float z\nelement material 1\nproperty list uint float shine\nproperty short "
+           "kind\nelement face "
+           "1\nproperty list " +
+           count_type + " " + index_type + " vertex_indices\nproperty uchar flags\nend_header\n";
 }
 const std::string text_rows = "7 0 0 0.5\n7 1.25 0 0\n7 0 -2 0\n2 1.5 2.5 3\n3 0 1 2 9\n";
 
 template <class Bytes>
 std::string binary_rows(const Bytes& bytes) {
     std::string rows;
-    for (const auto& [x, y, z] : std::vector<std::tuple<double, float, float>>{{0, 0.0f, 0.5f}, {1.25, 0.0f, 0.0f}, {0, -2.0f, 0.0f}})
+    for (const auto& [x, y, z] :
+         std::vector<std::tuple<double, float, float>>{{0, 0.0f, 0.5f}, {1.25, 0.0f, 0.0f}, {0, -2.0f, 0.0f}})
         rows += bytes(std::uint8_t{7}) + bytes(x) + bytes(y) + bytes(z);
     rows += bytes(std::uint32_t{2}) + bytes(1.5f) + bytes(2.5f) + bytes(std::int16_t{3});
     return rows;
@@ -170,7 +194,8 @@ TEST(ReadPly, ReadsTextAndBothOrdersOfBytes) {
     const auto little = [](auto value) { return little_endian(value); };
     const auto big = [](auto value) { return big_endian(value); };
     const auto face = [](auto bytes) {
-        return bytes(std::uint8_t{3}) + bytes(std::int32_t{0}) + bytes(std::int32_t{1}) + bytes(std::int32_t{2}) + bytes(std::uint8_t{9});
+        return bytes(std::uint8_t{3}) + bytes(std::int32_t{0}) + bytes(std::int32_t{1}) + bytes(std::int32_t{2}) +
+               bytes(std::uint8_t{9});
     };
     expect_corner(read_ply(ply_header("binary_little_endian") + binary_rows(little) + face(little), error), error);
     expect_corner(read_ply(ply_header("binary_big_endian") + binary_rows(big) + face(big), error), error);
@@ -180,8 +205,10 @@ TEST(ReadPly, ReadsIndicesOfEveryWholeType) {
     const auto expect_read = [&](const char* type, auto number) {
         using Number = decltype(number);
         SurfaceError error;
-        const std::string face = little(Number{3}) + little(Number{0}) + little(Number{1}) + little(Number{2}) + little(std::uint8_t{9});
-        expect_corner(read_ply(ply_header("binary_little_endian", type, type) + binary_rows(little) + face, error), error);
+        const std::string face =
+            little(Number{3}) + little(Number{0}) + little(Number{1}) + little(Number{2}) + little(std::uint8_t{9});
+        expect_corner(read_ply(ply_header("binary_little_endian", type, type) + binary_rows(little) + face, error),
+                      error);
     };
     expect_read("char", std::int8_t{});
     expect_read("uint8", std::uint8_t{});
@@ -192,9 +219,11 @@ TEST(ReadPly, ReadsIndicesOfEveryWholeType) {
 }
 TEST(ReadPly, CutsQuadsInTwo) {
     SurfaceError error;
-    const auto surface = read_ply("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                                  "element face 1\nproperty list uchar int vertex_index\nend_header\n"
-                                  "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", error);
+    const auto surface =
+        read_ply("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                 "element face 1\nproperty list uchar int vertex_index\nend_header\n"
+                 "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n",
+                 error);
     ASSERT_TRUE(surface) << error.message;
     EXPECT_EQ(surface->mesh.triangles.size(), 2u);
     EXPECT_DOUBLE_EQ(area_of(surface->mesh), 1.0);
@@ -225,9 +254,16 @@ TEST(ReadPly, RefusesVerticesThatAreNotThere) {
 }
 TEST(ReadPly, RefusesWhatItCannotUnderstand) {
     const std::string whole = ply_header("ascii") + text_rows;
-    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-             {"ply\n", "plx\n"}, {"ascii", "latin"}, {"1.0", "2.0"}, {"list uchar", "list float"}, {"double x", "double a"},
-             {"vertex_indices", "corners"}, {"float z", "quad z"}, {"3 0 1 2", "2 0 1"}, {"3 0 1 2", "-1"}, {"3 0 1 2", "4000000000 1"}}) {
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{{"ply\n", "plx\n"},
+                                                                                   {"ascii", "latin"},
+                                                                                   {"1.0", "2.0"},
+                                                                                   {"list uchar", "list float"},
+                                                                                   {"double x", "double a"},
+                                                                                   {"vertex_indices", "corners"},
+                                                                                   {"float z", "quad z"},
+                                                                                   {"3 0 1 2", "2 0 1"},
+                                                                                   {"3 0 1 2", "-1"},
+                                                                                   {"3 0 1 2", "4000000000 1"}}) {
         std::string wrong = whole;
         wrong.replace(wrong.find(from), from.size(), to);
         SurfaceError error;
@@ -235,7 +271,8 @@ TEST(ReadPly, RefusesWhatItCannotUnderstand) {
     }
 }
 
-// ---- damage ----------------------------------------------------------------------------------------------------------
+// ---- damage
+// ----------------------------------------------------------------------------------------------------------
 
 /// Whatever comes out can be used: its faces name vertices that are there and finite.
 template <class Read>
@@ -254,8 +291,8 @@ void expect_sound_or_refused(const Read& read, const std::string& bytes) {
 
 TEST(DamagedFiles, AreRefusedOrReadWithSoundIndices) {
     const auto little = [](auto value) { return little_endian(value); };
-    const std::string face = little(std::uint8_t{3}) + little(std::int32_t{0}) + little(std::int32_t{1}) + little(std::int32_t{2}) +
-                             little(std::uint8_t{9});
+    const std::string face = little(std::uint8_t{3}) + little(std::int32_t{0}) + little(std::int32_t{1}) +
+                             little(std::int32_t{2}) + little(std::uint8_t{9});
     const std::string obj = "v 0 0 0.5\nv 1.25 0 0\nv 0 -2e0 0\nv 1 1 1\nf 1//2 2 3/1 -1\nf -4 -3 -2\n";
     const std::vector<std::pair<decltype(&read_stl), std::string>> sound{
         {read_stl, text_stl},
@@ -270,10 +307,17 @@ TEST(DamagedFiles, AreRefusedOrReadWithSoundIndices) {
             for (auto changes = 1 + random() % 4; changes > 0; --changes) {
                 const std::size_t at = random() % bytes.size();
                 switch (random() % 4) {
-                    case 0: bytes[at] = static_cast<char>(random()); break;
-                    case 1: bytes[at] = "0123456789-.e/ \n"[random() % 16]; break;
-                    case 2: bytes.erase(at, 1 + random() % 9); break;
-                    default: bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 30));
+                    case 0:
+                        bytes[at] = static_cast<char>(random());
+                        break;
+                    case 1:
+                        bytes[at] = "0123456789-.e/ \n"[random() % 16];
+                        break;
+                    case 2:
+                        bytes.erase(at, 1 + random() % 9);
+                        break;
+                    default:
+                        bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 30));
                 }
                 if (bytes.empty()) bytes = " ";
             }
@@ -281,7 +325,8 @@ TEST(DamagedFiles, AreRefusedOrReadWithSoundIndices) {
         }
 }
 
-// ---- files -----------------------------------------------------------------------------------------------------------
+// ---- files
+// -----------------------------------------------------------------------------------------------------------
 
 TEST(ReadSurface, KnowsTheFormatByTheEnding) {
     const test::TemporaryFolder folder;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "core/import/make_body.h"
 #include "core/import/mesh_body.h"
@@ -62,12 +66,13 @@ INSTANTIATE_TEST_SUITE_P(, RealMeshes,
                                          RealMesh{"mandible_harvard02_isosurface.obj", 82'626, 36.0},
                                          RealMesh{"vertebra_l3_tptbox.ply", 74'688, 59.0}));
 
-// ---- landmarks --------------------------------------------------------------------------------------------------------
+// ---- landmarks
+// --------------------------------------------------------------------------------------------------------
 
 struct Landmarks {
     const char* mesh;
-    const char* listed_under;  ///< in landmarks.json
-    double tolerance;          ///< [mm] from the surface; 0: as far as one rater differs from another
+    const char* listed_under;             ///< in landmarks.json
+    double tolerance;                     ///< [mm] from the surface; 0: as far as one rater differs from another
     std::vector<const char*> on_surface;  ///< by name; empty: all of `landmarks`
     std::vector<const char*> in_bone;
 };
@@ -101,15 +106,23 @@ TEST_P(RealLandmarks, LieOnTheBoneTheyName) {
 }
 INSTANTIATE_TEST_SUITE_P(
     , RealLandmarks,
-    testing::Values(Landmarks{"femur_left_vsd_z013.stl", "meshes/femur_left_vsd_z013.stl", 0.0, {}, {"head_centre", "neck_centre"}},
-                    Landmarks{"hip_bone_left_vsd_z013.ply", "meshes/hip_bone_left_vsd_z013.ply", 0.0, {}, {}},
-                    Landmarks{"femur_proximal_telfer.stl", "meshes/femur_proximal_telfer.stl", 0.6,
-                              {"LESSER_TROCH", "SUP_GREAT_TROCH", "LAT_GREAT_TROCH"}, {"head_centre", "neck_centre"}},
-                    Landmarks{"mandible_harvard02_isosurface.obj", "volumes/mandible_head_harvard02.nrrd", 2.0,
-                              {"condylion_right", "condylion_left", "coronoid_right", "coronoid_left", "gonion_right_bone",
-                               "gonion_left_bone"}, {}}));
+    testing::Values(
+        Landmarks{"femur_left_vsd_z013.stl", "meshes/femur_left_vsd_z013.stl", 0.0, {}, {"head_centre", "neck_centre"}},
+        Landmarks{"hip_bone_left_vsd_z013.ply", "meshes/hip_bone_left_vsd_z013.ply", 0.0, {}, {}},
+        Landmarks{"femur_proximal_telfer.stl",
+                  "meshes/femur_proximal_telfer.stl",
+                  0.6,
+                  {"LESSER_TROCH", "SUP_GREAT_TROCH", "LAT_GREAT_TROCH"},
+                  {"head_centre", "neck_centre"}},
+        Landmarks{"mandible_harvard02_isosurface.obj",
+                  "volumes/mandible_head_harvard02.nrrd",
+                  2.0,
+                  {"condylion_right", "condylion_left", "coronoid_right", "coronoid_left", "gonion_right_bone",
+                   "gonion_left_bone"},
+                  {}}));
 
-// ---- a bone to work on ------------------------------------------------------------------------------------------------
+// ---- a bone to work on
+// ------------------------------------------------------------------------------------------------
 
 TEST(RealFemur, GivesTheNeckOfTheFemurWithItsCortex) {
     Diagnostics diagnostics;

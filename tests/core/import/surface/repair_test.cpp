@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/import/surface/diagnose.h"
 #include "kerf/units.hpp"
@@ -35,8 +41,9 @@ void expect_mended(SurfaceMesh mesh, double volume, const std::string& note, con
     if (note.empty()) {
         EXPECT_TRUE(notes.empty()) << notes[0];
     } else {
-        EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [&](const auto& n) { return n.find(note) != std::string::npos; }))
-            << (notes.empty() ? "nothing was said" : notes[0]);
+        EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [&](const auto& n) {
+            return n.find(note) != std::string::npos;
+        })) << (notes.empty() ? "nothing was said" : notes[0]);
     }
 
     // What was mended needs no mending
@@ -64,8 +71,9 @@ TEST(Diagnose, GivesTheFiguresOfACube) {
     EXPECT_FALSE(found.is_inside_out);
     ASSERT_EQ(found.pieces.size(), 1u);
     EXPECT_EQ(found.pieces[0].faces, 12u);
-    for (const Flaw& flaw : {found.open_edges, found.crowded_edges, found.pinched_vertices, found.turned_edges, found.duplicate_faces,
-                             found.duplicate_vertices, found.collapsed_faces, found.flat_faces, found.crossings})
+    for (const Flaw& flaw :
+         {found.open_edges, found.crowded_edges, found.pinched_vertices, found.turned_edges, found.duplicate_faces,
+          found.duplicate_vertices, found.collapsed_faces, found.flat_faces, found.crossings})
         EXPECT_EQ(flaw.count, 0u);
     EXPECT_EQ(to_notes(found).size(), 1u);
 }
@@ -78,7 +86,8 @@ TEST(Repair, LeavesSoundSurfacesAlone) {
     expect_mended(sphere(10.0_mm, 2), signed_volume_of(sphere(10.0_mm, 2)), "");
 }
 
-// ---- vertices and faces -----------------------------------------------------------------------------------------------
+// ---- vertices and faces
+// -----------------------------------------------------------------------------------------------
 
 TEST(Repair, JoinsTheVerticesOfASoup) {
     EXPECT_EQ(seen(soup_of(cube(10.0_mm))).duplicate_vertices.count, 28u);
@@ -127,7 +136,8 @@ TEST(Repair, LeavesOutFacesThatLieBackToBack) {
     expect_mended(mesh, cm3, "Left out 2 faces that lie back to back");
 }
 
-// ---- holes ------------------------------------------------------------------------------------------------------------
+// ---- holes
+// ------------------------------------------------------------------------------------------------------------
 
 SurfaceMesh open_sphere() {
     SurfaceMesh mesh = sphere(10.0_mm, 4);
@@ -171,7 +181,8 @@ TEST(Repair, RefusesASheet) {
     expect_refused(together(sheet, turned(sheet)), "E0647", "no bone");  // back to back
 }
 
-// ---- sides ------------------------------------------------------------------------------------------------------------
+// ---- sides
+// ------------------------------------------------------------------------------------------------------------
 
 TEST(Repair, TurnsASurfaceThatIsInsideOut) {
     EXPECT_TRUE(seen(turned(cube(10.0_mm))).is_inside_out);
@@ -187,7 +198,8 @@ TEST(Repair, RefusesAMoebiusStrip) {
     SurfaceMesh strip;
     for (int i = 0; i < 12; ++i) {
         const double turn = 2.0 * 3.14159265358979 * i / 12.0;
-        const Vec3 out{std::cos(turn), std::sin(turn), 0}, across = 0.3 * (std::cos(0.5 * turn) * out + std::sin(0.5 * turn) * Vec3{0, 0, 1});
+        const Vec3 out{std::cos(turn), std::sin(turn), 0},
+            across = 0.3 * (std::cos(0.5 * turn) * out + std::sin(0.5 * turn) * Vec3{0, 0, 1});
         strip.vertices.push_back(0.03 * (out - across));
         strip.vertices.push_back(0.03 * (out + across));
     }
@@ -219,7 +231,8 @@ TEST(Diagnose, SeesAPinchedVertex) {
     EXPECT_EQ(seen(mesh).crowded_edges.count, 0u);
 }
 
-// ---- pieces -----------------------------------------------------------------------------------------------------------
+// ---- pieces
+// -----------------------------------------------------------------------------------------------------------
 
 TEST(Diagnose, ListsThePiecesByVolume) {
     const SurfaceDiagnosis found = seen(together(cube(1.0_mm, {20.0_mm, 0, 0}), cube(10.0_mm)));
@@ -233,7 +246,8 @@ TEST(Repair, LeavesOutSmallPiecesOnlyWhenTold) {
     expect_mended(mesh, cm3, "Left out 1 piece of together 1.00 mm3", {.pieces_under = 1.5e-9});
 }
 TEST(Repair, TurnsOnlyThePieceThatIsInsideOut) {
-    expect_mended(together(cube(10.0_mm), turned(cube(10.0_mm, {20.0_mm, 0, 0}))), 2.0 * cm3, "Turned 1 piece: it was inside out");
+    expect_mended(together(cube(10.0_mm), turned(cube(10.0_mm, {20.0_mm, 0, 0}))), 2.0 * cm3,
+                  "Turned 1 piece: it was inside out");
 }
 TEST(Repair, TakesAPieceInsideThatLooksInwardsForACavity) {
     const SurfaceMesh hollow = together(cube(10.0_mm), turned(cube(5.0_mm)));
@@ -262,10 +276,12 @@ TEST(Repair, MakesAnySoupClosedOrRefusesIt) {
     for (int trial = 0; trial < 2000; ++trial) {
         SurfaceMesh soup = trial % 2 == 0 ? cube(10.0_mm) : SurfaceMesh{cube(10.0_mm).vertices, {}};
         for (auto n = random() % 6; n > 0; --n)
-            soup.triangles.push_back({static_cast<std::uint32_t>(random() % 8), static_cast<std::uint32_t>(random() % 8),
+            soup.triangles.push_back({static_cast<std::uint32_t>(random() % 8),
+                                      static_cast<std::uint32_t>(random() % 8),
                                       static_cast<std::uint32_t>(random() % 8)});
         for (auto n = random() % 4; n > 0 && !soup.triangles.empty(); --n)
-            std::swap(soup.triangles[random() % soup.triangles.size()][0], soup.triangles[random() % soup.triangles.size()][1]);
+            std::swap(soup.triangles[random() % soup.triangles.size()][0],
+                      soup.triangles[random() % soup.triangles.size()][1]);
         (void)seen(soup);
         std::vector<std::string> notes;
         const RepairRules rules{trial % 3 == 0 ? 20.0_mm : 0.0, 0.0, InnerPieces::hollow};
@@ -274,12 +290,14 @@ TEST(Repair, MakesAnySoupClosedOrRefusesIt) {
             continue;
         }
         ++mended;
-        for_each_edge(half_edges_of(soup), [](const HalfEdge* first, const HalfEdge* last) { ASSERT_EQ(balance_of(first, last), 0); });
+        for_each_edge(half_edges_of(soup),
+                      [](const HalfEdge* first, const HalfEdge* last) { ASSERT_EQ(balance_of(first, last), 0); });
     }
     EXPECT_GT(mended, 50);
 }
 
-// ---- size and place ---------------------------------------------------------------------------------------------------
+// ---- size and place
+// ---------------------------------------------------------------------------------------------------
 
 TEST(Diagnose, SuspectsTheUnitOfWhatIsNoBone) {
     // A femur of 418 mm whose file counts in something else than was said
@@ -291,7 +309,8 @@ TEST(Diagnose, SuspectsTheUnitOfWhatIsNoBone) {
 }
 TEST(Diagnose, SaysHowMuchIsLostFarFromTheOrigin) {
     EXPECT_LT(seen(cube(10.0_mm)).float_step, 1e-9);
-    EXPECT_DOUBLE_EQ(seen(cube(10.0_mm, {5000.0, 0, 0})).float_step, 0.5_mm);  // floats between 2²² and 2²³ mm are halves
+    EXPECT_DOUBLE_EQ(seen(cube(10.0_mm, {5000.0, 0, 0})).float_step,
+                     0.5_mm);  // floats between 2²² and 2²³ mm are halves
 }
 
 }  // namespace

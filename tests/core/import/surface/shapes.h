@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/import/surface/surface_mesh.h"
 
@@ -23,7 +26,8 @@ inline SurfaceMesh cube(double edge, Vec3 centre = {}) {
     return mesh;
 }
 
-/// A sphere: an octahedron whose faces were split into four `splits` times, 8·4ⁿ faces with their corners on the sphere.
+/// A sphere: an octahedron whose faces were split into four `splits` times, 8·4ⁿ faces with their corners on the
+/// sphere.
 inline SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
     SurfaceMesh mesh;
     mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -31,7 +35,8 @@ inline SurfaceMesh sphere(double radius, int splits, Vec3 centre = {}) {
     for (int split = 0; split < splits; ++split) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [at, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size()));
+            const auto [at, is_new] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size()));
             if (is_new) mesh.vertices.push_back(normalized(mesh.vertices[a] + mesh.vertices[b]));
             return at->second;
         };
@@ -76,9 +81,12 @@ template <class Number>
 std::string little_endian(Number value) {
     std::string bytes(sizeof value, '\0');
     std::uint64_t bits = 0;
-    if constexpr (std::is_same_v<Number, float>) bits = std::bit_cast<std::uint32_t>(value);
-    else if constexpr (std::is_same_v<Number, double>) bits = std::bit_cast<std::uint64_t>(value);
-    else bits = static_cast<std::uint64_t>(value);
+    if constexpr (std::is_same_v<Number, float>)
+        bits = std::bit_cast<std::uint32_t>(value);
+    else if constexpr (std::is_same_v<Number, double>)
+        bits = std::bit_cast<std::uint64_t>(value);
+    else
+        bits = static_cast<std::uint64_t>(value);
     for (char& byte : bytes) {
         byte = static_cast<char>(bits & 0xff);
         bits >>= 8;

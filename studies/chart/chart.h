@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/chart/measure.h"
+#include "studies/chart/methods.h"
+#include "studies/chart/published.h"
+
+/// Accuracy against speed. For training and research; not for diagnosis, planning or deciding treatment.
+namespace kerf::chart {
+
+/// One method on one scene at one fineness.
+struct Row {
+    std::string scene{}, method{}, knob{};
+    Fineness fineness{};
+    Measured measured{};
+    std::vector<std::string> fails{};  ///< tests of this marker and of its method, by id
+};
+
+/// How a method at one fineness does in the tests of force, wherever it is used.
+struct Standing {
+    std::string method{}, knob{};
+    std::vector<std::string> fails{};  ///< by id
+    std::string told{};                ///< what each test measured
+};
+
+struct MethodNote {
+    std::string id{}, title{};
+    bool is_as_printed = false;
+    double stiffest = 0.0;  ///< K_max [N/m]
+};
+
+struct SceneTitle {
+    std::string id{}, title{};
+    bool is_oblique = false;  ///< what is solved walks there, and is held against its replay: by its thrust alone
+};
+
+struct Chart {
+    std::string processor{};      ///< what the costs were measured on
+    CuttingLaw law{};             ///< that all but the papers share
+    std::vector<AwlWay> awl{};    ///< into a pedicle and through its wall
+    std::vector<Check> checks{};  ///< of the physics
+    std::vector<SceneTitle> scenes{};
+    std::vector<MethodNote> methods{};
+    std::vector<Standing> standings{};  ///< of every method at every fineness
+    std::vector<Row> rows{};
+};
+
+struct Request {
+    std::string scene{};  ///< id; empty: all
+    bool is_quick = false;
+    std::function<void(const std::string&)> progress{};  ///< a line for people, as it goes
+};
+
+/// Runs every method through every scene. Error: no such scene, no drilling plugin.   [main]
+[[nodiscard]] Chart make_chart(const Plugins& plugins, const Request& request, std::string& error);
+
+}  // namespace kerf::chart

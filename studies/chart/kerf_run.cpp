@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "studies/chart/kerf_run.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/haptics/work_force.h"
+#include "kerf/assert.hpp"
+#include "studies/stability/tool_under_test.h"
+#include "studies/times.h"
+
+namespace kerf::chart {
+
+namespace {
+
+ToolOutline outline(const ToolSetup& setup) {
+    ToolOutline out;
+    std::string error;
+    [[maybe_unused]] const bool is_made = outline_of(setup, out, error);
+    KERF_ASSERT(is_made, "a drill of a scene can be made");
+    return out;
+}
+
+/// Scaled so that a push which the device can hold feeds the drill as the scene does.
+CouplingGains gains(const ToolSetup& setup, const Body& body, double feed) {
+    const DeviceRecord& device = *find_device("premium-1.5-6dof");
+    return gains_for(device, std::min(1.0, stability::push_of(device) / work_force(setup, body, feed)));
+}
+
+}  // namespace
+
+KerfRun::KerfRun(const Scene& scene, const ToolSetup& setup, const Fineness& fineness, Way way)
+    : body_(body_of(scene.bone, fineness.spacing, fineness.offset)),
+      way_(way),
+      simulation_(body_, setup, outline(setup), gains(setup, body_, scene.feed), scene.pose_at(scene.depth.front())) {}
+
+Felt KerfRun::tick(const Pose& next) {
+    Felt felt;
+    felt.from = simulation_.world_from_tool();
+    TickResult result;
+    felt.cost = processor_time_of(
+        [&] { result = way_ == Way::direct ? simulation_.tick_direct({next}) : simulation_.tick({next}); });
+    simulation_.after_tick();
+    felt.rate = result.rate[2];
+    felt.commanded = -dot(linear(result.command.wrench), rotate(next.rotation, {0, 0, 1}));
+    const Quat tool_from_world = conjugate(felt.from.rotation);
+    felt.wrench = make_vec6(rotate(tool_from_world, linear(result.bone_on_tool)),
+                            rotate(tool_from_world, angular(result.bone_on_tool)));
+    return felt;
+}
+
+double KerfRun::removed_volume() {
+    simulation_.finish();
+    return simulation_.present().removed();
+}
+
+}  // namespace kerf::chart

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "studies/stability/kerf_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "kerf/assert.hpp"
+
+namespace kerf::stability {
+
+namespace {
+
+Vec3 along(double tilt) { return {std::sin(tilt), 0.0, -std::cos(tilt)}; }
+
+ToolOutline outline(const ToolSetup& setup) {
+    ToolOutline out;
+    std::string error;
+    [[maybe_unused]] const bool is_made = outline_of(setup, out, error);
+    KERF_ASSERT(is_made, "ask outline_of() before a loop is made");
+    return out;
+}
+
+}  // namespace
+
+Pose at_depth(double depth, double tilt) { return {depth * along(tilt), quat_between({0, 0, 1}, along(tilt))}; }
+
+KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains& gains, double depth, Way way,
+                   double tilt, double period)
+    : way_(way), tilt_(tilt), simulation_(body, setup, outline(setup), gains, at_depth(depth, tilt), period) {}
+
+double KerfLoop::answer(double depth, std::uint32_t missed) {
+    const DeviceSample sample{at_depth(depth, tilt_), missed};
+    last_ = way_ == Way::solved ? simulation_.tick(sample) : simulation_.tick_direct(sample);
+    simulation_.after_tick();
+    return -dot(linear(last_.command.wrench), along(tilt_));
+}
+
+void KerfLoop::wait(double depth, int ticks) {
+    for (int i = 0; i < ticks; ++i) (void)answer(depth);
+}
+
+double KerfLoop::stored(double depth) const noexcept {
+    const Setpoint& spring = last_.command.setpoint;
+    if (spring.stiffness <= 0.0) return 0.0;
+    const double stretch =
+        std::min(length(at_depth(depth, tilt_).position - spring.position), spring.limit / spring.stiffness);
+    return 0.5 * spring.stiffness * stretch * stretch;
+}
+
+double KerfLoop::tip() const noexcept { return dot(simulation_.world_from_tool().position, along(tilt_)); }
+
+}  // namespace kerf::stability

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// For training and research; not for diagnosis, planning or deciding treatment.
+#include "studies/stability/suite.h"
+
+#include <algorithm>
+
+#include "studies/stability/cutting.h"
+#include "studies/stability/scenes.h"
+#include "studies/stability/wall.h"
+
+namespace kerf::stability {
+
+std::vector<Finding> run_suite(const PluginRegistry& plugins, const PluginRegistry& papers, const std::string& plugin,
+                               bool is_quick, const Report& as_found, std::string& error) {
+    std::vector<Finding> findings;
+    const auto tool = find_tool(plugins, plugin, error);
+    if (!tool) return findings;
+    std::vector<ToolUnderTest> printed_laws;
+    std::string why_not_there;  // the rows that want them have their own words
+    for (const char* law : {"tsai_2007", "volumetric_drilling", "dental_implant"})
+        if (const auto found = find_tool(papers, "bench.as_printed", why_not_there, law))
+            printed_laws.push_back(*found);
+    const ToolUnderTest* const printed = printed_laws.empty() ? nullptr : &printed_laws.front();
+    const Report report = [&](const Finding& finding) {
+        findings.push_back(finding);
+        if (as_found) as_found(finding);
+    };
+    const Scope scope = Scope::of(is_quick);
+    look_at_cutting(scope, *tool, report);
+    look_at_walls(scope, report);
+    look_at_tunnelling(scope, *tool, report);
+    look_at_creep(scope, *tool, printed, report);
+    look_at_noise(scope, *tool, report);
+    look_at_flat(scope, report);
+    look_at_re_entry(scope, *tool, printed, report);
+    look_at_breakthrough(scope, *tool, report);
+    look_at_border(scope, *tool, printed, report);
+    look_at_many_contacts(scope, report);
+    look_at_switching_off(scope, *tool, report);
+    look_at_missed_ticks(scope, report);
+    look_at_loop_rate(scope, *tool, printed_laws, report);
+    look_at_lever(scope, report);
+    return findings;
+}
+
+bool is_kerf_stable(const std::vector<Finding>& findings) {
+    return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.method == Method::kerf && finding.outcome == Outcome::fail;
+    });
+}
+
+}  // namespace kerf::stability
