@@ -83,6 +83,10 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
         tool.setup.tool_parameters = instrument->tool_parameters;
         tool.setup.force_parameters = instrument->force_parameters;
         tool.setup.drives = instrument->drives;
+        if (const std::string why = bind_law(tool.setup); !why.empty()) {
+            refuse_tool(procedure, instrument->id, why, diagnostics);
+            continue;
+        }
         if (std::string why; !outline_of(tool.setup, tool.outline, why))
             refuse_tool(procedure, instrument->id, why, diagnostics);
         else

@@ -19,7 +19,7 @@
 
 #include "bench/as_printed/hsieh_2006.h"
 #include "core/session/write_file.h"
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 #include "tests/support/saw_rig.h"
@@ -89,8 +89,10 @@ struct Feeding {
     void to(double target, double feed = 8.0_mm_per_s) {
         while (depth < target - 1e-12) (void)go(feed);
     }
-    [[nodiscard]] double signal(std::size_t s) const { return simulation.signals()[s]; }
-    [[nodiscard]] sawing::SawBlade blade() const { return sawing::blade_of(setup.tool_parameters); }
+    [[nodiscard]] Hsieh2006::Signals printed_signals() const { return signals_of<Hsieh2006>(simulation.signals()); }
+    [[nodiscard]] sawing::SawBlade blade() const {
+        return value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
+    }
 };
 
 Body wide_block() {
@@ -103,15 +105,16 @@ double mean_tooth(const Feeding& saw, double feed) {
     double sum = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
         sum += part.share * saw.blade().kerf() *
-               force_per_width(part.chip_per_feed * feed, sawing::coefficients(saw.setup.force_parameters).thrust);
+               force_per_width(part.chip_per_feed * feed,
+                               value_of<sawing::SawCutting>(saw.setup.force_parameters).thrust());
     return sum;
 }
 
 /// One of the three forces of a tooth as printed [N].
-double printed_tooth(const Feeding& saw, Hsieh2006::Parameter which, double feed) {
-    const auto& force = saw.setup.force_parameters;
-    const double pitch = saw.setup.tool_parameters[as_printed::saw_pitch];
-    return force[which] * as_printed::chip_as_printed(force[Hsieh2006::tooth_width], pitch, feed, saw.setup.drives[0]);
+double printed_tooth(const Feeding& saw, double Hsieh2006::*which, double feed) {
+    const auto law = value_of<Hsieh2006>(saw.setup.force_parameters);
+    const auto tool = value_of<as_printed::PaperSaw>(saw.setup.tool_parameters, saw.setup.drives);
+    return law.*which * as_printed::chip_as_printed(law.tooth_width, tool.tooth_pitch, feed, tool.oscillation);
 }
 
 // ---- the panels
@@ -180,7 +183,7 @@ Panel sideways(const Body& body) {
         saw.to(5.0_mm);
         Felt felt{};
         for (int i = 0; i < 20; ++i) felt = saw.go(6.0_mm_per_s);
-        const double radial = saw.setup.force_parameters[sawing::force_set_share] * felt.against / n;
+        const double radial = value_of<sawing::SawCutting>(saw.setup.force_parameters).set_share * felt.against / n;
         add(ours, n, std::abs(felt.across) / radial);
         worst = std::max(worst, std::abs(ours.markers.back().y - n % 2));
 
@@ -188,7 +191,7 @@ Panel sideways(const Body& body) {
         paper.to(5.0_mm);
         for (int i = 0; i < 20; ++i) (void)paper.go(1.0_mm_per_s);
         add(printed, n,
-            std::abs(paper.signal(Hsieh2006::f_y)) / printed_tooth(paper, Hsieh2006::k_radial, 1.0_mm_per_s));
+            std::abs(paper.printed_signals().f_y) / printed_tooth(paper, &Hsieh2006::k_radial, 1.0_mm_per_s));
     }
     std::printf("03-08  across the blade what the unpaired tooth leaves: off by %.3f of a tooth at most\n", worst);
     return {.title = "03-08  Across the blade: the unpaired tooth",
@@ -213,20 +216,20 @@ Panel angles(const Body& body) {
         Felt middle = saw.go(feed);  // of the swing, where the teeth are fastest and chips thinnest
         for (int i = 0; i < 100; ++i)
             if (const Felt felt = saw.go(feed); felt.against < middle.against) middle = felt;
-        const sawing::Coefficients k = sawing::coefficients(saw.setup.force_parameters);
+        const auto law = value_of<sawing::SawCutting>(saw.setup.force_parameters);
         const double chip = sawing::chip_per_feed({saw.blade().stroke(), saw.blade().pitch, rate}, 1.0) * feed;
         const double degrees = saw.blade().half_front() / 1.0_deg;
-        add(normal, degrees, middle.against / (n * saw.blade().kerf() * force_per_width(chip, k.thrust)));
-        add(lateral, degrees, std::abs(middle.along) / (n * saw.blade().kerf() * force_per_width(chip, k.cutting)));
+        add(normal, degrees, middle.against / (n * saw.blade().kerf() * force_per_width(chip, law.thrust())));
+        add(lateral, degrees, std::abs(middle.along) / (n * saw.blade().kerf() * force_per_width(chip, law.cutting())));
 
         Feeding paper(body, printed_saw(set));
         paper.to(8.0_mm);
         double sum = 0.0;
         for (int i = 0; i < 100; ++i) {
             (void)paper.go(feed);
-            sum += paper.signal(Hsieh2006::f_x) / 100.0;
+            sum += paper.printed_signals().f_x / 100.0;
         }
-        add(printed, degrees, std::abs(sum) / (n * printed_tooth(paper, Hsieh2006::k_lateral, feed)));
+        add(printed, degrees, std::abs(sum) / (n * printed_tooth(paper, &Hsieh2006::k_lateral, feed)));
     }
     std::printf("03-07  front of %.1f deg to either side: feed/normal %.3f, stroke/lateral %.3f (1 at small angles); "
                 "as printed %.2f\n",

@@ -12,8 +12,8 @@ struct Asked {
     std::array<kerf_bone_sample, most_lip_points> sample;
 };
 
-void ask(const Tick& tick, const BoneQuery& bone, double angle, Asked& asked) noexcept {
-    asked.lips = lip_points(paper_drill(tick.tool), tick.force[DentalImplant::element_interval], angle);
+void ask(const DentalImplant& law, const PaperBit& tool, const BoneQuery& bone, double angle, Asked& asked) noexcept {
+    asked.lips = lip_points(tool.drill(), law.element_interval, angle);
     std::array<Vec3, most_lip_points> place;
     for (std::size_t i = 0; i < asked.lips.count; ++i) place[i] = asked.lips.point[i].place;
     bone.sample({place.data(), asked.lips.count}, {0, 0, 1}, {asked.sample.data(), asked.lips.count});
@@ -32,10 +32,11 @@ double density_as_printed(const std::array<double, 8>& d, double x, double y, do
            d[7] * (1 - x) * y * z;
 }
 
-void DentalImplant::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
+void DentalImplant::resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                           Channels& channels) const noexcept {
     Asked asked;
-    ask(tick, bone, state.angle, asked);
-    const PaperDrill drill = paper_drill(tick.tool);
+    ask(*this, tool, bone, state.angle, asked);
+    const PaperDrill drill = tool.drill();
     const SinCos alpha = sin_cos_exact(state.angle);
     const SinCos theta{drill.p.cos, drill.p.sin};  // between the cone's normal and the axis: 90° less the half angle
     Vec3 sum{0, 0, 0};
@@ -44,18 +45,18 @@ void DentalImplant::resist(const Tick& tick, const BoneQuery& bone, const State&
         if (at.engagement <= 0.0) continue;
         double density = 0.0;
         for (std::uint32_t m = 0; m < bone.tissue_count(); ++m) density += at.weight[m] * at.density[m];
-        sum = sum + element_force(tick.force[k_n] * density, tick.force[k_t] * density, theta, alpha);
+        sum = sum + element_force(k_n * density, k_t * density, theta, alpha);
     }
     channels.push({sum.x, sum.y, -sum.z}, {0, 0, 0});  // the axial force pushes the drill out
 }
 
-void DentalImplant::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                           std::span<double> signals, Actions& actions) noexcept {
+void DentalImplant::commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                           Signals& signals, Actions& actions) const noexcept {
     Asked asked;
-    ask(tick, bone, state.angle, asked);
-    signals[elements] = static_cast<double>(asked.lips.count);
+    ask(*this, tool, bone, state.angle, asked);
+    signals.elements = static_cast<double>(asked.lips.count);
     actions.cut();
-    state.advance(tick, advance);
+    state.advance(tool, advance);
 }
 
 }  // namespace kerf::as_printed

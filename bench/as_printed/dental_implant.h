@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "printed_drill.h"
 
@@ -25,17 +24,40 @@ namespace kerf::as_printed {
 /// that stands feels as much as one that is fed (E02-6); each element counts the same, whatever its length (P6). The
 /// density is interpolated by the host, with nodes in their right order.
 struct DentalImplant {
-    using State = LastInterval;
-    enum Parameter : std::size_t { k_n, k_t, element_interval, force_parameter_count };
-    enum Signal : std::size_t { elements, signal_count };
-    static constexpr std::size_t drive_count = as_printed::drive_count;
+    double k_n, k_t, element_interval;
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
+    struct Signals {
+        double elements = 0.0;
+    };
+    static constexpr auto about() {
+        using namespace literals;
+        return describe("dental_implant", "[dental-implant-2013] equations 4 to 13, as printed.",
+                        param(&DentalImplant::k_n, {.id = "k_n",
+                                                    .help = "k^n of each element: normal force per density.",
+                                                    .unit = n_per_density,
+                                                    .min = 0.0,
+                                                    .max = in(n_per_density, 1.0),
+                                                    .def = in(n_per_density, 3.68e-3),
+                                                    .source = femur_point}),
+                        param(&DentalImplant::k_t, {.id = "k_t",
+                                                    .help = "k^t of each element: tangential force per density.",
+                                                    .unit = n_per_density,
+                                                    .min = 0.0,
+                                                    .max = in(n_per_density, 1.0),
+                                                    .def = in(n_per_density, 3.13e-3),
+                                                    .source = femur_point}),
+                        as_printed::element_interval(&DentalImplant::element_interval),
+                        signal(&Signals::elements, {.id = "elements", .help = "Cutting elements."}), budget_us(1000));
+    }
+
+    using State = LastInterval;
+
+    void resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                Channels& channels) const noexcept;
     /// Asks about the elements once more: a host that wears bone where it is asked about does in each tick what
     /// updateDensity() does in each loop (section 3.2.3), so that removal follows the loop's rate (E02-8).
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                       std::span<double> signals, Actions& actions) noexcept;
+    void commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
 };
-static_assert(ForceLaw<DentalImplant>);
 
 }  // namespace kerf::as_printed

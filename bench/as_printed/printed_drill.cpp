@@ -4,11 +4,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kerf/figure.hpp"
+
 namespace kerf::as_printed {
 
-PaperDrill paper_drill(std::span<const double> tool) noexcept {
-    const double radius = 0.5 * tool[tool_diameter];
-    return {radius, tool[tool_web] * radius, tool[tool_length], sin_cos_exact(0.5 * tool[tool_point_angle])};
+PaperDrill PaperBit::drill() const noexcept {
+    const double radius = 0.5 * diameter;
+    return {radius, web * radius, length, sin_cos_exact(0.5 * point_angle)};
+}
+
+Outline PaperBit::outline() const noexcept {
+    using namespace literals;
+    const PaperDrill d = drill();
+    const double land = 0.5 * d.radius, end = d.point_depth() + land;
+    if (!(end < length))
+        return refuse("`length` is ", in_mm(length), "; it needs more than ", in_mm(end),
+                      ", where the land behind the point ends.");
+    return revolution({{0.0, 0.0}, {-d.point_depth(), d.radius}, {-d.point_depth() - land, d.radius}})
+        .cuts()
+        .to(-length, d.radius)
+        .gripped_at(-length - 40.0_mm);
 }
 
 LipPoints lip_points(const PaperDrill& drill, double interval, double angle) noexcept {
@@ -29,9 +44,9 @@ LipPoints lip_points(const PaperDrill& drill, double interval, double angle) noe
     return points;
 }
 
-void LastInterval::advance(const Tick& tick, const Advance& moved) noexcept {
+void LastInterval::advance(const Held<PaperBit>& tool, const Advance& moved) noexcept {
     rate = moved.rate;
-    angle += 2.0 * pi * tick.drive[drive_spindle_speed] * tick.dt;
+    angle += 2.0 * pi * tool.spindle_speed * tool.tick.dt;
     if (angle >= 2.0 * pi) angle -= 2.0 * pi;
 }
 

@@ -3,17 +3,13 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "kerf/exact_math.hpp"
-#include "kerf/force.hpp"
+#include "kerf/plugin.hpp"
+#include "paper_units.h"
 
 /// The drill of the papers as sample points. Tool frame: origin at the tip, +z out of the tip.
 namespace kerf::as_printed {
-
-/// The tool's parameters, in the order plugin.cpp declares them.
-enum ToolParameter : std::size_t { tool_diameter, tool_point_angle, tool_web, tool_length, tool_parameter_count };
-inline constexpr std::size_t drive_spindle_speed = 0, drive_count = 1;
 
 struct PaperDrill {
     double radius;    ///< [m]
@@ -26,7 +22,52 @@ struct PaperDrill {
     [[nodiscard]] double chisel_radius() const noexcept { return half_web / 0.81915204428899180; }
     [[nodiscard]] double point_depth() const noexcept { return radius * p.cos / p.sin; }
 };
-[[nodiscard]] PaperDrill paper_drill(std::span<const double> tool) noexcept;
+
+/// The tool of the papers: a twist drill without a motor.
+struct PaperBit {
+    double diameter, point_angle, web, length;
+    double spindle_speed;
+
+    static constexpr auto about() {
+        using namespace literals;
+        return describe("paper_drill", "A twist drill as the papers have it.",
+                        param(&PaperBit::diameter, {.id = "diameter",
+                                                    .help = "Diameter over the lips.",
+                                                    .unit = unit::mm,
+                                                    .min = 0.5_mm,
+                                                    .max = 20.0_mm,
+                                                    .def = 5.4_mm,
+                                                    .source = "the largest drill of [tsai-2007]"}),
+                        param(&PaperBit::point_angle, {.id = "point_angle",
+                                                       .help = "Full angle of the point.",
+                                                       .unit = unit::deg,
+                                                       .min = 60.0_deg,
+                                                       .max = 160.0_deg,
+                                                       .def = 118.0_deg,
+                                                       .source = not_stated}),
+                        param(&PaperBit::web, {.id = "web",
+                                               .help = "Web thickness at the point, as a fraction of the diameter.",
+                                               .min = 0.05,
+                                               .max = 0.4,
+                                               .def = 0.15,
+                                               .source = not_stated}),
+                        param(&PaperBit::length, {.id = "length",
+                                                  .help = "From the tip to the chuck.",
+                                                  .unit = unit::mm,
+                                                  .min = 10.0_mm,
+                                                  .max = 300.0_mm,
+                                                  .def = 100.0_mm,
+                                                  .source = "[tsai-2007]: points as far as 10 cm"}),
+                        drive(&PaperBit::spindle_speed, {.id = "spindle_speed",
+                                                         .help = "Speed of the spindle; no motor is modelled.",
+                                                         .unit = unit::rpm,
+                                                         .min = 0.0,
+                                                         .max = 50000.0_rpm,
+                                                         .def = 1000.0_rpm}));
+    }
+    [[nodiscard]] PaperDrill drill() const noexcept;
+    [[nodiscard]] Outline outline() const noexcept;
+};
 
 /// A sample point on a lip: an element of it.
 struct LipPoint {
@@ -87,7 +128,7 @@ struct LastInterval {
     double angle = 0.0;  ///< [rad] of the first lip
     Vec6 rate{};         ///< tool frame [m/s, rad/s]
 
-    void advance(const Tick& tick, const Advance& moved) noexcept;
+    void advance(const Held<PaperBit>& tool, const Advance& moved) noexcept;
 };
 
 }  // namespace kerf::as_printed

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "printed_drill.h"
 
@@ -12,15 +11,31 @@ namespace kerf::as_printed {
 /// So many newtons for each surface point inside bone, against the way the drill moves. As printed: a drill that rests
 /// feels nothing, and one that is withdrawn is held back (E00-6); more points are more force (P6).
 struct TouchCount {
-    using State = LastInterval;
-    enum Parameter : std::size_t { per_point, voxel_width, shank, force_parameter_count };
-    enum Signal : std::size_t { immersed, signal_count };
-    static constexpr std::size_t drive_count = as_printed::drive_count;
+    double per_point, voxel_width, shank;
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                       std::span<double> signals, Actions& actions) noexcept;
+    struct Signals {
+        double immersed = 0.0;
+    };
+    static constexpr auto about() {
+        using namespace literals;
+        return describe("touch_count", "[tsai-2007] section 4, as printed.",
+                        param(&TouchCount::per_point, {.id = "per_point",
+                                                       .help = "Force of one immersed point.",
+                                                       .unit = unit::N,
+                                                       .min = 0.0,
+                                                       .max = 1000.0_N,
+                                                       .def = 0.1_N,
+                                                       .source = "[tsai-2007] section 6: one point is 0.1 N"}),
+                        as_printed::voxel_width(&TouchCount::voxel_width), as_printed::shank(&TouchCount::shank),
+                        signal(&Signals::immersed, {.id = "immersed", .help = "Not kept."}), budget_us(1000));
+    }
+
+    using State = LastInterval;
+
+    void resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                Channels& channels) const noexcept;
+    void commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
 };
-static_assert(ForceLaw<TouchCount>);
 
 }  // namespace kerf::as_printed

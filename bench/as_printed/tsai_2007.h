@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "printed_drill.h"
 
@@ -53,30 +52,96 @@ struct DrillingSums {
 [[nodiscard]] double rendered_thrust(const DrillingSums& sum, double arm) noexcept;
 
 struct Tsai2007 {
-    using State = LastInterval;
-    enum Parameter : std::size_t {
-        k_h,
-        k_h_slope,
-        k_t,
-        k_t_slope,
-        k_v,
-        k_v_slope,
-        k_c,
-        sideways,
-        element_interval,
-        voxel_width,
-        shank,
-        softer,
-        torque_arm,
-        force_parameter_count
-    };
-    enum Signal : std::size_t { f_tang, f_radius, t_tang, t_radius, t_thrust, signal_count };
-    static constexpr std::size_t drive_count = as_printed::drive_count;
+    double k_h, k_h_slope, k_t, k_t_slope, k_v, k_v_slope, k_c, sideways, element_interval, voxel_width, shank, softer,
+        torque_arm;
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                       std::span<double> signals, Actions& actions) noexcept;
+    struct Signals {
+        double f_tang = 0.0, f_radius = 0.0, t_tang = 0.0, t_radius = 0.0, t_thrust = 0.0;
+    };
+    static constexpr auto about() {
+        using namespace literals;
+        return describe(
+            "tsai_2007", "[tsai-2007] sections 5.1 to 5.3, as printed.",
+            param(&Tsai2007::k_h, {.id = "k_h",
+                                   .help = "K_H at the axis: tangential.",
+                                   .unit = unit::N_per_mm2,
+                                   .min = 0.0,
+                                   .max = in(unit::N_per_mm2, 1e11),
+                                   .def = 1026.38_N_per_mm2,
+                                   .source = femur_point}),
+            param(&Tsai2007::k_h_slope, {.id = "k_h_slope",
+                                         .help = "K_H per radius.",
+                                         .unit = n_per_mm3,
+                                         .min = in(n_per_mm3, -1e15),
+                                         .max = in(n_per_mm3, 1e15),
+                                         .def = 0.0,
+                                         .source = not_stated}),
+            param(&Tsai2007::k_t, {.id = "k_t",
+                                   .help = "K_T at the axis: in the lip's plane, across the normal.",
+                                   .unit = unit::N_per_mm2,
+                                   .min = 0.0,
+                                   .max = in(unit::N_per_mm2, 1e11),
+                                   .def = 0.0,
+                                   .source = not_stated}),
+            param(&Tsai2007::k_t_slope, {.id = "k_t_slope",
+                                         .help = "K_T per radius.",
+                                         .unit = n_per_mm3,
+                                         .min = in(n_per_mm3, -1e15),
+                                         .max = in(n_per_mm3, 1e15),
+                                         .def = 0.0,
+                                         .source = not_stated}),
+            param(&Tsai2007::k_v, {.id = "k_v",
+                                   .help = "K_V at the axis: normal to the cut.",
+                                   .unit = unit::N_per_mm2,
+                                   .min = 0.0,
+                                   .max = in(unit::N_per_mm2, 1e11),
+                                   .def = 695.74_N_per_mm2,
+                                   .source = femur_point}),
+            param(&Tsai2007::k_v_slope, {.id = "k_v_slope",
+                                         .help = "K_V per radius.",
+                                         .unit = n_per_mm3,
+                                         .min = in(n_per_mm3, -1e15),
+                                         .max = in(n_per_mm3, 1e15),
+                                         .def = 0.0,
+                                         .source = not_stated}),
+            param(&Tsai2007::k_c, {.id = "k_c",
+                                   .help = "K_C of the chisel edge.",
+                                   .unit = unit::N_per_mm2,
+                                   .min = 0.0,
+                                   .max = in(unit::N_per_mm2, 1e11),
+                                   .def = 1269.67_N_per_mm2,
+                                   .source = femur_point}),
+            param(&Tsai2007::sideways, {.id = "sideways",
+                                        .help = "Force of a surface point per speed into bone.",
+                                        .unit = n_s_per_m,
+                                        .min = 0.0,
+                                        .max = in(n_s_per_m, 1e6),
+                                        .def = in(n_s_per_m, 1.0),
+                                        .source = not_stated}),
+            as_printed::element_interval(&Tsai2007::element_interval), as_printed::voxel_width(&Tsai2007::voxel_width),
+            as_printed::shank(&Tsai2007::shank), as_printed::softer(&Tsai2007::softer),
+            param(&Tsai2007::torque_arm,
+                  {.id = "torque_arm",
+                   .help = "T_thrust over this length is added to the thrust, as a force; 0: it is not.",
+                   .unit = unit::mm,
+                   .min = 0.0,
+                   .max = 300.0_mm,
+                   .def = 0.0,
+                   .source = "[tsai-2007] section 5.2 adds it and states no length: off"}),
+            signal(&Signals::f_tang, {.id = "f_tang", .help = "F_tang: a sum without directions.", .unit = unit::N}),
+            signal(&Signals::f_radius,
+                   {.id = "f_radius", .help = "F_radius: a sum without directions.", .unit = unit::N}),
+            signal(&Signals::t_tang, {.id = "t_tang", .help = "T_tang: against the spin.", .unit = unit::N_mm}),
+            signal(&Signals::t_radius, {.id = "t_radius", .help = "T_radius.", .unit = unit::N_mm}),
+            signal(&Signals::t_thrust, {.id = "t_thrust", .help = "T_thrust.", .unit = unit::N_mm}), budget_us(1000));
+    }
+
+    using State = LastInterval;
+
+    void resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                Channels& channels) const noexcept;
+    void commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
 };
-static_assert(ForceLaw<Tsai2007>);
 
 }  // namespace kerf::as_printed

@@ -10,8 +10,6 @@ namespace kerf::as_printed {
 
 namespace {
 
-using P = VolumetricDrilling::Parameter;
-
 SinCos of_sine(double sine) noexcept { return {sine, std::sqrt(std::max(0.0, 1.0 - sine * sine))}; }
 
 /// Asks about points in chunks; what the bone says is of no interest, only that it was asked.
@@ -85,17 +83,16 @@ double chip_thickness(double feed_rate, double revolutions) noexcept {
     return feed_rate / (2.0 * 2.0 * pi * revolutions);
 }
 
-void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const State& state,
-                                Channels& channels) noexcept {
-    const PaperDrill drill = paper_drill(tick.tool);
-    const auto& f = tick.force;
-    const LipPoints lips = lip_points(drill, f[element_interval], state.angle);
+void VolumetricDrilling::resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                                Channels& channels) const noexcept {
+    const PaperDrill drill = tool.drill();
+    const LipPoints lips = lip_points(drill, element_interval, state.angle);
     std::array<Vec3, most_lip_points> place;
     std::array<kerf_bone_sample, most_lip_points> sample;
     for (std::size_t i = 0; i < lips.count; ++i) place[i] = lips.point[i].place;
     bone.sample({place.data(), lips.count}, {0, 0, 1}, {sample.data(), lips.count});
-    const double t = chip_thickness(state.rate[2], tick.drive[drive_spindle_speed]);
-    const SinCos a = sin_cos_exact(state.angle), rake_angle = sin_cos_exact(f[rake]);
+    const double t = chip_thickness(state.rate[2], tool.spindle_speed);
+    const SinCos a = sin_cos_exact(state.angle), rake_angle = sin_cos_exact(rake);
     Vec3 force{0, 0, 0};
     for (std::size_t i = 0; i < lips.count; ++i) {
         const LipPoint& e = lips.point[i];
@@ -104,11 +101,11 @@ void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const S
         double most = 0.0, share = 0.0;
         for (std::uint32_t m = 0; m < bone.tissue_count(); ++m) most = std::max(most, sample[i].density[m]);
         for (std::uint32_t m = 0; m < bone.tissue_count(); ++m)
-            share += sample[i].weight[m] * (sample[i].density[m] < most ? f[softer] : 1.0);
+            share += sample[i].weight[m] * (sample[i].density[m] < most ? softer : 1.0);
         const double sin_beta = drill.half_web / e.r, cos_beta = std::sqrt(1.0 - sin_beta * sin_beta);
         const SinCos tau = of_sine(sin_beta * drill.p.sin);
-        const double area = sample[i].engagement * share * t * e.width * tau.cos;                   // dw = dy cos τ
-        const ObliqueForce to = oblique_force(f[k_n] * area, f[k_f] * area, rake_angle, tau, tau);  // ψ = τ
+        const double area = sample[i].engagement * share * t * e.width * tau.cos;             // dw = dy cos τ
+        const ObliqueForce to = oblique_force(k_n * area, k_f * area, rake_angle, tau, tau);  // ψ = τ
         // c against the edge's motion, r out of the bone, e along the edge outwards: the paper does not say.
         const Vec3 outwards = (1.0 / e.r) * Vec3{e.place.x, e.place.y, 0.0};
         const Vec3 running = cross(Vec3{0, 0, 1}, outwards);
@@ -119,12 +116,12 @@ void VolumetricDrilling::resist(const Tick& tick, const BoneQuery& bone, const S
     channels.push(force, {0, 0, 0});
 }
 
-void VolumetricDrilling::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                                std::span<double> signals, Actions& actions) noexcept {
-    touch_all(paper_drill(tick.tool), tick.force[voxel_width], tick.dt * linear(advance.rate), bone);
-    signals[thrust] = 0.0;
+void VolumetricDrilling::commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                                Signals& signals, Actions& actions) const noexcept {
+    touch_all(tool.drill(), voxel_width, tool.tick.dt * linear(advance.rate), bone);
+    signals.thrust = 0.0;
     actions.cut();
-    state.advance(tick, advance);
+    state.advance(tool, advance);
 }
 
 }  // namespace kerf::as_printed

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "printed_drill.h"
 
@@ -24,27 +23,53 @@ struct ObliqueForce {
 [[nodiscard]] double chip_thickness(double feed_rate, double revolutions) noexcept;
 
 struct VolumetricDrilling {
-    using State = LastInterval;
-    enum Parameter : std::size_t {
-        k_n,
-        k_f,
-        softer,
-        rake,
-        element_interval,
-        voxel_width,
-        shank,
-        force_parameter_count
-    };
-    enum Signal : std::size_t { thrust, signal_count };
-    static constexpr std::size_t drive_count = as_printed::drive_count;
+    double k_n, k_f, softer, rake, element_interval, voxel_width, shank;
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
+    struct Signals {
+        double thrust = 0.0;
+    };
+    static constexpr auto about() {
+        using namespace literals;
+        return describe(
+            "volumetric_drilling", "[volumetric-drilling] equations 1 and 2, as printed.",
+            param(&VolumetricDrilling::k_n, {.id = "k_n",
+                                             .help = "K_n of the densest tissue.",
+                                             .unit = unit::N_per_mm2,
+                                             .min = 0.0,
+                                             .max = in(unit::N_per_mm2, 1e11),
+                                             .def = 7621.0_N_per_mm2,
+                                             .source = "no coefficient is reported: 1213 and 1033 N/mm2 of chip area "
+                                                       "from [macavelia-2012], times 2 pi for t as printed"}),
+            param(&VolumetricDrilling::k_f, {.id = "k_f",
+                                             .help = "K_f of the densest tissue.",
+                                             .unit = unit::N_per_mm2,
+                                             .min = 0.0,
+                                             .max = in(unit::N_per_mm2, 1e11),
+                                             .def = 6491.0_N_per_mm2,
+                                             .source = "no coefficient is reported: 1213 and 1033 N/mm2 of chip area "
+                                                       "from [macavelia-2012], times 2 pi for t as printed"}),
+            as_printed::softer(&VolumetricDrilling::softer),
+            param(&VolumetricDrilling::rake, {.id = "rake",
+                                              .help = "Rake angle.",
+                                              .unit = unit::deg,
+                                              .min = -30.0_deg,
+                                              .max = 45.0_deg,
+                                              .def = 0.0,
+                                              .source = not_stated}),
+            as_printed::element_interval(&VolumetricDrilling::element_interval),
+            as_printed::voxel_width(&VolumetricDrilling::voxel_width), as_printed::shank(&VolumetricDrilling::shank),
+            signal(&Signals::thrust, {.id = "thrust", .help = "Not kept.", .unit = unit::N}), budget_us(1000));
+    }
+
+    using State = LastInterval;
+
+    void resist(const Held<PaperBit>& tool, const BoneQuery& bone, const State& state,
+                Channels& channels) const noexcept;
     /// Asks where shell, inside and the shell's ways of this interval lie, one voxel apart: a host that wears bone
     /// where it is asked about takes what the paper takes. An isotropic way crosses 1 + 1.5 L voxels, and points one
     /// voxel apart are in at most 1 + L of them (E01-6).
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                       std::span<double> signals, Actions& actions) noexcept;
+    void commit(const Held<PaperBit>& tool, const BoneQuery& bone, const Advance& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
 };
-static_assert(ForceLaw<VolumetricDrilling>);
 
 }  // namespace kerf::as_printed

@@ -68,6 +68,7 @@ void Simulation::begin_with_tool() {
     void* aligned = state_storage_.get();
     std::size_t space = force.state_size + force.state_align;
     state_ = static_cast<std::byte*>(std::align(force.state_align, force.state_size, aligned, space));
+    solid_ = outline().solid();
     std::fill(std::begin(signals_), std::end(signals_), 0.0);
     drives_.fill(0.0);
     std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
@@ -95,6 +96,7 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
     kerf_tick_in in = tick_in_of(setup(), view_.query(), step);
     in.tick = tick_;
     in.drive = drives_.data();
+    in.outline = &solid_;
     return in;
 }
 
@@ -110,10 +112,7 @@ bool Simulation::ask(double step) noexcept {
         if (!std::isfinite(law.wrench[i])) return false;
         law_wrench_[i] = law.wrench[i];
     }
-    for (std::size_t i = 0; i < KERF_MAX_NOTES; ++i) {
-        if (!std::isfinite(law.note[i])) return false;
-        notes_[i] = law.note[i];
-    }
+    std::copy(std::begin(law.note), std::end(law.note), notes_);
     channel_count_ = law_channel_count_ = law.count;
     is_at_region_wall_ = false;
     for (const LiveBody* body : view_.near())

@@ -221,7 +221,8 @@ private:
     Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
                         ///< same from anywhere, and here it is near
     Vec6 law_wrench_{};
-    double notes_[KERF_MAX_NOTES]{};
+    unsigned char notes_[KERF_NOTE_BYTES]{};
+    kerf_solid solid_{};  ///< of the held tool
     bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;
     int metal_channel_ = -1;  ///< −1: no metal near
     Following following_;

@@ -33,7 +33,7 @@ void Simulation::take_tool(std::size_t tool) {
     held_.let_go();
     channel_count_ = law_channel_count_ = 0;
     last_rate_ = law_wrench_ = Vec6{};
-    std::fill(std::begin(notes_), std::end(notes_), 0.0);
+    std::fill(std::begin(notes_), std::end(notes_), static_cast<unsigned char>(0));
     following_.forget();
     coupling_ = Coupling(coupling_.gains(), {0, 0, outline().grip_z});
     coupling_.let_go(hand_.pose(), world_from_tool_);

@@ -5,8 +5,62 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "kerf/units.hpp"
 
 namespace kerf {
+
+namespace {
+
+/// The index of the entry of a table with this id and dimension.
+template <class Entry>
+std::optional<std::uint32_t> find(const Entry* table, std::uint32_t count, const kerf_need& need) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (std::string_view(table[i].id) == need.id && table[i].dimension == need.dimension) return i;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string bind_law(ToolSetup& setup) {
+    const kerf_component& tool = *setup.tool;
+    const kerf_force& law = *setup.force->force;
+    setup.bound.clear();
+    for (std::uint32_t i = 0; i < law.need_count; ++i) {
+        const kerf_need& need = law.needs[i];
+        const bool is_drive = need.kind == KERF_NEED_DRIVE;
+        const auto at = is_drive ? find(tool.tool->drives, tool.tool->drive_count, need)
+                                 : find(tool.params, tool.param_count, need);
+        if (!at)
+            return std::string("the force `") + setup.force->id + "` needs a tool with the " +
+                   (is_drive ? "drive" : "parameter") + " `" + need.id + "`; `" + tool.id +
+                   "` has none of that dimension.";
+        setup.bound.push_back(*at);
+    }
+    if (law.tool_count == 0) return {};
+    const auto* const end = law.tools + law.tool_count;
+    const auto* const held =
+        std::find_if(law.tools, end, [&](const char* id) { return std::string_view(id) == tool.id; });
+    if (held == end) {
+        std::string all;
+        for (const auto* id = law.tools; id != end; ++id) all += (all.empty() ? "`" : ", `") + std::string(*id) + "`";
+        return std::string("the force `") + setup.force->id + "` does not take the tool `" + tool.id + "`; it takes " +
+               all + ".";
+    }
+    setup.held = static_cast<std::uint32_t>(held - law.tools);
+    return {};
+}
+
+kerf_solid ToolOutline::solid() const noexcept {
+    return {.size = sizeof(kerf_solid),
+            .kind = static_cast<std::uint32_t>(whole.is_prism() ? KERF_SOLID_PRISM : KERF_SOLID_REVOLUTION),
+            .profile = profile.data(),
+            .profile_count = static_cast<std::uint32_t>(profile.size()),
+            .cutting_count = cutting_count};
+}
 
 kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept {
     kerf_tick_in in{};
@@ -14,6 +68,9 @@ kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, dou
     in.dt = dt;
     in.tool_params = setup.tool_parameters.data();
     in.tool_param_count = static_cast<std::uint32_t>(setup.tool_parameters.size());
+    in.tool = setup.held;
+    in.tool_id = setup.tool->id;
+    in.bound = setup.bound.data();
     in.force_params = setup.force_parameters.data();
     in.drive = setup.drives.data();
     in.bone = &bone;
@@ -47,7 +104,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
             std::string("tool `") + setup.tool->id + "` cannot be made from these parameters: " + why_refused(shape);
         return false;
     }
-    bool is_sound = shape.profile_count >= 2 && shape.profile_count <= capacity && shape.cutting_count >= 2 &&
+    bool is_sound = shape.profile_count >= 2 && shape.profile_count <= capacity && shape.cutting_count != 1 &&
                     shape.cutting_count <= shape.profile_count && std::isfinite(shape.grip_z);
     for (std::uint32_t i = 0; is_sound && i < shape.profile_count; ++i)
         is_sound = std::isfinite(points[i].z) && points[i].radius >= 0.0 && points[i].radius < 0.1 &&
@@ -58,6 +115,9 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         return false;
     }
     out.grip_z = shape.grip_z;
+    out.profile.assign(points, points + shape.profile_count);
+    out.cutting_count = shape.cutting_count;
+    if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
     const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
                           shape.gyration > 0.0 && shape.gyration < 1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,29 @@ struct ToolSetup {
     const kerf_component* tool = nullptr;
     const kerf_component* force = nullptr;
     std::vector<double> tool_parameters, force_parameters, drives;  ///< SI, declared order
+    std::vector<std::uint32_t> bound;  ///< of each need of the law: its index into `tool_parameters` or `drives`
+    std::uint32_t held = 0;            ///< which of the law's own tools it is
 };
 
-/// What its law is asked with, in a step of `dt` [s]. `setup` and `bone` must outlive the answer.   [any] nonblocking.
+/// Finds what the law needs in the tool, or the tool among those that the law takes. Returns why it cannot; empty when
+/// it can.   [main]
+[[nodiscard]] std::string bind_law(ToolSetup& setup);
+
+/// Returns the input of the law in a step of `dt` [s], without the tool's outline. `setup` and `bone` must outlive it.
+/// Pre: `bind_law` succeeded.   [any] nonblocking.
 [[nodiscard]] kerf_tick_in tick_in_of(const ToolSetup& setup, const kerf_bone_query& bone, double dt) noexcept;
 
 /// A tool's outline as the plugin gives it.
 struct ToolOutline {
     ToolSolid cutting;  ///< removes bone
     ToolSolid whole;
-    double grip_z = -0.1;  ///< [m]
-    Inertia inertia{};     ///< with its handpiece
+    double grip_z = -0.1;                     ///< [m]
+    Inertia inertia{};                        ///< with its handpiece
+    std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
+    std::uint32_t cutting_count = 0;
+
+    /// The outline as a law reads it. It lives as long as this and is not moved.   [any]
+    [[nodiscard]] kerf_solid solid() const noexcept;
 };
 /// Asks the plugin; on failure `error` says why.   [main]
 [[nodiscard]] bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error);

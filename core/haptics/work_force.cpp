@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace kerf {
 
@@ -69,9 +70,15 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     std::size_t space = force.state_size + force.state_align;
     state = std::align(force.state_align, force.state_size, state, space);
 
+    ToolOutline outline;
+    std::string error;
+    if (!outline_of(setup, outline, error)) return 0.0;
+    const kerf_solid solid = outline.solid();
+
     const auto tissues = static_cast<std::uint32_t>(body.materials.size());
     const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
-    const kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
+    kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
+    in_air.outline = &solid;
     force.begin(&in_air, state);
     run_up(setup, in_air, state);
 
@@ -81,7 +88,8 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         const kerf_bone_query query{
             sizeof(kerf_bone_query), tissues,          1.0,
             &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
-        const kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
+        kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
+        in.outline = &solid;
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
         if (force.resist(&in, state, &law) != KERF_OK) continue;

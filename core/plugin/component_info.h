@@ -41,6 +41,13 @@ struct FeatureInfo {
     double off = 0.0;       ///< SI
 };
 
+/// What a law needs of a tool (kerf_need).
+struct NeedInfo {
+    std::string id, help;
+    kerf_dimension dimension{};
+    uint32_t kind = 0;  ///< KERF_NEED_PARAM or KERF_NEED_DRIVE
+};
+
 struct ComponentInfo {
     std::string plugin;  ///< "kerf.drilling"
     std::string id;      ///< "twist_drill"
@@ -51,6 +58,8 @@ struct ComponentInfo {
     std::vector<SignalInfo> signals;    ///< forces only
     std::vector<EventInfo> events;      ///< forces only
     std::vector<FeatureInfo> features;  ///< what it can do without
+    std::vector<std::string> tools;     ///< forces only: those of its own plugin that it takes
+    std::vector<NeedInfo> needs;        ///< forces only: what it needs of any tool; then `tools` is empty
 };
 
 /// Every component of every plugin that was found.

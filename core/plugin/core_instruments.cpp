@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/plugin/core_instruments.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <span>
 
 #include "kerf/exact_math.hpp"
-#include "kerf/force.hpp"
-#include "kerf/units.hpp"
+#include "kerf/plugin.hpp"
 
 namespace kerf {
 
@@ -21,28 +16,57 @@ using namespace literals;
 
 constexpr double jaw_radius = 1.5_mm, jaw_length = 40.0_mm, near_contact = 0.3_mm;
 
-constexpr kerf_param force_parameters[] = {
-    {"contact_stiffness", "Stiffness of bone where the jaws touch it.", dimension::force_per_length, "N/mm",
-     1.0_N_per_mm, 10000.0_N_per_mm, 200.0_N_per_mm, "assumed"},
-    {"bite", "The jaws hold bone that is no farther from their tip when they close.", dimension::length, "mm", 0.1_mm,
-     10.0_mm, 1.0_mm, "assumed"},
-};
-constexpr kerf_drive drives[] = {{"jaws", "0: open; 1: closed.", dimension::none, "", 0.0, 1.0, 0.0, 0.0}};
+struct Forceps {
+    double jaws;
 
-/// The still jaws touch; closing, they hold what is at their tip. What is held is no obstacle to them: the core sees to
-/// that.
+    static constexpr auto about() {
+        return describe(
+            "forceps", "Forceps, closed and opened by hand, that hold a piece of bone.",
+            drive(&Forceps::jaws, {.id = "jaws", .help = "0: open; 1: closed.", .min = 0.0, .max = 1.0, .def = 0.0}));
+    }
+    [[nodiscard]] Outline outline() const {
+        return revolution({{0.0, 0.0}, {-0.5 * jaw_radius, 0.85 * jaw_radius}, {-jaw_radius, jaw_radius}})
+            .cuts()  // nothing: `grasp` never cuts
+            .to(-jaw_length, jaw_radius)
+            .to(-80.0_mm, 4.0_mm)
+            .gripped_at(-80.0_mm);
+    }
+};
+
+/// The still jaws touch. As they close, they hold what is at their tip. The core makes what is held no obstacle to
+/// them.
 struct Grasp {
+    double contact_stiffness, bite;
+
     struct State {
         bool is_closed = false;
     };
-    enum : std::size_t { contact_stiffness, bite, force_parameter_count };
-    enum : std::size_t { drive_count = 1, signal_count = 0 };
-    enum Event : std::size_t { closed_on_nothing, event_count };
-    static constexpr std::size_t around = 6, rings = 4, tip_rings = 2;
+    enum class Happened { closed_on_nothing };
 
-    static bool closes(const Tick& tick) noexcept { return tick.drive[0] >= 0.5; }
+    static constexpr auto about() {
+        return describe(
+            "grasp", "Contact of the jaws; what they close on moves with them and is stopped by other bone.",
+            param(&Grasp::contact_stiffness, {.id = "contact_stiffness",
+                                              .help = "Stiffness of bone where the jaws touch it.",
+                                              .unit = unit::N_per_mm,
+                                              .min = 1.0_N_per_mm,
+                                              .max = 10000.0_N_per_mm,
+                                              .def = 200.0_N_per_mm,
+                                              .source = "assumed"}),
+            param(&Grasp::bite, {.id = "bite",
+                                 .help = "The jaws hold bone that is at most this far from their tip when they close.",
+                                 .unit = unit::mm,
+                                 .min = 0.1_mm,
+                                 .max = 10.0_mm,
+                                 .def = 1.0_mm,
+                                 .source = "assumed"}),
+            event(Happened::closed_on_nothing,
+                  {.id = "kerf.core.closed_on_nothing", .help = "The jaws closed, and no bone was within their bite."}),
+            budget_us(5));
+    }
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State&, Channels& channels) noexcept {
+    void resist(const Held<Forceps>&, const BoneQuery& bone, const State&, Channels& channels) const noexcept {
+        constexpr std::size_t around = 6, rings = 4, tip_rings = 2;
         constexpr double behind[rings] = {jaw_radius, 4.0_mm, 15.0_mm, 35.0_mm};
         std::array<Vec3, 1 + rings * around> points{};  // the first at the tip
         for (std::size_t ring = 0; ring < rings; ++ring)
@@ -60,77 +84,36 @@ struct Grasp {
                 if (surface[i].body >= 0 &&
                     (surface[deepest].body < 0 || surface[i].distance < surface[deepest].distance))
                     deepest = i;
-            const kerf_surface_point& s = surface[deepest];
-            if (s.body < 0 || s.distance > near_contact || s.normal == Vec3{}) return;
-            kerf_channel* c = channels.add(KERF_CONTACT, id);
-            if (c == nullptr) return;
-            const Vec6 d = rate_at(points[deepest], -s.normal);
-            std::copy(d.begin(), d.end(), c->d);
-            c->k = tick.force[contact_stiffness];
-            c->delta = -s.distance;
+            const SurfacePoint s{surface[deepest]};
+            if (!s.is_within(near_contact)) return;
+            channels.contact({.id = id,
+                              .at = points[deepest],
+                              .along = -s.normal,
+                              .stiffness = contact_stiffness,
+                              .depth = -s.distance});
         };
         touch(0, first_of_shaft, 1);
         touch(first_of_shaft, points.size(), 2);
     }
 
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance&, State& state, std::span<double>,
-                       Actions& actions) noexcept {
-        const bool is_closed = closes(tick);
+    void commit(const Held<Forceps>& forceps, const BoneQuery& bone, const Advance&, State& state,
+                Actions& actions) const noexcept {
+        const bool is_closed = forceps.jaws >= 0.5;
         if (is_closed == state.is_closed) return;
         state.is_closed = is_closed;
         if (!is_closed) {
             actions.release();
             return;
         }
-        const Vec3 tip{};
-        kerf_surface_point nearest;
-        bone.nearest({&tip, 1}, {&nearest, 1});
-        if (nearest.body >= 0 && nearest.distance <= tick.force[bite])
+        const SurfacePoint nearest = bone.nearest({});
+        if (nearest.body >= 0 && nearest.distance <= bite)
             actions.hold(nearest.body);
         else
-            actions.event(closed_on_nothing);
+            actions.event(Happened::closed_on_nothing);
     }
 };
 
-constexpr kerf_event events[] = {
-    {"kerf.core.closed_on_nothing", "The jaws closed, and no bone was within their bite."}};
-static_assert(std::size(events) == Grasp::event_count);
-
-kerf_status shape(const double*, kerf_tool_shape* out) {
-    constexpr kerf_profile_point points[] = {{0.0, 0.0},
-                                             {-0.5 * jaw_radius, 0.85 * jaw_radius},
-                                             {-jaw_radius, jaw_radius},
-                                             {-jaw_length, jaw_radius},
-                                             {-80.0_mm, 4.0_mm}};
-    if (out->profile_capacity < std::size(points)) return KERF_CAPACITY;
-    std::copy(std::begin(points), std::end(points), out->profile);
-    out->profile_count = std::size(points);
-    out->cutting_count = 3;  // they cut nothing
-    out->grip_z = -80.0_mm;
-    return KERF_OK;
-}
-
-constexpr kerf_tool forceps{sizeof(kerf_tool), drives, std::size(drives), &shape};
-constexpr kerf_force grasp{sizeof(kerf_force),
-                           sizeof(Grasp::State),
-                           alignof(Grasp::State),
-                           nullptr,
-                           0,
-                           events,
-                           Grasp::event_count,
-                           5000,
-                           &ForceTable<Grasp>::begin,
-                           &ForceTable<Grasp>::resist,
-                           &ForceTable<Grasp>::commit};
-constexpr kerf_component components[] = {
-    {sizeof(kerf_component), KERF_KIND_TOOL, "forceps",
-     "Forceps, closed and opened by hand, that hold a piece of bone.", nullptr, 0, 0, &forceps, nullptr, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "grasp",
-     "Contact of the jaws; what they close on moves with them and is stopped by other bone.", force_parameters,
-     std::size(force_parameters), 0, nullptr, &grasp, nullptr},
-};
-constexpr kerf_entry entry{KERF_MAGIC,  KERF_ABI_VERSION,  sizeof(kerf_entry), std::size(components), KERF_LAYOUT_INIT,
-                           "kerf.core", KERF_CORE_VERSION, "Apache-2.0",       __VERSION__,           components};
+constexpr kerf_entry entry = PluginTables<Forceps, Grasp>::entry("kerf.core", KERF_CORE_VERSION, "Apache-2.0");
 
 }  // namespace
 

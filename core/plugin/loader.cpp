@@ -42,6 +42,7 @@ constexpr LayoutField layout_fields[] = {
     {"kerf_force", &kerf_layout::force},
     {"kerf_component", &kerf_layout::component},
     {"kerf_feature", &kerf_layout::feature},
+    {"kerf_need", &kerf_layout::need},
 };
 
 std::string differs(const std::string& path, const std::string& what, std::uint64_t got, std::uint64_t wanted) {
@@ -194,6 +195,13 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
     if (c.kind == KERF_KIND_FORCE)
         for (std::uint32_t i = 0; i < c.force->event_count; ++i)
             info.events.push_back({c.force->events[i].id, c.force->events[i].help});
+    if (c.kind == KERF_KIND_FORCE) {
+        info.tools.assign(c.force->tools, c.force->tools + c.force->tool_count);
+        for (std::uint32_t i = 0; i < c.force->need_count; ++i) {
+            const kerf_need& n = c.force->needs[i];
+            info.needs.push_back({n.id, n.help, n.dimension, n.kind});
+        }
+    }
     return info;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "drill_parameters.h"
 #include "kerf/force.hpp"
+#include "twist_drill.h"
 
 /// How hard the bit is bent.
 namespace kerf::drilling {

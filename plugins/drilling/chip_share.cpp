@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chip_share.h"
 
-#include "edge_law.h"
+#include "kerf/edge_law.hpp"
 
 namespace kerf::drilling {
 

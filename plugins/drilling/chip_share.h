@@ -13,7 +13,7 @@ namespace kerf::drilling {
 
 /// How the drill has gone.
 struct Travel {
-    double feed_rate = 0.0;  ///< [m/s] in the last tick, ≥ 0
+    double feed_rate = 0.0;  ///< [m/s] in the last law, ≥ 0
     Vec6 mean{};  ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
 
     /// After a tick of `dt` [s] at n revolutions a second.

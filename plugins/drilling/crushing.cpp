@@ -38,10 +38,10 @@ Standing::Standing(const Advance& advance) noexcept {
     }
 }
 
-CrushingTip::CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
-    : play_(inside_of_hole(tick, bone, drill.widest_radius())),
+CrushingTip::CrushingTip(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept
+    : play_(inside_of_hole(law, bone, drill.widest_radius())),
       step_(std::clamp(drill.widest_radius() / 12.0, 0.5 * bone.voxel(), 0.7 * bone.voxel())),
-      friction_(tick.force[force_friction]) {
+      friction_(law.friction) {
     const TwistDrill::Cones cones = drill.cones();
     double whole = 0.0;  // [m] height of all cones
     std::uint8_t part = 0;

@@ -34,7 +34,7 @@ struct Standing {
 class CrushingTip {
 public:
     CrushingTip() = default;
-    CrushingTip(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
+    CrushingTip(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 
     /// Whether bone gives way under it: pushed by more than crushes it, or as deep as nothing gives by its spring
     /// alone; or it is broken already.   [haptic, nonblocking]

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kerf/beam.hpp"
 #include "kerf/contact.hpp"
 
 namespace kerf::drilling {
@@ -40,7 +41,6 @@ void add_ring(ContactPoints& points, double r, double z, double radial, double a
 /// left by the flutes [assumed]. A cone counts as wide as it ends; what is wider than the shank as the shank. E of
 /// stainless steel.
 double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
-    constexpr double steel = 193e9;  // [Pa]
     const double d = 2.0 * drill.shank_radius(), d2 = d * d, l = std::max(drill.length + z, d);
     double bent = l * l * l, before = 0.0;                     // [m³], [m³] x₁³
     OutlineCorner piece{drill.point_depth(), drill.radius()};  // where it ends, and its radius
@@ -51,14 +51,14 @@ double shank_stiffness(const TwistDrill& drill, double z, double contact) noexce
         before = x3;
         if (i < drill.corner_count) piece = drill.corners[i];
     }
-    const double bending = 3.0 * steel * (0.5 * pi * d2 * d2 / 64.0) / bent;
-    return bending * contact / (bending + contact);
+    return in_series(cantilever_stiffness(stainless_steel, 0.5 * pi * d2 * d2 / 64.0, bent), contact);
 }
 
 }  // namespace
 
-ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone, bool removes) noexcept {
-    const double stiffness = tick.force[force_contact_stiffness];
+ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone,
+                              bool removes) noexcept {
+    const double stiffness = law.contact_stiffness;
     ContactPoints points;
     const TwistDrill::Cones cones = drill.cones();
     const std::size_t rings = rings_on_each(cones.count, 8, 4);
@@ -78,13 +78,13 @@ ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const B
         }
         if (&cone == &cones.last() || cone.straight <= 0.0) continue;
         const double z = cone.end() - 0.5 * cone.straight;
-        add_ring(points, cone.outer - inside_of_hole(tick, bone, cone.outer), z, 1.0, 0.0,
+        add_ring(points, cone.outer - inside_of_hole(law, bone, cone.outer), z, 1.0, 0.0,
                  shank_stiffness(drill, z, stiffness), grazing, of_front);
     }
     // Along the shank a diameter apart, and from the eighth on as far apart as it takes to come to its end. While bone
     // is taken the land behind the last cone is an edge; else it touches as the shank does.
     const double widest = drill.widest_radius(), apart = 2.0 * widest;
-    const double of_head = widest - inside_of_hole(tick, bone, widest),
+    const double of_head = widest - inside_of_hole(law, bone, widest),
                  of_shank = std::min(drill.shank_radius(), of_head), head = drill.head();
     const double front = cones.last().end() - (removes ? drill.land() + 0.25 * apart : 0.05 * apart);
     const double far = front - apart * near_levels;
@@ -132,31 +132,31 @@ bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleL
 
 /// Friction of what was carried in the last tick: nearly all of it goes into the turn of a drill that turns, and little
 /// into what moves it.
-void add_friction(std::uint32_t id, const Vec6& along, double carried, const TwistDrill& drill, const Tick& tick,
+void add_friction(std::uint32_t id, Vec3 along, double carried, const TwistDrill& drill, const DrillParameters& law,
                   const Turning& turning, Channels& channels) noexcept {
-    kerf_channel* rub = channels.add(KERF_FRICTION, id);
-    if (rub == nullptr) return;
-    std::copy(along.begin(), along.end(), rub->d);
-    rub->tau = tick.force[force_friction] * carried;
-    rub->w = std::max(1e-6, 2.0 * pi * turning.speed * drill.shank_radius());
+    channels.friction({.id = id,
+                       .along = along,
+                       .limit = law.friction * carried,
+                       .onset = 2.0 * pi * turning.speed * drill.shank_radius()});
 }
 
 }  // namespace
 
-bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone,
-                 const Turning& turning, const HoleLine& hole, const Carried& last, Channels& channels) noexcept {
+bool add_contact(const TwistDrill& drill, const ContactPoints& points, const DrillParameters& law,
+                 const BoneQuery& bone, const Turning& turning, const HoleLine& hole, const Carried& last,
+                 Channels& channels) noexcept {
     Contact contact(points);
     contact.ask(bone, drill.widest_radius());
     const bool is_bent = hold_bent_shank(drill, bone, hole, points, contact);
     const bool rubs = last.by_shank > 0.0, sticks = last.by_tip > 0.0;
     Vec6 follow{};
-    if (turning.removes()) follow[5] = -tick.force[force_friction] * drill.shank_radius();  // rubbing against the turn
+    if (turning.cutting.removes_bone()) follow[5] = -law.friction * drill.shank_radius();  // rubbing against the turn
     contact.write(channels, id_contact, (rubs ? 1 : 0) + (sticks ? 2 : 0), follow);
 
-    if (rubs) add_friction(id_rub, {0, 0, 1, 0, 0, 0}, last.by_shank, drill, tick, turning, channels);
+    if (rubs) add_friction(id_rub, {0, 0, 1}, last.by_shank, drill, law, turning, channels);
     if (!sticks) return is_bent;
-    add_friction(id_stick, {1, 0, 0, 0, 0, 0}, last.by_tip, drill, tick, turning, channels);
-    add_friction(id_stick + 1, {0, 1, 0, 0, 0, 0}, last.by_tip, drill, tick, turning, channels);
+    add_friction(id_stick, {1, 0, 0}, last.by_tip, drill, law, turning, channels);
+    add_friction(id_stick + 1, {0, 1, 0}, last.by_tip, drill, law, turning, channels);
     return is_bent;
 }
 

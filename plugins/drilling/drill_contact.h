@@ -9,7 +9,7 @@
 namespace kerf::drilling {
 
 /// Where the drill may touch, while it takes bone or as it is else.   [haptic, nonblocking]
-[[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone,
+[[nodiscard]] ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone,
                                             bool removes) noexcept;
 
 /// What contact carried in a tick [N].
@@ -22,12 +22,13 @@ struct Carried {
 };
 
 /// As many contact channels as the law has room for; friction along the shaft for what the shank carried in the last
-/// tick, and across it for what the tip did. Whether the drill no longer fits into its hole: so bent that only the
+/// law, and across it for what the tip did. Whether the drill no longer fits into its hole: so bent that only the
 /// hole's line may know where its wall is.
 ///
 /// The tool is smooth, so it pushes along its own normal: a ledge in the wall of a hole cannot hold a round shank back.
 /// [haptic, nonblocking]
-bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Tick& tick, const BoneQuery& bone,
-                 const Turning& turning, const HoleLine& hole, const Carried& last, Channels& channels) noexcept;
+bool add_contact(const TwistDrill& drill, const ContactPoints& points, const DrillParameters& law,
+                 const BoneQuery& bone, const Turning& turning, const HoleLine& hole, const Carried& last,
+                 Channels& channels) noexcept;
 
 }  // namespace kerf::drilling

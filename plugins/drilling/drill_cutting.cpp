@@ -43,7 +43,7 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
 
 /// A land is asked about where it begins, at the front. Farther back in its own hole it would meet bone for as long as
 /// the committed cut lags, which is a matter of the grid.
-SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept {
+SideEdges::SideEdges(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept {
     const TwistDrill::Cones cones = drill.cones();
     const std::size_t rings = rings_on_each(cones.count, 6, 3);  // and a land for each that a wall follows
     for (const Cone& cone : cones) {
@@ -54,7 +54,7 @@ SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery&
                                       wide / static_cast<double>(rings) / cone.half_angle.sin, cone.half_angle.cos};
         }
         const double land = &cone == &cones.last() ? drill.land() : cone.straight;  // all that takes bone
-        const double inside = inside_of_hole(tick, bone, cone.outer);
+        const double inside = inside_of_hole(law, bone, cone.outer);
         if (land > 0.0)
             level_[level_count_++] = {cone.outer - inside, cone.end(), land, 1.0, true, inside + drill.runout};
     }
@@ -70,9 +70,9 @@ SideEdges::SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery&
     }
 }
 
-void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const Travel& travel,
+void add_feed_cutting(Edges& e, const DrillParameters& law, const Turning& turning, const Travel& travel,
                       Channels& channels) noexcept {
-    const Coefficients k = coefficients(tick.force);
+    const EdgeSet k = law.edges();
     const double least = e.least_gap();
     const double per_rate = 1.0 / (lip_count * turning.n);  // feed per lip and feed rate [s]
 
@@ -101,33 +101,33 @@ void add_feed_cutting(Edges& e, const Tick& tick, const Turning& turning, const 
 
     // Against the mean normal of what is cut: that pushes aside too, and a tool that gives way is pushed less. What
     // acts along the cut follows.
-    const EdgeForces forces = edge_forces(e, tick, turning.n, travel.feed_rate);
+    const EdgeForces forces = edge_forces(e, law, turning.n, travel.feed_rate);
     if (kerf_channel* feed = channels.add(KERF_CUT, id_feed)) {
         const double per_newton = 1.0 / forces.thrust();
-        axial.write(scaled(per_newton, forces.normal), turning.cut_share, least, feed);
+        axial.write(scaled(per_newton, forces.normal), turning.cutting.fraction, least, feed);
         const Vec6 follow = scaled(per_newton, forces.cutting);
         std::copy(follow.begin(), follow.end(), feed->follow);
-        if (!turning.removes()) feed->follow[5] = 0.0;  // what holds the drill then is told by its motor
+        if (!turning.cutting.removes_bone()) feed->follow[5] = 0.0;  // what holds the drill then is told by its motor
     }
     // Faster than the relief behind the edge allows, the heel rides up: f_h = 2π r tan(relief) (R5), each on what its
     // lip feeds beyond that.
-    if (!turning.removes()) return;
+    if (!turning.cutting.removes_bone()) return;
     if (kerf_channel* heel = channels.add(KERF_CUT, id_heel)) {
-        const SinCos relief = sin_cos_exact(tick.force[force_relief_angle]);
+        const SinCos relief = sin_cos_exact(law.relief_angle);
         heel->d[2] = 1.0;
-        heel->eta = tick.force[force_heel_stiffness] * per_rate * engaged_width / full_width;
-        heel->gap = least + tick.dt * turning.n * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
+        heel->eta = law.heel_stiffness * per_rate * engaged_width / full_width;
+        heel->gap = least + turning.turns * 2.0 * pi * e.drill.radius() * relief.sin / relief.cos;
     }
 }
 
-void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const BoneQuery& bone, const Turning& turning,
                       const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept {
     constexpr double share_of_turn = 1.0 / 8.0;
     std::array<kerf_bone_sample, SideEdges::most> sample;
     edges.ask(bone, sample);  // all ways in one question
     const std::size_t per_way = edges.levels().size() * SideEdges::azimuths;
 
-    const Coefficients k = coefficients(tick.force);
+    const EdgeSet k = law.edges();
     const EvenChip even(travel.feed_rate / (lip_count * turning.n), k.thrust.edge_depth);
     kerf_bone_sample* next = sample.data();
     for (std::size_t n = 0; n < SideEdges::ways; ++n) {
@@ -141,7 +141,7 @@ void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery&
         for (const SideEdges::Level& level : edges.levels())
             for (const auto& at : azimuth) {
                 const kerf_bone_sample& here = *next++;
-                const double m = resistance(here, bone.tissue_count(), tick.force[force_reference_density]);
+                const double m = resistance(here, bone.tissue_count(), law.reference_density);
                 if (m <= 0.0) continue;
                 const auto [chip, edge] = even.taken(1.0, here.gap - least);
                 if (chip <= 0.0) continue;
@@ -153,7 +153,7 @@ void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery&
                 total += edge * width;
             }
         if (total > 0.0)
-            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cut_share, least,
+            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cutting.fraction, least,
                       channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
     }
 }

@@ -7,6 +7,7 @@
 
 #include "drill_channels.h"
 #include "drill_edges.h"
+#include "kerf/powered_cutter.hpp"
 #include "own_hole.h"
 
 /// What the turning edges put into the law: feed, heel, sideways.
@@ -14,19 +15,17 @@ namespace kerf::drilling {
 
 /// How the drill turns, as the law takes it.
 struct Turning {
-    double n = 0.0;          ///< [1/s] for chip thickness: never below the slowest that cuts
-    double cut_share = 0.0;  ///< [–] of the cutting forces: 1 while bone is taken
-    double speed = 0.0;      ///< [1/s] as it is
-
-    [[nodiscard]] bool drags() const noexcept { return cut_share > 0.0; }     ///< the edges resist
-    [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
+    double n = 0.0;        ///< [1/s] for chip thickness: never below the slowest that cuts
+    CuttingState cutting;  ///< how far the edges cut
+    double speed = 0.0;    ///< [1/s] magnitude of the actual speed
+    double turns = 0.0;    ///< [–] of `n` in a tick
 };
 
 /// Of each land, from the tip backwards.
 using OwnHoles = std::array<OwnHole, TwistDrill::most_lands>;
 
 /// Lips, chisel edge and heel. Shares the feed out among the edges.   [haptic, nonblocking]
-void add_feed_cutting(Edges& edges, const Tick& tick, const Turning& turning, const Travel& travel,
+void add_feed_cutting(Edges& edges, const DrillParameters& law, const Turning& turning, const Travel& travel,
                       Channels& channels) noexcept;
 
 /// What cuts sideways, as circles from the tip backwards: what follows from parameters and grid alone.
@@ -41,7 +40,7 @@ public:
     static constexpr std::size_t most = ways * most_levels * azimuths;
 
     SideEdges() = default;
-    SideEdges(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
+    SideEdges(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 
     [[nodiscard]] std::span<const Level> levels() const noexcept { return {level_.data(), level_count_}; }
     /// One way after the other, level by level.
@@ -64,7 +63,7 @@ private:
 /// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and
 /// pushes back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the
 /// turn, sums to the mean. Bone is asked for where the ring is, not where the lips are now.
-void add_side_cutting(const SideEdges& edges, const Tick& tick, const BoneQuery& bone, const Turning& turning,
+void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const BoneQuery& bone, const Turning& turning,
                       const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept;
 
 }  // namespace kerf::drilling

@@ -16,22 +16,8 @@ Vec3 outwards(Vec3 p) noexcept {
 }
 }  // namespace
 
-double resistance(const kerf_bone_sample& s, std::uint32_t tissues, double reference) noexcept {
-    if (s.engagement <= 0.0) return 0.0;
-    double m = 0.0;
-    for (std::uint32_t i = 0; i < tissues; ++i)
-        if (s.weight[i] > 0.0) m += s.weight[i] * resistance_of_density(s.density[i], reference);
-    return s.engagement * m;
-}
-
-double crushing_pressure(const kerf_bone_sample& s, std::uint32_t tissues) noexcept {
-    double pressure = 0.0;
-    for (std::uint32_t i = 0; i < tissues; ++i) pressure += s.weight[i] * crushing_pressure(s.density[i]);
-    return pressure;
-}
-
-EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept
-    : lip(make_lip(drill, tick.force[force_element_pitch])) {
+EdgePlaces::EdgePlaces(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept
+    : lip(make_lip(drill, law.element_pitch)) {
     double wall = 0.0, farthest = 0.0;  // [m] of the cone that the piece is on
     for (std::size_t i = 0; i < lip.count; ++i) {
         const LipElement& el = lip.element[i];
@@ -49,15 +35,16 @@ EdgePlaces::EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuer
             const double more =
                 (drill.rake_at(lip.element[i].radius, helix) - drill.rake_at(lip.element[i].radius, fitted)) * 180.0 /
                 pi;  // [deg]
-            rake_factor[i] = std::max(0.2, 1.0 - tick.force[force_rake_effect] * more);
+            rake_factor[i] = std::max(0.2, 1.0 - law.rake_effect * more);
         }
     }
-    const double pieces = std::ceil(drill.chisel_radius() / tick.force[force_element_pitch]);
+    const double pieces = std::ceil(drill.chisel_radius() / law.element_pitch);
     chisel_points = static_cast<std::size_t>(std::clamp(pieces, 2.0, static_cast<double>(most_chisel_points)));
     chisel_width = drill.chisel_radius() / static_cast<double>(chisel_points);
 }
 
-Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept
+Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const DrillParameters& law, const BoneQuery& bone,
+             double angle) noexcept
     : drill(of), places(at) {
     // A tip that runs off goes round in a hole that is wider by as much, the shape of which the tool removes. Either
     // lip is asked about on that shape, which it meets within half a turn; who of the two takes how much is a matter of
@@ -83,7 +70,7 @@ Edges::Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const
     }
     bone.sample({point.data(), count}, {0, 0, 1}, {sample.data(), count});
     for (std::size_t i = 0; i < count; ++i)
-        resistance[i] = drilling::resistance(sample[i], bone.tissue_count(), tick.force[force_reference_density]);
+        resistance[i] = kerf::resistance(sample[i], bone.tissue_count(), law.reference_density);
 }
 
 void Edges::share_out(const Travel& travel, double n, double least, double edge_depth) noexcept {
@@ -108,8 +95,8 @@ void Edges::share_out(const Travel& travel, double n, double least, double edge_
     }
 }
 
-EdgeForces edge_forces(const Edges& e, const Tick& tick, double n, double feed_rate) noexcept {
-    const Coefficients k = coefficients(tick.force);
+EdgeForces edge_forces(const Edges& e, const DrillParameters& law, double n, double feed_rate) noexcept {
+    const EdgeSet k = law.edges();
     const double per_lip = std::max(feed_rate, 1e-6) / (lip_count * n);  // feed per lip [m]
     std::array<double, largest_element_count>
         built_up;  // of an even chip, by element: the same on both lips, and for all coefficients

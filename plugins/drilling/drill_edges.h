@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bone_strength.h"
 #include "chip_share.h"
 #include "drill_parameters.h"
 #include "kerf/force.hpp"
+#include "twist_drill.h"
 
 /// The cutting edges in the bone: where they are, what they meet, what they give at one feed rate.
 namespace kerf::drilling {
@@ -18,16 +20,9 @@ inline constexpr std::size_t most_edge_points = lip_count * largest_element_coun
 
 /// [m] how far inside its hole of `radius` the drill's land and shank lie: their play, or more where the hole's wall is
 /// not known so well (B5).
-[[nodiscard]] inline double inside_of_hole(const Tick& tick, const BoneQuery& bone, double radius) noexcept {
-    return std::max(tick.force[force_clearance], bone.wall_error(radius));
+[[nodiscard]] inline double inside_of_hole(const DrillParameters& law, const BoneQuery& bone, double radius) noexcept {
+    return std::max(law.clearance, bone.wall_error(radius));
 }
-
-/// Share of the reference tissue's resistance at a sample, zero in air.
-[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues,
-                                double reference_density) noexcept;
-
-/// The pressure [Pa] that crushes the bone at a sample, its tissues by their shares.
-[[nodiscard]] double crushing_pressure(const kerf_bone_sample& sample, std::uint32_t tissues) noexcept;
 
 /// Where the edges are on the drill, and where they are asked about: what follows from parameters and grid alone.
 struct EdgePlaces {
@@ -45,7 +40,7 @@ struct EdgePlaces {
     double chisel_width;        ///< [m] that each of them stands for
 
     EdgePlaces() = default;
-    EdgePlaces(const TwistDrill& drill, const Tick& tick, const BoneQuery& bone) noexcept;
+    EdgePlaces(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone) noexcept;
 };
 
 /// Everything that cuts, sampled once.
@@ -60,7 +55,8 @@ struct Edges {
     std::array<Taken, most_edge_points> takes;  ///< of each; where there is no resistance nothing is said
 
     /// Turns all pieces, the first lip to `angle` [rad], and asks the bone about them.
-    Edges(const TwistDrill& of, const EdgePlaces& at, const Tick& tick, const BoneQuery& bone, double angle) noexcept;
+    Edges(const TwistDrill& of, const EdgePlaces& at, const DrillParameters& law, const BoneQuery& bone,
+          double angle) noexcept;
     /// Says what each piece takes where the drill turns n times a second: a chip is as thick as the piece moves along
     /// its own normal,
     ///
@@ -104,7 +100,7 @@ struct EdgeForces {
 };
 
 /// Pre: shared out.
-[[nodiscard]] EdgeForces edge_forces(const Edges& edges, const Tick& tick, double revolutions,
+[[nodiscard]] EdgeForces edge_forces(const Edges& edges, const DrillParameters& law, double revolutions,
                                      double feed_rate) noexcept;
 
 }  // namespace kerf::drilling

@@ -2,20 +2,21 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 
 #include "bit_bending.h"
 #include "crushing.h"
+#include "drill_bit.h"
 #include "drill_contact.h"
 #include "drill_cutting.h"
 #include "hole_line.h"
-#include "kerf/force.hpp"
+#include "kerf/plugin.hpp"
+#include "kerf/powered_cutter.hpp"
 
 /// What a twist drill feels: lips and chisel edge that cut, a shank that touches and rubs, a motor that turns it.
 namespace kerf::drilling {
 
 /// The law of a twist drill, docs/models/drilling.md.
-struct DrillCutting {
+struct DrillCutting : DrillParameters {
     /// What follows from parameters and grid alone.
     struct Prepared {
         TwistDrill drill{};
@@ -31,7 +32,6 @@ struct DrillCutting {
         OwnHoles holes;               ///< of its lands
         HoleLine hole;                ///< of its shank
         Carried carried;              ///< by contact in the last tick
-        double cut_share = 0.0;       ///< [–] 1 while it cuts, then fading
         bool crushes = false;         ///< its tip, which does not cut, the bone it stands on
         double crushing_from = 0.0;   ///< [N] that it stood with when that began
         WallAhead wall;               ///< before a tip that stands or crushes
@@ -39,19 +39,85 @@ struct DrillCutting {
         double bending_stress = 0.0;  ///< [Pa] of the bit, in the mean over a few milliseconds
         bool is_overbent = false;     ///< the bit, since it was last nearly straight
         double reaction = 0.0;  ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
-        Spindle spindle;
+        PoweredCutter cutter;
         Prepared prepared;
     };
-    static constexpr std::size_t tool_parameter_count = drilling::tool_parameter_count;
-    static constexpr std::size_t force_parameter_count = drilling::force_parameter_count;
-    static constexpr std::size_t drive_count = drilling::drive_count;
-    static constexpr std::size_t signal_count = drilling::signal_count;
+    struct Notes {
+        double engagement = 0.0;                      ///< [–] fraction of the edges in bone
+        std::size_t breaks_on = PressedWall::no_way;  ///< the direction out of what breaks before a still tip
+        bool is_bent = false;                         ///< the shank does not fit into its hole
+        bool is_broken = false;                       ///< something has broken out before the tip
+    };
+    struct Signals {
+        double chip_thickness = 0.0, feed_per_revolution = 0.0, engagement = 0.0, drive_power = 0.0,
+               spindle_speed = 0.0, bending_stress = 0.0;
+    };
+    enum class Happened {
+        spindle_off,
+        spinning_up,
+        running,
+        bogging,
+        stalled,
+        running_down,
+        reversing,
+        bit_overbent,
+        crushing,
+        wall_broken
+    };
 
-    static void begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept;
-    static void resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept;
-    static void commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                       std::span<double> signals, Actions& actions) noexcept;
+    static constexpr auto about() {
+        return describe(
+            "drill_cutting",
+            "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.",
+            DrillParameters::about(),
+            signal(&Signals::chip_thickness,
+                   {.id = "chip_thickness", .help = "Uncut chip thickness at the lips.", .unit = unit::um}),
+            signal(&Signals::feed_per_revolution,
+                   {.id = "feed_per_revolution", .help = "Feed per revolution through bone.", .unit = unit::mm}),
+            signal(&Signals::engagement, {.id = "engagement", .help = "Share of the cutting edges in bone."}),
+            signal(&Signals::drive_power,
+                   {.id = "drive_power", .help = "Power the motor puts into cutting and rubbing.", .unit = unit::W}),
+            signal(&Signals::spindle_speed,
+                   {.id = "spindle_speed", .help = "Speed of the spindle as it is.", .unit = unit::rpm}),
+            signal(&Signals::bending_stress, {.id = "bending_stress",
+                                              .help = "Largest bending stress in the bit, in the mean over 5 ms.",
+                                              .unit = unit::N_per_mm2}),
+            event(Happened::spindle_off,
+                  {.id = "drilling.spindle_off", .help = "The spindle stands, and its motor is off."}),
+            event(Happened::spinning_up,
+                  {.id = "drilling.spinning_up", .help = "The motor brings the spindle up to the commanded speed."}),
+            event(Happened::running, {.id = "drilling.running", .help = "The spindle turns as it is commanded."}),
+            event(Happened::bogging, {.id = "drilling.bogging",
+                                      .help = "The spindle is slower than 0.7 of what is commanded: the bone asks for "
+                                              "more than the motor has."}),
+            event(Happened::stalled,
+                  {.id = "drilling.stalled",
+                   .help = "The spindle was held fast; it starts again once it has been commanded off."}),
+            event(Happened::running_down,
+                  {.id = "drilling.running_down", .help = "The spindle runs down with its motor off."}),
+            event(Happened::reversing,
+                  {.id = "drilling.reversing", .help = "The spindle turns in reverse, and the edges rub."}),
+            event(
+                Happened::bit_overbent,
+                {.id = "drilling.bit_overbent",
+                 .help =
+                     "The bit was bent beyond its `yield_strength`: one of steel would have stayed bent, or broken."}),
+            event(
+                Happened::crushing,
+                {.id = "drilling.crushing",
+                 .help =
+                     "The tip does not turn, and is pushed harder than the bone before it bears: it crushes its way."}),
+            event(Happened::wall_broken,
+                  {.id = "drilling.wall_broken",
+                   .help = "A thin wall with free space behind it broke out before a tip that does not turn."}));
+    }
+
+    using AnyDrill = Held<TwistBit, StepBit, ProfileBit>;
+    void begin(const AnyDrill& tool, const BoneQuery& bone, State& state) const noexcept;
+    [[nodiscard]] Notes resist(const AnyDrill& tool, const BoneQuery& bone, const State& state,
+                               Channels& channels) const noexcept;
+    void commit(const AnyDrill& tool, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
 };
-static_assert(ForceLaw<DrillCutting>);
 
 }  // namespace kerf::drilling

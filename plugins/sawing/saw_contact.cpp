@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kerf/beam.hpp"
 #include "kerf/contact.hpp"
 
 namespace kerf::sawing {
@@ -27,18 +28,17 @@ static_assert(slot_side == sector_count);
 ///
 /// with l the length from the axis, w the blade's width, d its thickness; E of stainless steel.
 double side_stiffness(const SawBlade& blade, double z, double contact) noexcept {
-    constexpr double steel = 193e9;  // [Pa]
     const double width = blade.tooth_count * blade.pitch, l = std::max(blade.radius + z, 0.1 * blade.radius);
-    const double bending =
-        3.0 * steel * (width * blade.thickness * blade.thickness * blade.thickness / 12.0) / (l * l * l);
-    return bending * contact / (bending + contact);
+    const double second_moment = width * blade.thickness * blade.thickness * blade.thickness / 12.0;
+    return in_series(cantilever_stiffness(stainless_steel, second_moment, l * l * l), contact);
 }
 
 }  // namespace
 
-TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const BoneQuery& bone, bool removes) noexcept {
+TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, const BoneQuery& bone,
+                               bool removes) noexcept {
     constexpr double tip_facing = 0.5, facing = 0.3;
-    const double stiffness = tick.force[force_contact_stiffness];
+    const double stiffness = law.contact_stiffness;
     TouchingPoints points;
     if (!removes)
         for (std::size_t i = 0; i < tip_points; ++i) {
@@ -69,8 +69,8 @@ TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const Bo
     return points;
 }
 
-void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone,
-                 const Going& going, const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
+void add_contact(const SawBlade& blade, const TouchingPoints& points, const SawParameters& law, const BoneQuery& bone,
+                 const Oscillation& motion, const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
     Contact contact(points.all);
     contact.ask(bone, blade.thickness);
 
@@ -88,11 +88,10 @@ void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick
 
     // While the saw goes, nearly all of the rubbing goes into the oscillation and little into the feed.
     if (!rubs) return;
-    if (kerf_channel* rub = channels.add(KERF_FRICTION, id_rub)) {
-        rub->d[2] = 1.0;
-        rub->tau = tick.force[force_friction] * last_binding;
-        rub->w = going.removes() ? std::max(1e-6, going.stroke.mean_speed()) : 1e-6;
-    }
+    channels.friction({.id = id_rub,
+                       .along = {0, 0, 1},
+                       .limit = law.friction * last_binding,
+                       .onset = motion.cutting.removes_bone() ? motion.stroke.mean_speed() : 0.0});
 }
 
 double binding_of(const Advance& advance) noexcept {

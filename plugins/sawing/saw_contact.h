@@ -24,13 +24,13 @@ struct TouchingPoints {
     std::size_t side_count = 0;
 };
 /// While the saw takes bone, or as it is else.   [haptic, nonblocking]
-[[nodiscard]] TouchingPoints touching_points(const SawBlade& blade, const Tick& tick, const BoneQuery& bone,
+[[nodiscard]] TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, const BoneQuery& bone,
                                              bool removes) noexcept;
 
 /// As many contact channels as the law has room for, and friction for what the sides carried in the last tick [N].
 /// [haptic, nonblocking]
-void add_contact(const SawBlade& blade, const TouchingPoints& points, const Tick& tick, const BoneQuery& bone,
-                 const Going& going, const OwnSlot& slot, double last_binding, Channels& channels) noexcept;
+void add_contact(const SawBlade& blade, const TouchingPoints& points, const SawParameters& law, const BoneQuery& bone,
+                 const Oscillation& motion, const OwnSlot& slot, double last_binding, Channels& channels) noexcept;
 
 /// What pressed on the blade's two sides together [N]: how hard it binds.   [haptic, nonblocking]
 [[nodiscard]] double binding_of(const Advance& advance) noexcept;

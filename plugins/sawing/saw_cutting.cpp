@@ -15,15 +15,15 @@ struct Parts {
     std::array<StrokePart, part_count> part;
     std::size_t count;
 };
-Parts parts_now(const Going& going) noexcept {
-    if (going.is_averaged) return {parts_of(going.stroke), part_count};
-    return {{{{1.0, chip_per_feed(going.stroke, sin_cos_exact(going.phase).cos)}, {}}}, 1};
+Parts parts_now(const Oscillation& motion) noexcept {
+    if (motion.is_averaged) return {parts_of(motion.stroke), part_count};
+    return {{{{1.0, chip_per_feed(motion.stroke, sin_cos_exact(motion.phase).cos)}, {}}}, 1};
 }
 
 /// Which way the teeth go, without a jump where they turn [–].
-double sense_of(const Going& going) noexcept {
+double sense_of(const Oscillation& motion) noexcept {
     constexpr double turning = 0.1;  // of the highest speed [assumed]
-    return std::clamp(sin_cos_exact(going.phase).cos / turning, -1.0, 1.0);
+    return std::clamp(sin_cos_exact(motion.phase).cos / turning, -1.0, 1.0);
 }
 
 /// A short row of points that one channel stands for.
@@ -37,18 +37,19 @@ struct Row {
 
 }  // namespace
 
-double mean_cutting_force(const SawBlade& blade, const Tick& tick, const Stroke& stroke, double feed_rate) noexcept {
-    const ToothCoefficients cutting = coefficients(tick.force).cutting;
+double mean_cutting_force(const SawBlade& blade, const SawParameters& law, const Stroke& stroke,
+                          double feed_rate) noexcept {
+    const EdgeCoefficients cutting = law.cutting();
     double sum = 0.0;
     for (const StrokePart& part : parts_of(stroke))
         sum += part.share * force_per_width(part.chip_per_feed * feed_rate, cutting);
     return blade.kerf() * sum;
 }
 
-void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const Going& going,
-                      double last_feed_rate, Channels& channels) noexcept {
-    const Coefficients k = coefficients(tick.force);
-    const Parts parts = parts_now(going);
+void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const SawParameters& law,
+                      const Oscillation& motion, double last_feed_rate, Channels& channels) noexcept {
+    const struct { EdgeCoefficients thrust, cutting; } k{law.thrust(), law.cutting()};
+    const Parts parts = parts_now(motion);
     const std::size_t n = in_bone.teeth.count;
     for (std::size_t sector = 0; sector < sector_count; ++sector) {
         const std::size_t first = sector * n / sector_count, last = (sector + 1) * n / sector_count;
@@ -83,23 +84,23 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
             sum.add(width * k.thrust.edge, width * k.thrust.chip * part.chip_per_feed,
                     k.thrust.edge_depth / part.chip_per_feed);
             kerf_channel* feed = channels.add(KERF_CUT, id_feed + static_cast<std::uint32_t>(sector * part_count + p));
-            sum.write(d, going.cut_share, least, feed);
+            sum.write(d, motion.cutting.fraction, least, feed);
             if (feed == nullptr) continue;
-            for (std::size_t c = 0; c < 6; ++c) feed->follow[c] = tick.force[force_set_share] * aside[c];
-            if (going.is_averaged) continue;  // to and fro alike: it goes into `vibration`
+            for (std::size_t c = 0; c < 6; ++c) feed->follow[c] = law.set_share * aside[c];
+            if (motion.is_averaged) continue;  // to and fro alike: it goes into `vibration`
             const double t = part.chip_per_feed * std::max(last_feed_rate, 1e-6), thrust = force_per_width(t, k.thrust);
-            const double against = thrust > 0.0 ? -sense_of(going) * force_per_width(t, k.cutting) / thrust : 0.0;
+            const double against = thrust > 0.0 ? -sense_of(motion) * force_per_width(t, k.cutting) / thrust : 0.0;
             for (std::size_t c = 0; c < 6; ++c) feed->follow[c] += against * along[c];
         }
     }
 }
 
-void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const Tick& tick, const BoneQuery& bone,
-                      const Going& going, Channels& channels) noexcept {
+void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const SawParameters& law,
+                      const BoneQuery& bone, const Oscillation& motion, Channels& channels) noexcept {
     if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind)
         return;  // drawn back, the flanks run free in their slot (B5)
-    const Coefficients k = coefficients(tick.force);
-    const double reference = tick.force[force_reference_density];
+    const struct { EdgeCoefficients thrust, cutting; } k{law.thrust(), law.cutting()};
+    const double reference = law.reference_density;
     // At the front: farther back the slot would be bone for as long as the committed cut lags, which is a matter of the
     // grid. And a little inside what the blade sweeps, so that the points lie free in a slot as wide as the kerf: by an
     // eighth of a voxel a wall is known.
@@ -123,11 +124,11 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
         const double width = total / static_cast<double>(Row::count) * edge_length;
         ChannelSum sum;
         sum.add(width * k.thrust.edge, width * k.thrust.chip * chip_per_feed, k.thrust.edge_depth / chip_per_feed);
-        sum.write(rate_at((1.0 / total) * at, way), going.cut_share, least, channels.add(KERF_CUT, id));
+        sum.write(rate_at((1.0 / total) * at, way), motion.cutting.fraction, least, channels.add(KERF_CUT, id));
     };
 
     // Every other tooth is set to a side: its flank takes what two pitches have gained.
-    Stroke by_twos = going.stroke;
+    Stroke by_twos = motion.stroke;
     by_twos.pitch *= 2.0;
     const double flank_chip = mean_chip_per_feed(by_twos);
     for (const double side : {1.0, -1.0}) {
@@ -147,7 +148,7 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const T
             row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * Row::place(i) * blade.kerf(),
                             blade.radius * (end.cos - 1.0)};
         }
-        add(row, {side, 0, 0}, blade.tooth_height, 1.0 / going.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
+        add(row, {side, 0, 0}, blade.tooth_height, 1.0 / motion.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
     }
 }
 

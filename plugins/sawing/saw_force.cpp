@@ -2,52 +2,34 @@
 #include "saw_force.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace kerf::sawing {
 
 namespace {
 
-using namespace literals;
+constexpr double averaged_from =
+    100.0;  // [1/s] forces are averaged from here on: in ticks of 1 ms a faster one aliases
+using Happened = SawCutting::Happened;
+constexpr PhaseEvents<Happened> phase_events{.off = Happened::off,
+                                             .speeding_up = Happened::speeding_up,
+                                             .running = Happened::running,
+                                             .reversing = Happened::running,  // an oscillation has no other sense
+                                             .bogging = Happened::bogging,
+                                             .stalled = Happened::stalled,
+                                             .running_down = Happened::running_down};
 
-// Below `slowest_cut` its teeth only drag, less and less, while it sinks onto the bone that they leave standing; so
-// contact takes over without a blow.
-constexpr double dragging_time = 2.0_ms;
-// From here on forces are averaged over the oscillation: in ticks of a millisecond a faster one would alias.
-constexpr double averaged_from = 100.0;  // [1/s]
-
-enum Note : std::size_t { note_engaged, note_resisting };  // teeth in bone; what they resist, in teeth
-
-/// On its way up or down a saw passes all rates: only one that is meant to go slowly shakes with every stroke.
-Going going_of(const SawBlade& blade, const Tick& tick, const SawCutting::State& state) noexcept {
-    const double commanded = tick.drive[drive_stroke_rate];
-    return {{blade.stroke(), blade.pitch, std::max(state.motor.speed, slowest_cut)},
-            state.cut_share,
-            state.phase,
-            !(commanded > 0.0 && commanded <= averaged_from)};
+/// A saw passes all rates as it speeds up and runs down: it shakes with every stroke only if it is commanded to.
+Oscillation oscillation_of(const OscillatingBlade& saw, const SawBlade& blade,
+                           const SawCutting::State& state) noexcept {
+    return {.stroke = {blade.stroke(), blade.pitch, std::max(state.cutter.speed(), slowest_cut)},
+            .cutting = state.cutter.cutting,
+            .phase = state.phase,
+            .is_averaged = !(saw.stroke_rate > 0.0 && saw.stroke_rate <= averaged_from)};
 }
 
-Event event_of(Spindle::Phase phase) noexcept {
-    switch (phase) {
-        case Spindle::Phase::off:
-            return event_off;
-        case Spindle::Phase::spinning_up:
-            return event_speeding_up;
-        case Spindle::Phase::running:
-            return event_running;
-        case Spindle::Phase::reversing:
-            return event_running;  // an oscillation has no other sense
-        case Spindle::Phase::stalled:
-            return event_stalled;
-        case Spindle::Phase::bogging:
-            return event_bogging;
-        case Spindle::Phase::running_down:
-            return event_running_down;
-    }
-    return event_off;
-}
-
-/// What the teeth carried against the feed, of all sectors [N].
+/// Returns the thrust on the teeth of all sectors [N].
 double thrust_of(const Advance& advance) noexcept {
     double sum = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
@@ -57,91 +39,81 @@ double thrust_of(const Advance& advance) noexcept {
     return sum;
 }
 
-/// What pushes the saw back along its shaft, of all channels [N].
-double pushed_along(const Advance& advance) noexcept {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < advance.channel.size(); ++c)
-        if (advance.channel[c].kind != KERF_FRICTION) sum += advance.channel[c].d[2] * advance.lambda[c];
-    return std::max(0.0, sum);
-}
-
-/// Along the teeth's motion [N], of a saw that is pushed with `push` [N] on bone it takes none of: to go, its teeth
-/// have to break loose what they stand in, with the force that goes with such a push in cutting.
-double force_of_standing(const Tick& tick, double push) noexcept {
-    const Coefficients k = coefficients(tick.force);
-    const double thrust = force_per_width(k.thrust.edge_depth, k.thrust),
-                 cutting = force_per_width(k.thrust.edge_depth, k.cutting);
+/// Returns the force along the teeth's motion [N] of a saw that is pushed with `push` [N] and removes no bone: to move,
+/// its teeth must break loose, with the force that goes with such a push in cutting.
+double breakaway_force(const SawParameters& law, double push) noexcept {
+    const double thrust = force_per_width(law.edge_depth, law.thrust()),
+                 cutting = force_per_width(law.edge_depth, law.cutting());
     return thrust > 0.0 ? push * cutting / thrust : 0.0;
 }
 
 }  // namespace
 
-void SawCutting::begin(const Tick& tick, const BoneQuery& bone, State& state) noexcept {
+void SawCutting::begin(const Held<OscillatingBlade>& saw, const BoneQuery& bone, State& state) const noexcept {
     Prepared& p = state.prepared;
-    p.blade = blade_of(tick.tool);
-    p.touching_in_cut = touching_points(p.blade, tick, bone, true);
-    p.touching = touching_points(p.blade, tick, bone, false);
+    p.blade = saw.blade();
+    p.touching_in_cut = touching_points(p.blade, *this, bone, true);
+    p.touching = touching_points(p.blade, *this, bone, false);
 }
 
-void SawCutting::resist(const Tick& tick, const BoneQuery& bone, const State& state, Channels& channels) noexcept {
+SawCutting::Notes SawCutting::resist(const Held<OscillatingBlade>& saw, const BoneQuery& bone, const State& state,
+                                     Channels& channels) const noexcept {
     const auto& [blade, touching_in_cut, touching] = state.prepared;
-    const Going going = going_of(blade, tick, state);
-    if (going.drags()) {
+    const Oscillation motion = oscillation_of(saw, blade, state);
+    Notes notes;
+    if (motion.cutting.resists()) {
         TeethInBone in_bone;
-        in_bone.ask(tick, bone, blade, going);
-        channels.note(note_engaged, in_bone.engaged);
-        channels.note(note_resisting, in_bone.resisting());
-        add_feed_cutting(in_bone, blade, tick, going, state.feed_rate, channels);
-        if (going.removes()) add_side_cutting(in_bone, blade, tick, bone, going, channels);
+        in_bone.sample(*this, bone, blade, motion);
+        notes = {.engaged = in_bone.engaged, .resisting = in_bone.resisting()};
+        add_feed_cutting(in_bone, blade, *this, motion, state.feed_rate, channels);
+        if (motion.cutting.removes_bone()) add_side_cutting(in_bone, blade, *this, bone, motion, channels);
     }
-    add_contact(blade, going.removes() ? touching_in_cut : touching, tick, bone, going, state.slot, state.binding,
-                channels);
+    add_contact(blade, motion.cutting.removes_bone() ? touching_in_cut : touching, *this, bone, motion, state.slot,
+                state.binding, channels);
+    return notes;
 }
 
-void SawCutting::commit(const Tick& tick, const BoneQuery& bone, const Advance& advance, State& state,
-                        std::span<double> signals, Actions& actions) noexcept {
+void SawCutting::commit(const Held<OscillatingBlade>& saw, const BoneQuery& bone, const Noted<Notes>& advance,
+                        State& state, Signals& signals, Actions& actions) const noexcept {
+    const double dt = saw.tick.dt;
     const SawBlade& blade = state.prepared.blade;
-    const Going going = going_of(blade, tick, state);
-    double engaged = advance.note.empty() ? 0.0 : advance.note[note_engaged];
-    double resisting = advance.note.empty() ? 0.0 : advance.note[note_resisting];
-    if (!going.drags()) {  // a still saw asks for its motor, which has to break its teeth loose
+    const Oscillation motion = oscillation_of(saw, blade, state);
+    auto [engaged, resisting] = advance.notes;
+    if (!motion.cutting.resists()) {  // a still saw samples its teeth for its motor, which must break them loose
         TeethInBone in_bone;
-        in_bone.ask(tick, bone, blade, going);
+        in_bone.sample(*this, bone, blade, motion);
         engaged = in_bone.engaged;
         resisting = in_bone.resisting();
     }
+    const bool removes_bone = motion.cutting.removes_bone();
     const double thrust = thrust_of(advance);
-    const bool is_cutting = going.removes() && thrust > 0.0;
+    const bool is_cutting = removes_bone && thrust > 0.0;
     state.feed_rate = std::max(0.0, advance.rate[2]);
     state.binding = binding_of(advance);
 
-    // What the teeth meet along their motion, and what the motor needs for it: a mean force over two strokes each turn.
-    const double per_tooth = mean_cutting_force(blade, tick, going.stroke, state.feed_rate);
-    const double along = is_cutting        ? resisting * per_tooth
-                         : going.removes() ? 0.0
-                                           : force_of_standing(tick, pushed_along(advance));
-    const double rubbing = tick.force[force_friction] * state.binding;
+    // The force along the teeth's motion, and the motor's torque for it: a mean force over two strokes each turn.
+    const double per_tooth = mean_cutting_force(blade, *this, motion.stroke, state.feed_rate);
+    const double along = is_cutting     ? resisting * per_tooth
+                         : removes_bone ? 0.0
+                                        : breakaway_force(*this, advance.pushed_along());
+    const double rubbing = friction * state.binding;
     const double load = (along + rubbing) * blade.stroke() / pi;
-    signals[signal_chip_thickness] = is_cutting ? mean_chip_per_feed(going.stroke) * state.feed_rate : 0.0;
-    signals[signal_engaged_teeth] = engaged;
-    signals[signal_tooth_force] = is_cutting && engaged > 0.0 ? thrust / engaged : 0.0;
-    signals[signal_vibration] = going.is_averaged && is_cutting ? along + rubbing : 0.0;
-    signals[signal_binding] = state.binding;
-    signals[signal_drive_power] = 2.0 * pi * state.motor.speed * load;
-    signals[signal_stroke_rate] = state.motor.speed;
+    signals.chip_thickness = is_cutting ? mean_chip_per_feed(motion.stroke) * state.feed_rate : 0.0;
+    signals.engaged_teeth = engaged;
+    signals.tooth_force = is_cutting && engaged > 0.0 ? thrust / engaged : 0.0;
+    signals.vibration = motion.is_averaged && is_cutting ? along + rubbing : 0.0;
+    signals.binding = state.binding;
+    signals.drive_power = 2.0 * pi * state.cutter.speed() * load;
+    signals.stroke_rate = state.cutter.speed();
 
-    // The slot: cut while the teeth go forward in bone, left when none is in it any more.
+    // The slot is cut while the teeth advance in bone, and forgotten when none is in it any more.
     if (engaged <= 0.0 && !is_cutting && state.feed_rate > 0.0) state.slot.depth = 0.0;
-    state.slot.move(advance.rate, tick.dt, is_cutting ? state.feed_rate * tick.dt : 0.0, 0.5 * bone.reach());
+    state.slot.move(advance.rate, dt, is_cutting ? state.feed_rate * dt : 0.0, 0.5 * bone.reach());
 
-    if (going.removes()) actions.cut();
-    state.phase += 2.0 * pi * state.motor.speed * tick.dt;
+    if (removes_bone) actions.cut();
+    state.phase += 2.0 * pi * state.cutter.speed() * dt;
     while (state.phase >= 2.0 * pi) state.phase -= 2.0 * pi;
-    if (state.motor.step(motor_of(tick.tool), tick.drive[drive_stroke_rate], load, tick.dt))
-        actions.event(event_of(state.motor.phase));
-    state.cut_share = state.motor.speed >= slowest_cut ? 1.0
-                      : state.cut_share > 1e-6         ? state.cut_share * exp_exact(-tick.dt / dragging_time)
-                                                       : 0.0;
+    state.cutter.step(saw.motor(), saw.stroke_rate, load, dt, slowest_cut, phase_events, actions);
 }
 
 }  // namespace kerf::sawing

@@ -8,31 +8,28 @@
 #include <limits>
 
 #include "kerf/force.hpp"
+#include "kerf/powered_cutter.hpp"
+#include "saw_blade.h"
 #include "saw_parameters.h"
+#include "stroke.h"
 
 /// The teeth in the bone: where they are, what they meet.
 namespace kerf::sawing {
 
 inline constexpr double left_behind = 0.1e-3;  ///< [m] teeth farther from the front than the nearest by this wait (R2)
 
-/// How the saw goes, as the law takes it.
-struct Going {
+/// How the saw moves, as the law takes it.
+struct Oscillation {
     Stroke stroke;            ///< its rate never below the slowest that cuts
-    double cut_share = 0.0;   ///< [–] of the cutting forces: 1 while bone is taken
+    CuttingState cutting;     ///< how far the teeth cut
     double phase = 0.0;       ///< [rad]
     bool is_averaged = true;  ///< over the oscillation: above 100 Hz, and on the way there and back
 
-    [[nodiscard]] bool drags() const noexcept { return cut_share > 0.0; }     ///< the teeth resist
-    [[nodiscard]] bool removes() const noexcept { return cut_share >= 1.0; }  ///< and take bone
-    /// Where the blade is in its swing [rad]. In the mean: in the middle.
+    /// Where the blade is in its swing [rad]. Averaged: in the middle.
     [[nodiscard]] double swing(const SawBlade& blade) const noexcept {
         return is_averaged ? 0.0 : 0.5 * blade.arc * sin_cos_exact(phase).sin;
     }
 };
-
-/// Share of the reference tissue's resistance at a sample, zero in air.
-[[nodiscard]] double resistance(const kerf_bone_sample& sample, std::uint32_t tissues,
-                                double reference_density) noexcept;
 
 /// All teeth, sampled once. As they swing, each stands for a pitch of the front: two points a tooth, a quarter of a
 /// pitch to either side of its tip, each for a half of it. Where forces are not averaged both are the tip itself.
@@ -42,7 +39,8 @@ struct TeethInBone {
     std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
     double engaged = 0.0;                         ///< [–] how many are in bone
 
-    void ask(const Tick& tick, const BoneQuery& bone, const SawBlade& blade, const Going& going) noexcept;
+    void sample(const SawParameters& law, const BoneQuery& bone, const SawBlade& blade,
+                const Oscillation& motion) noexcept;
     /// The least way to the front of those in bone [m], of the teeth from `first` to before `last`; infinite where none
     /// is.
     [[nodiscard]] double least_gap(std::size_t first, std::size_t last) const noexcept {

@@ -46,7 +46,7 @@ Scene scene_on(const Way& way) {
     const Vec3 sideways = normalized(to_the_left - dot(to_the_left, scene.along) * scene.along);
     scene.entry = axis->from + way.medial * sideways;
     while (scene.bone.surface(scene.entry) > 1.0_um)
-        scene.entry = scene.entry + std::max(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
+        scene.entry = scene.entry + std::max<double>(1.0_um, 0.5 * scene.bone.surface(scene.entry)) * scene.along;
     scene.along = std::cos(way.aim.towards_canal) * scene.along + std::sin(way.aim.towards_canal) * sideways;
     scene.depth = {-1.5_mm};
     go_to(scene, 30.0_mm, scene.feed);

@@ -47,6 +47,8 @@ std::optional<ToolUnderTest> find_tool(const PluginRegistry& plugins, const std:
                 ". `kerf list` names those that were found.";
         return std::nullopt;
     }
+    error = bind_law(setup);
+    if (!error.empty()) return std::nullopt;
     ToolOutline outline;
     if (!outline_of(setup, outline, error)) return std::nullopt;
     const auto& profile = outline.cutting.outline();

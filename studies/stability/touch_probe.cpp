@@ -6,32 +6,55 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <span>
 
-#include "kerf/force.hpp"
+#include "kerf/plugin.hpp"
 
 namespace kerf::stability {
 
 namespace {
 
-constexpr std::size_t most_points = 1000;
+using namespace literals;
+
+constexpr std::size_t max_points = 1000;
+
+struct Probe {
+    double points;
+
+    static constexpr auto about() {
+        return describe("probe", "A thin rod.",
+                        param(&Probe::points, {.id = "points",
+                                               .help = "How many points it touches with.",
+                                               .min = 1.0,
+                                               .max = max_points,
+                                               .def = 1.0,
+                                               .source = "the study's"}));
+    }
+    [[nodiscard]] Outline outline() const {
+        return revolution({{0.0, 0.0}, {-0.5e-3, 0.5e-3}})
+            .cuts()  // nothing: `Touch` never cuts
+            .to(-probe_length, 0.5e-3)
+            .gripped_at(points > 1.0 ? -0.5 * probe_length : -probe_length);
+    }
+};
 
 struct Touch {
-    struct State {};
-    enum : std::size_t {
-        points,
-        stiffness,
-        force_parameter_count,
-        tool_parameter_count = 1,
-        drive_count = 0,
-        signal_count = 0
-    };
+    double stiffness;
 
-    static void resist(const Tick& tick, const BoneQuery& bone, const State&, Channels& channels) noexcept {
-        std::array<Vec3, most_points> place{};
-        std::array<kerf_surface_point, most_points> surface{};
-        const auto count = static_cast<std::size_t>(tick.force[points]);
+    static constexpr auto about() {
+        return describe("touch", "Contact of all points along the rod.",
+                        param(&Touch::stiffness, {.id = "stiffness",
+                                                  .help = "Stiffness of bone at each point.",
+                                                  .unit = unit::N_per_mm,
+                                                  .min = 0.0,
+                                                  .max = 1e9_N_per_mm,
+                                                  .def = 500.0_N_per_mm,
+                                                  .source = "the study's"}),
+                        budget_us(5));
+    }
+    void resist(const Held<Probe>& probe, const BoneQuery& bone, Channels& channels) const noexcept {
+        std::array<Vec3, max_points> place{};
+        std::array<kerf_surface_point, max_points> surface{};
+        const auto count = static_cast<std::size_t>(probe.points);
         for (std::size_t i = 1; i < count; ++i)
             place[i].z = -probe_length * static_cast<double>(i) / static_cast<double>(count - 1);
         bone.nearest({place.data(), count}, {surface.data(), count});
@@ -49,35 +72,24 @@ struct Touch {
             if (met == 0.0) continue;
             kerf_channel* touch = channels.add(KERF_CONTACT, static_cast<std::uint32_t>(g + 1));
             for (std::size_t k = 0; k < 6; ++k) touch->d[k] = along[k] / met;
-            touch->k = met * tick.force[stiffness];
+            touch->k = met * stiffness;
             touch->delta = depth / met;
         }
     }
-    static void commit(const Tick&, const BoneQuery&, const Advance&, State&, std::span<double>, Actions&) noexcept {}
 };
 
-kerf_status shape(const double* points, kerf_tool_shape* out) {
-    const kerf_profile_point profile[] = {{0.0, 0.0}, {-0.5e-3, 0.5e-3}, {-probe_length, 0.5e-3}};
-    std::copy(std::begin(profile), std::end(profile), out->profile);
-    out->profile_count = 3;
-    out->cutting_count = 2;
-    out->grip_z = *points > 1.0 ? -0.5 * probe_length : -probe_length;
-    return KERF_OK;
-}
-
-constexpr kerf_tool tool{sizeof(kerf_tool), nullptr, 0, &shape};
-constexpr kerf_force force{
-    sizeof(kerf_force),        sizeof(Touch::State),       alignof(Touch::State),     nullptr, 0, nullptr, 0, 5000,
-    &ForceTable<Touch>::begin, &ForceTable<Touch>::resist, &ForceTable<Touch>::commit};
-constexpr kerf_component components[] = {
-    {sizeof(kerf_component), KERF_KIND_TOOL, "probe", "", nullptr, 0, 0, &tool, nullptr, nullptr},
-    {sizeof(kerf_component), KERF_KIND_FORCE, "touch", "", nullptr, 0, 0, nullptr, &force, nullptr}};
+using Components = PluginTables<Probe, Touch>;
 
 }  // namespace
 
 ToolSetup touch_probe(int points, double stiffness) {
-    const double count = std::clamp(points, 1, static_cast<int>(most_points));
-    return {&components[0], &components[1], {count}, {count, stiffness}, {}};
+    const double count = std::clamp(points, 1, static_cast<int>(max_points));
+    return {.tool = &Components::components[0],
+            .force = &Components::components[1],
+            .tool_parameters = {count},
+            .force_parameters = {stiffness},
+            .drives = {},
+            .bound = {}};
 }
 
 }  // namespace kerf::stability

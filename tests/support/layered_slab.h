@@ -31,10 +31,8 @@ struct Slab {
 /// [rad], `feed_per_lip` [m]. Every edge is at its front. `pieces` per lip: midpoint rule.
 inline double exact_thrust(const ToolSetup& setup, const Pose& pose, double angle, double feed_per_lip, int pieces) {
     using namespace drilling;
-    const TwistDrill drill = drill_of(setup.tool_parameters);
-    const auto& f = setup.force_parameters;
-    const EdgeCoefficients lip{f[force_thrust_edge], f[force_edge_depth], f[force_thrust_chip]};
-    const EdgeCoefficients chisel{f[force_chisel_edge], f[force_edge_depth], f[force_chisel_chip]};
+    const TwistDrill drill = value_of<drilling::TwistBit>(setup.tool_parameters).drill();
+    const auto [lip, cutting, chisel] = value_of<DrillCutting>(setup.force_parameters).edges();
     const double p = 0.5 * drill.point_angle, b = drill.half_web(), r_c = drill.chisel_radius(), r_o = drill.radius();
     const double first = std::sqrt(r_c * r_c - b * b), last = std::sqrt(r_o * r_o - b * b);
     const double c = std::cos(angle), s = std::sin(angle);

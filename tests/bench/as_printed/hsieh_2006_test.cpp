@@ -45,7 +45,7 @@ struct Sawing {
     void to(double target, double rate = 2.0_mm_per_s) {
         while (depth < target - 1e-12) (void)go(rate);
     }
-    double signal(Hsieh2006::Signal s) const { return simulation->signals()[s]; }
+    Hsieh2006::Signals signals() const { return signals_of<Hsieh2006>(simulation->signals()); }
 };
 
 TEST(Hsieh2006, TheMiddleToothStandsAtARightAngleAsPrinted) {  // E03-2
@@ -72,7 +72,7 @@ TEST(Hsieh2006, TheForceAlongTheStrokeNeverTurns) {  // E03-4
     saw.to(4.0_mm);
     for (int i = 0; i < 200; ++i) {
         (void)saw.go(1.0_mm_per_s);
-        EXPECT_GT(saw.signal(Hsieh2006::f_x), 0.0) << "over four whole oscillations, to one side";
+        EXPECT_GT(saw.signals().f_x, 0.0) << "over four whole oscillations, to one side";
     }
 }
 
@@ -80,8 +80,8 @@ TEST(Hsieh2006, NeighboursDoNotCancel) {  // E03-5
     Sawing saw;
     saw.to(4.0_mm);
     for (int i = 0; i < 5; ++i) (void)saw.go(1.0_mm_per_s);
-    ASSERT_EQ(saw.signal(Hsieh2006::teeth_in_bone), 10.0);
-    EXPECT_NEAR(saw.signal(Hsieh2006::f_y), 10.0 * 0.8, 0.1) << "of ten teeth set by turns nothing should be left";
+    ASSERT_EQ(saw.signals().teeth_in_bone, 10.0);
+    EXPECT_NEAR(saw.signals().f_y, 10.0 * 0.8, 0.1) << "of ten teeth set by turns nothing should be left";
 }
 
 // 03-05, and E03-6: from 2 to 10 µm bone shows 1.3.

@@ -20,7 +20,8 @@ TEST(TouchCount, SomeTwoThousandPointsForTheLargestDrill) {  // 00-04
         for (std::uint32_t i = 0; i < count; ++i) out[i] = {};
     };
     int points = 0;
-    for_each_surface_point(paper_drill(tool), 1.0_mm, 100.0_mm, BoneQuery(query), [&](Vec3, Vec3, bool) { ++points; });
+    for_each_surface_point(value_of<PaperBit>(tool).drill(), 1.0_mm, 100.0_mm, BoneQuery(query),
+                           [&](Vec3, Vec3, bool) { ++points; });
     EXPECT_NEAR(points, 2000, 400);
 }
 

@@ -33,7 +33,7 @@ TEST(Tsai2007, LipTransformLosesForceEverywhereAndMostNextToTheWeb) {  // E00-1
 
 TEST(Tsai2007, TheSlipTakesATwentiethOfTheLipsThrust) {  // E00-1, of a 5.4 mm drill
     const double tool[] = {5.4_mm, 118.0_deg, 0.15, 100.0_mm};
-    const LipPoints lips = lip_points(paper_drill(tool), 0.01_mm, 0.0);
+    const LipPoints lips = lip_points(value_of<PaperBit>(tool).drill(), 0.01_mm, 0.0);
     double printed = 0.0, right = 0.0;
     for (std::size_t i = 0; i < lips.count; ++i) {
         const double thrust = lip_transform(lips.point[i].r, half_web, half_point, 0.0, 1.0).thrust;
@@ -53,8 +53,8 @@ TEST(Tsai2007, EqualLipsPushSidewaysWithMoreThanTheThrust) {  // E00-2
 /// The law of a 5.4 mm drill at 8 mm/s and 1000 rpm, both lips in whole cortical bone.
 struct InWholeBone {
     kerf_bone_query query{};
-    std::vector<double> tool{5.4_mm, 118.0_deg, 0.15, 100.0_mm}, drive{1000.0_rpm};
-    std::vector<double> force;
+    Held<PaperBit> tool{value_of<PaperBit>(std::array<double, 4>{5.4_mm, 118.0_deg, 0.15, 100.0_mm}), {.dt = 1e-3}};
+    Tsai2007 law = defaults_of<Tsai2007>();
     Tsai2007::State state;
 
     InWholeBone() {
@@ -63,26 +63,22 @@ struct InWholeBone {
                           kerf_bone_sample* out) {
             for (std::uint32_t i = 0; i < count; ++i) out[i] = {1.0, 0.0, {1.0}, {1850.0}, 0, 0};
         };
-        for (const auto& info : test::printed_plugins().catalog())
-            if (info.id == "tsai_2007")
-                for (const auto& parameter : info.parameters) force.push_back(parameter.def);
         state.rate[2] = 8.0_mm_per_s;
     }
-    [[nodiscard]] Tick tick() const { return {1e-3, tool, force, drive}; }
     [[nodiscard]] double t_thrust() const {
         State after = state;
-        double signals[Tsai2007::signal_count] = {};
+        Tsai2007::Signals signals;
         kerf_action action[KERF_MAX_ACTIONS];
         kerf_commit_out out{};
         out.action = action;
         Actions actions(out);
-        Tsai2007::commit(tick(), BoneQuery(query), {}, after, signals, actions);
-        return signals[Tsai2007::t_thrust];
+        law.commit(tool, BoneQuery(query), {}, after, signals, actions);
+        return signals.t_thrust;
     }
-    [[nodiscard]] kerf_law law() {
+    [[nodiscard]] kerf_law evaluate() {
         kerf_law out{sizeof(kerf_law), 0, channel, {}, {}};
         Channels channels(out);
-        Tsai2007::resist(tick(), BoneQuery(query), state, channels);
+        law.resist(tool, BoneQuery(query), state, channels);
         return out;
     }
 
@@ -99,11 +95,11 @@ TEST(Tsai2007, TThrustIsATorqueWhereTheMomentIsNone) {  // E00-3: r × F of equa
 // and that decides what it costs.
 TEST(Tsai2007, TThrustAddedToTheThrustIsAHundredthOfItOrAThird) {
     InWholeBone bone;
-    bone.tool[0] = 3.2_mm;
+    bone.tool.diameter = 3.2_mm;
     bone.state.rate[2] = 2.0_mm_per_s;  // the measured point that the coefficients come from
     const auto thrust = [&](double arm) {
-        bone.force[Tsai2007::torque_arm] = arm;
-        return -bone.law().wrench[2];
+        bone.law.torque_arm = arm;
+        return -bone.evaluate().wrench[2];
     };
     const double without = thrust(0.0);
     EXPECT_NEAR(without, 198.4, 0.1);
@@ -114,8 +110,8 @@ TEST(Tsai2007, TThrustAddedToTheThrustIsAHundredthOfItOrAThird) {
 
 TEST(Tsai2007, UnlessAskedForNoTorqueIsRendered) {
     InWholeBone bone;
-    EXPECT_EQ(bone.force[Tsai2007::torque_arm], 0.0);
-    const kerf_law law = bone.law();
+    EXPECT_EQ(bone.law.torque_arm, 0.0);
+    const kerf_law law = bone.evaluate();
     for (const int torque : {3, 4, 5}) EXPECT_EQ(law.wrench[torque], 0.0) << torque;
 }
 

@@ -263,7 +263,7 @@ TEST(Insert, MetalStopsWhatWouldCutItAndKeepsItsShape) {
     bench.wait(100);
     // Then it stands at its face, and nothing is cut
     const Vec3 beside_it = bench.simulation.world_from_tool() * Vec3{0, 0, -6.0_mm};  // the tool leans on it
-    EXPECT_NEAR(beside_it.x, -4.0_mm - test::Milling::radius, 0.05_mm);
+    EXPECT_NEAR(beside_it.x, -4.0_mm - test::Mill::radius, 0.05_mm);
     EXPECT_EQ(bench.simulation.present().removed(), 0.0);
     EXPECT_GT(length(linear(bench.last.coupled_on_hand)), 0.5);
 }
@@ -289,7 +289,7 @@ TEST(Insert, BoneOfOtherTissuesIsRefused) {
 TEST(Subtract, TakesWhatTheSolidHolds) {
     Bench bench;
     bench.simulation.subtract(0, test::mill_at(0.0, 2.0_mm));
-    const double cylinder = pi * test::Milling::radius * test::Milling::radius * 3.0_mm;
+    const double cylinder = pi * test::Mill::radius * test::Milling::radius * 3.0_mm;
     EXPECT_NEAR(bench.simulation.present().removed(), cylinder, 0.02 * cylinder);
     EXPECT_TRUE(bench.simulation.committed().same_bits(bench.simulation.exact()));
     EXPECT_EQ(bench.simulation.undo(), "");
@@ -352,7 +352,7 @@ TEST(Undo, PassingByIsNoCut) {
     // Given the mill on its way past the bar, 0.3 mm from it: near enough to change distances in the air
     Bench bench;
     bench.go_to({-4.0_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
-    bench.go_to({-1.5_mm - test::Milling::radius - 0.3_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
+    bench.go_to({-1.5_mm - test::Mill::radius - 0.3_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
     const std::uint64_t before = bench.simulation.present().hash();
     bench.go_to({bench.hand.position.x, -12.0_mm, 6.0_mm}, 20.0_um);
     EXPECT_NE(bench.simulation.present().hash(), before);

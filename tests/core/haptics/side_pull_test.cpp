@@ -7,9 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "kerf/force.hpp"
+#include "kerf/plugin.hpp"
 #include "tests/support/drill_rig.h"
 
 namespace kerf {
@@ -19,36 +18,30 @@ using namespace literals;
 
 /// Two dampers across each other, each pulling the tool sideways with μ times its own force: crossed, the worst case.
 struct CrossedPull {
-    struct State {};
-    enum : std::size_t { mu, tool_parameter_count = 0, force_parameter_count = 1, drive_count = 0, signal_count = 0 };
+    double mu;
 
-    static void resist(const Tick& tick, const BoneQuery&, const State&, Channels& channels) noexcept {
+    static constexpr auto about() {
+        return describe("crossed_pull", "Two dampers, each with a pull across.",
+                        param(&CrossedPull::mu, {.id = "mu",
+                                                 .help = "Pull per force of its damper.",
+                                                 .min = 0.0,
+                                                 .max = 1e3,
+                                                 .def = 1.0,
+                                                 .source = "the test's"}));
+    }
+    void resist(const Held<AnyTool>&, const BoneQuery&, Channels& channels) const noexcept {
         for (const double way : {1.0, -1.0})
             for (std::uint32_t axis = 0; axis < 2; ++axis) {
                 kerf_channel* c = channels.add(KERF_CUT, 1 + axis + (way > 0.0 ? 0u : 2u));
                 c->d[axis] = way;
                 c->eta = 5000.0;
-                c->follow[1 - axis] = (axis == 0 ? 1.0 : -1.0) * way * tick.force[mu];
+                c->follow[1 - axis] = (axis == 0 ? 1.0 : -1.0) * way * mu;
             }
     }
-    static void commit(const Tick&, const BoneQuery&, const Advance&, State&, std::span<double>, Actions&) noexcept {}
 };
 
 ToolSetup crossed_pull(double mu) {
-    using Table = ForceTable<CrossedPull>;
-    static constexpr kerf_force force{sizeof(kerf_force),
-                                      sizeof(CrossedPull::State),
-                                      alignof(CrossedPull::State),
-                                      nullptr,
-                                      0,
-                                      nullptr,
-                                      0,
-                                      5000,
-                                      &Table::begin,
-                                      &Table::resist,
-                                      &Table::commit};
-    static constexpr kerf_component component{
-        sizeof(kerf_component), KERF_KIND_FORCE, "crossed_pull", "", nullptr, 0, 0, nullptr, &force, nullptr};
+    static constexpr kerf_component component = component_of<CrossedPull>();
     ToolSetup setup = test::twist_drill();
     setup.force = &component;
     setup.force_parameters = {mu};

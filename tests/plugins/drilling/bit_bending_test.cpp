@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "plugins/drilling/drill_parameters.h"
+#include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf {
@@ -94,7 +94,7 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     const auto go = [&](double depth, double aside) {
         const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
         simulation.after_tick();
-        const double stress = simulation.signals()[drilling::signal_bending_stress];
+        const double stress = signals_of<drilling::DrillCutting>(simulation.signals()).bending_stress;
         for (std::size_t i = 0; i < r.event_count; ++i)
             if (std::string(r.events[i]) == "drilling.bit_overbent" && told++ == 0) stress_when_told = stress;
         if (told == 0) least_not_told = std::max(least_not_told, stress);

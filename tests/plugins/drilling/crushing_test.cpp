@@ -232,7 +232,7 @@ TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
         const CouplingGains g = test::gains(0.005);
         hand = rig.depth() + 5.0 * g.force_scale / g.stiffness;
         thrust = rig.go(test::at_depth(hand)).thrust;
-        last = rig.simulation.signals()[drilling::signal_spindle_speed];
+        last = signals_of<drilling::DrillCutting>(rig.simulation.signals()).spindle_speed;
     }
     EXPECT_NEAR(last, 1000.0_rpm, 1e-9);
     EXPECT_GE(rig.depth(), 6.0_mm) << "with 5 N, cutting";

@@ -56,10 +56,10 @@ kerf_bone_query whole_bone() {
 struct Lips {
     ToolSetup setup = test::twist_drill();
     kerf_bone_query query = whole_bone();
-    Tick tick{Simulation::dt, setup.tool_parameters, setup.force_parameters, setup.drives};
-    TwistDrill drill = drill_of(tick.tool);
-    EdgePlaces places{drill, tick, BoneQuery(query)};
-    std::unique_ptr<Edges> edges = std::make_unique<Edges>(drill, places, tick, BoneQuery(query), 0.0);
+    DrillCutting law = value_of<DrillCutting>(setup.force_parameters);
+    TwistDrill drill = value_of<TwistBit>(setup.tool_parameters, setup.drives).drill();
+    EdgePlaces places{drill, law, BoneQuery(query)};
+    std::unique_ptr<Edges> edges = std::make_unique<Edges>(drill, places, law, BoneQuery(query), 0.0);
     static constexpr double n = 1000.0_rpm;
 
     const Edges& going(const Vec6& rate) {

@@ -109,12 +109,13 @@ TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
         revolutions += n * Simulation::dt;
     }
 
-    const Lip lip = make_lip(drill_of(setup.tool_parameters), 0.1_mm);
+    const Lip lip = make_lip(value_of<drilling::TwistBit>(setup.tool_parameters).drill(), 0.1_mm);
     double edge_area_per_turn = 0.0;
     for (std::size_t i = 0; i < lip.count; ++i)
         edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
-    const double cost = setup.force_parameters[force_cutting_chip] * (simulation.present().removed() - from_volume) +
-                        setup.force_parameters[force_cutting_edge] * edge_area_per_turn * revolutions;
+    const auto law = value_of<drilling::DrillCutting>(setup.force_parameters);
+    const double cost = law.cutting_chip * (simulation.present().removed() - from_volume) +
+                        law.cutting_edge * edge_area_per_turn * revolutions;
     EXPECT_NEAR(work / cost, 1.0, 0.02);
 }
 

@@ -125,7 +125,7 @@ TEST(ProfileDrill, ABallsThrustIsTheIntegralAlongItsLips) {
     const double feed = 4.0e-3, n = 1000.0 / 60.0, per_lip = feed / (2.0 * n);
     const ToolSetup setup = ball({{"element_pitch", 0.05_mm}, {"edge_depth", 0.01e-6}});
     const auto f = [&](std::size_t at) { return setup.force_parameters[at]; };
-    const double half_web = 0.5 * 0.15 * setup.tool_parameters[drilling::tool_diameter],
+    const double half_web = 0.5 * 0.15 * value_of<drilling::ProfileBit>(setup.tool_parameters).diameter,
                  c = half_web / 0.81915204428899180, r = ball_radius;
     constexpr int pieces = 20000;
     const double first = std::sqrt(c * c - half_web * half_web), last = std::sqrt(r * r - half_web * half_web),

@@ -37,7 +37,9 @@ struct Rig {
         return r;
     }
     [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
-    [[nodiscard]] double rpm() const { return simulation.signals()[signal_spindle_speed] * 60.0; }
+    [[nodiscard]] double rpm() const {
+        return signals_of<drilling::DrillCutting>(simulation.signals()).spindle_speed * 60.0;
+    }
 };
 
 TEST(SpindleInBone, ItRunsUpBeforeItCuts) {
@@ -94,7 +96,9 @@ TEST(SpindleInBone, InReverseItRubsAndTakesNoBone) {
     EXPECT_FALSE(r.is_cutting);
     // What rubs the motor pays, and the hand feels it, the other way round than in cutting.
     EXPECT_NEAR(r.torque, -0.3 * 100.0 * 2.0 / 3.0 * 1.6_mm, 2.0_Nmm);
-    EXPECT_NEAR(rig.simulation.signals()[signal_drive_power] / (2.0 * pi * 1000.0_rpm * -r.torque), 1.0, 0.02);
+    EXPECT_NEAR(
+        signals_of<drilling::DrillCutting>(rig.simulation.signals()).drive_power / (2.0 * pi * 1000.0_rpm * -r.torque),
+        1.0, 0.02);
 }
 
 TEST(SpindleInBone, StalledInReverseItPullsTheOtherWay) {
@@ -166,7 +170,7 @@ TEST(SpindleInBone, TheMotorPaysForTheTorque) {
         const TickResult r = rig.push(170.0);
         if (i < 2000) continue;
         torque += r.torque;
-        power += rig.simulation.signals()[signal_drive_power];
+        power += signals_of<drilling::DrillCutting>(rig.simulation.signals()).drive_power;
         count += 1.0;
     }
     EXPECT_NEAR(power / count / (2.0 * pi * 1000.0_rpm * torque / count), 1.0, 0.05);

@@ -109,7 +109,7 @@ TEST(StepDrill, SwitchedOffItStandsOnItsShoulder) {
     Countersink sink(7.5_mm);
     sink.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
     for (int i = 0; i < 600; ++i) (void)sink.tick(test::at_depth(7.5_mm));
-    ASSERT_EQ(sink.simulation.signals()[drilling::signal_spindle_speed], 0.0);
+    ASSERT_EQ(signals_of<drilling::DrillCutting>(sink.simulation.signals()).spindle_speed, 0.0);
     TickResult r;
     for (double hand = 7.5_mm; hand < 11.0_mm; hand += 4.0_um) r = sink.tick(test::at_depth(hand));
     EXPECT_GT(r.thrust, 20.0) << "N";

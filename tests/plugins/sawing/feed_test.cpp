@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -84,8 +84,8 @@ struct Feeding {
 
 /// All teeth in cortical bone at this feed: what each resists, in the mean over the oscillation, on its own normal.
 double exact_thrust(const ToolSetup& setup, double feed) {
-    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
-    const auto k = sawing::coefficients(setup.force_parameters).thrust;
+    const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
+    const auto k = value_of<sawing::SawCutting>(setup.force_parameters).thrust();
     const Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     const sawing::Teeth teeth = sawing::teeth_of(blade, 0.0);
     constexpr int steps = 2000;
@@ -94,7 +94,7 @@ double exact_thrust(const ToolSetup& setup, double feed) {
         for (int s = 0; s < steps; ++s) {
             const double c = teeth.tooth[i].normal.z,
                          t = feed * c * sawing::chip_per_feed(stroke, std::cos((s + 0.5) / steps * 0.5 * pi));
-            sum += c * blade.kerf() * sawing::force_per_width(t, k) / steps;
+            sum += c * blade.kerf() * force_per_width(t, k) / steps;
         }
     return sum;
 }
@@ -122,16 +122,17 @@ TEST(SawThrust, HasItsEighteenTeethInBone) {
 // B3-a, through the whole loop: 2.5 … 10 µm in the mean.
 TEST(SawThrust, OfOneToothLiesWhereItWasMeasured) {
     const ToolSetup setup = test::saw();
-    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+    const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
     const Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     Feeding saw(wide_block(), setup);
     saw.to(5.0_mm);
     for (const double chip : {2.5_um, 5.0_um, 10.0_um}) {
         const double feed = chip / sawing::mean_chip_per_feed(stroke);
         const Felt felt = saw.mean(feed, 20);
-        EXPECT_NEAR(felt.signals[sawing::signal_chip_thickness], chip, 0.01_um);
-        const double cutting = felt.signals[sawing::signal_vibration] / felt.signals[sawing::signal_engaged_teeth];
-        const double resultant = std::hypot(felt.signals[sawing::signal_tooth_force], cutting);
+        EXPECT_NEAR(signals_of<sawing::SawCutting>(felt.signals).chip_thickness, chip, 0.01_um);
+        const double cutting = signals_of<sawing::SawCutting>(felt.signals).vibration /
+                               signals_of<sawing::SawCutting>(felt.signals).engaged_teeth;
+        const double resultant = std::hypot(signals_of<sawing::SawCutting>(felt.signals).tooth_force, cutting);
         EXPECT_GE(resultant, 8.0) << chip;
         EXPECT_LE(resultant, 11.0) << chip;
     }
@@ -284,7 +285,7 @@ TEST(SawThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     // those ends are bone that nobody is charged for. What 18 teeth of 0.7 mm take: kerf x 12.6 mm x 2 mm.
     const double front = 1.0_mm * 18.0 * 0.7_mm * 2.0_mm;
     EXPECT_GT(saw.simulation.present().removed() - before, front);
-    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+    const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
     const Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     // Chips are as thick as the time between teeth makes them; their mean over time, at the mean speed:
     const double chips = sawing::mean_chip_per_feed(stroke) * stroke.mean_speed() / blade.pitch;
@@ -304,7 +305,8 @@ TEST(SawOscillation, Above100HzSwingsInItsOwnSignalAndNotInTheForce) {
         EXPECT_NEAR(felt.wrench[0], 0.0, 0.02 * felt.thrust);
         least = std::min(least, felt.thrust);
         most = std::max(most, felt.thrust);
-        EXPECT_NEAR(felt.signals[sawing::signal_vibration], 18 * 5.0, 2.0) << "18 teeth with 5 N along their motion";
+        EXPECT_NEAR(signals_of<sawing::SawCutting>(felt.signals).vibration, 18 * 5.0, 2.0)
+            << "18 teeth with 5 N along their motion";
     }
     EXPECT_LT(most - least, 0.01 * most) << "no beat of 200 Hz with the ticks";
 }
@@ -341,7 +343,7 @@ TEST(SawOscillation, Below100HzTheForceGoesAgainstTheTeeth) {
     for (int i = 0; i < ticks; ++i) {
         const Felt felt = saw.go(rate);
         const double along = felt.wrench[0];
-        EXPECT_EQ(felt.signals[sawing::signal_vibration], 0.0);
+        EXPECT_EQ(signals_of<sawing::SawCutting>(felt.signals).vibration, 0.0);
         sum += along;
         thrust += felt.thrust;
         most = std::max(most, std::abs(along));

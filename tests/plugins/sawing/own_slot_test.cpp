@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/saw_rig.h"
 #include "tests/support/tremor.h"
 
@@ -132,7 +132,7 @@ TEST(BladeInItsSlot, BindsWhenItIsPushedFartherThanItsTeethStandOut) {
     }
     EXPECT_LT(free, 0.05);
     EXPECT_GT(bound, 0.2) << "N: a blade of 0.8 mm bends; 0.2 mm at some 3 N/mm";
-    EXPECT_GT(saw.simulation.signals()[sawing::signal_binding], 0.2);
+    EXPECT_GT(signals_of<sawing::SawCutting>(saw.simulation.signals()).binding, 0.2);
 }
 
 TEST(BladeInItsSlot, IsTwistedBackWhenItIsTwisted) {

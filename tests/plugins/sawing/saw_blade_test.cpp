@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf::sawing {
@@ -16,7 +16,9 @@ namespace {
 
 using namespace literals;
 
-SawBlade blade(const std::map<std::string, double>& set = {}) { return blade_of(test::saw(set).tool_parameters); }
+SawBlade blade(const std::map<std::string, double>& set = {}) {
+    return value_of<sawing::OscillatingBlade>(test::saw(set).tool_parameters).blade();
+}
 
 // C.7: 5° at 60 mm.
 TEST(SawBlade, ItsStrokeIsTheArcOfItsSwing) { EXPECT_NEAR(blade().stroke(), 5.236_mm, 0.001_mm); }

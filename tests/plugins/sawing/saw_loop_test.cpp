@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/haptics/surface_worker.h"
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/saw_rig.h"
 
@@ -94,7 +94,7 @@ TEST(SawLoop, NeitherAllocatesNorLocksNorThrowsThroughASplit) {
         ever.was_fast = ever.was_fast || now.was_fast;
         ever.was_barred = ever.was_barred || now.was_barred;
         ever.has_adopted = ever.has_adopted || now.has_adopted;
-        bound = std::max(bound, rig.simulation.signals()[sawing::signal_binding]);
+        bound = std::max(bound, signals_of<sawing::SawCutting>(rig.simulation.signals()).binding);
         rig.simulation.make_room();
         if (i % 10 == 0) rig.worker.wait_for_all();  // however slow this machine is
     }

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -78,7 +78,7 @@ TEST(StillSaw, SwitchedOffUnderPushItStopsCuttingAndStands) {
     }
     RecordProperty("largest_step_percent", std::to_string(100.0 * largest_step / push));
     EXPECT_LT(largest_step, 0.07 * push);
-    EXPECT_EQ(saw.simulation.signals()[sawing::signal_stroke_rate], 0.0);
+    EXPECT_EQ(signals_of<sawing::SawCutting>(saw.simulation.signals()).stroke_rate, 0.0);
     const double depth = saw.simulation.world_from_tool().position.z;
     for (int i = 0; i < 500; ++i) (void)saw.tick(0.0);
     EXPECT_NEAR(saw.simulation.world_from_tool().position.z, depth, 2.0_um) << "it stands";
@@ -87,10 +87,10 @@ TEST(StillSaw, SwitchedOffUnderPushItStopsCuttingAndStands) {
 TEST(SawMotor, RunsUpInItsTimeAndHoldsItsRate) {
     Held saw({{"run_up", 200.0_ms}});
     for (int i = 0; i < 100; ++i) (void)saw.tick(0.0);
-    EXPECT_NEAR(saw.simulation.signals()[sawing::signal_stroke_rate], 100.0, 2.0)
+    EXPECT_NEAR(signals_of<sawing::SawCutting>(saw.simulation.signals()).stroke_rate, 100.0, 2.0)
         << "half of 12000 a minute, in half of the time";
     for (int i = 0; i < 200; ++i) (void)saw.tick(0.0);
-    EXPECT_NEAR(saw.simulation.signals()[sawing::signal_stroke_rate], 200.0, 1e-6);
+    EXPECT_NEAR(signals_of<sawing::SawCutting>(saw.simulation.signals()).stroke_rate, 200.0, 1e-6);
 }
 
 TEST(SawMotor, AWeakMotorBogsDownAndStalls) {

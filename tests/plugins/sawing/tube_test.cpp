@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "plugins/sawing/saw_parameters.h"
+#include "plugins/sawing/saw_force.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -36,14 +36,14 @@ Pose above(double depth) { return test::at_depth(depth, 0.0, {0, 0, outer}); }
 TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
     for (const double h : {0.5_mm, 0.25_mm}) {
         const ToolSetup setup = test::saw();
-        const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+        const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
         const Body body = test::tube(outer, inner, 3.0_mm, h);
         Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
         double worst = 0.0, most = 0.0;
         for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
             simulation.after_tick();
-            const double teeth = simulation.signals()[sawing::signal_engaged_teeth],
+            const double teeth = signals_of<sawing::SawCutting>(simulation.signals()).engaged_teeth,
                          exact = arc_in_tube(blade, depth) / blade.pitch;
             worst = std::max(worst, std::abs(teeth - exact));
             most = std::max(most, exact);
@@ -51,14 +51,14 @@ TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
         RecordProperty("worst_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um", std::to_string(worst));
         EXPECT_GT(most, 15.0);
         EXPECT_LE(worst, 1.0) << "teeth, at " << h;
-        EXPECT_EQ(simulation.signals()[sawing::signal_engaged_teeth], 0.0) << "through";
+        EXPECT_EQ(signals_of<sawing::SawCutting>(simulation.signals()).engaged_teeth, 0.0) << "through";
     }
 }
 
 // The load follows the teeth: what each of them resists at this feed, times how many there are.
 TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
     const ToolSetup setup = test::saw();
-    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+    const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
     const Body body = test::tube(outer, inner, 3.0_mm, 0.5_mm);
     Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
     const sawing::Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
@@ -66,7 +66,7 @@ TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
     for (const auto& part : sawing::parts_of(stroke))
         per_tooth +=
             part.share * blade.kerf() *
-            sawing::force_per_width(part.chip_per_feed * rate, sawing::coefficients(setup.force_parameters).thrust);
+            force_per_width(part.chip_per_feed * rate, value_of<sawing::SawCutting>(setup.force_parameters).thrust());
     for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
         const double thrust = simulation.tick_direct({above(depth)}).thrust;
         simulation.after_tick();

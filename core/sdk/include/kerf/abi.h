@@ -2,17 +2,19 @@
 #ifndef KERF_ABI_H
 #define KERF_ABI_H
 
-/* The plugin boundary, ABI 0: plain C11, no dependencies.
+/* The plugin boundary, ABI 0: plain C11 without dependencies.
  *
- * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. Everything else is static const
- * tables reachable from it. ABI 0 promises nothing yet: host and plugin must be built against the same layout,
- * and the loader refuses anything else with a message that says which field differs.
+ * A plugin exports one data symbol, `kerf_plugin_entry`, of type `kerf_entry`. All else is static const tables that it
+ * points to. The C++ header kerf/plugin.hpp writes these tables from plain structs.
  *
- * Units: SI and radians everywhere. Frames: `world` (LPS), `body` (LPS of one body), `tool` (origin at the tip, +z
- * along the shaft and out of the tip). Poses are `a_from_b`: they take coordinates in b to coordinates in a.
+ * ABI 0 promises no compatibility: host and plugin must be built against the same layout. The loader refuses any other
+ * plugin and names the struct that differs.
  *
- * Threads: [main] may allocate and fail. [haptic] runs once a tick. [any] pure. `nonblocking` is said separately:
- * no allocation, lock, system call, throw or wait.
+ * Units: SI and radians. Frames: `world` (LPS), `body` (LPS of one body), `tool` (origin at the tip, +z along the shaft
+ * and out of the tip). A pose `a_from_b` takes coordinates in b to coordinates in a.
+ *
+ * Threads: [main] may allocate and fail. [haptic] runs once a tick. [any] is pure. A nonblocking function does not
+ * allocate, lock, wait, throw or call the system.
  */
 
 #include <stdint.h>
@@ -24,12 +26,12 @@ extern "C" {
 #define KERF_ABI_VERSION 0u
 #define KERF_MAGIC 0x4652454bu /* "KERF" */
 
-#define KERF_MAX_CHANNELS 16u /* monotone scalar channels in one law                */
-#define KERF_MAX_SIGNALS 16u  /* declared signals of one force component            */
-#define KERF_MAX_DRIVES 8u    /* drive channels of one tool                         */
-#define KERF_MAX_TISSUES 4u   /* materials that one sample can mix                  */
-#define KERF_MAX_ACTIONS 8u   /* actions of one commit                              */
-#define KERF_MAX_NOTES 4u     /* numbers that a resist leaves for its commit        */
+#define KERF_MAX_CHANNELS 16u /* channels of one law                        */
+#define KERF_MAX_SIGNALS 16u  /* signals of one force component             */
+#define KERF_MAX_DRIVES 8u    /* drives of one tool                         */
+#define KERF_MAX_TISSUES 4u   /* materials that one sample can mix          */
+#define KERF_MAX_ACTIONS 8u   /* actions of one commit                      */
+#define KERF_NOTE_BYTES 64u   /* what a resist hands on to its commit       */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -55,25 +57,25 @@ enum { KERF_OK = 0, KERF_FAILED = -1, KERF_OUT_OF_RANGE = -2, KERF_CAPACITY = -3
 /* ---- self-description -------------------------------------------------------------------------------------- */
 
 typedef struct kerf_param {
-    const char* id;           /* snake_case, unique within its component                      */
-    const char* help;         /* one sentence                                                  */
-    kerf_dimension dimension; /* of the value; all zero for a plain number                     */
-    const char* display_unit; /* "mm", "deg", "rpm", "N/mm"; "" for a plain number             */
-    double min, max, def;     /* SI                                                            */
-    const char* source;       /* where the default comes from, and whether it is calibrated or assumed */
+    const char* id;           /* snake_case, unique within its component                            */
+    const char* help;         /* one sentence                                                       */
+    kerf_dimension dimension; /* all zero for a plain number                                        */
+    const char* display_unit; /* "mm", "deg", "rpm", "N/mm"; "" for a plain number                  */
+    double min, max, def;     /* SI                                                                 */
+    const char* source;       /* origin of the default, and whether it is calibrated or assumed     */
 } kerf_param;
 
-/* A drive channel: what the user's trigger or the procedure sets on a powered tool. */
+/* A drive: what the trigger or the procedure sets on a powered tool while it is used. */
 typedef struct kerf_drive {
     const char* id; /* spindle_speed, stroke_rate, amplitude, irrigation, trigger … */
     const char* help;
     kerf_dimension dimension;
     const char* display_unit;
-    double min, max, def;
-    double least; /* magnitude under which the tool does not cut though it goes; 0: there is none */
+    double min, max, def; /* SI */
+    double least;         /* magnitude below which the tool runs but does not cut; 0: there is none */
 } kerf_drive;
 
-/* A quantity the force component reports each tick: recorded, and usable in goals and scores. */
+/* A quantity that a law reports each tick. It is recorded. */
 typedef struct kerf_signal {
     const char* id;
     const char* help;
@@ -81,56 +83,58 @@ typedef struct kerf_signal {
     const char* display_unit;
 } kerf_signal;
 
-/* What may happen that is worth telling: recorded with its tick, by its id. */
+/* What may happen at a tick and is recorded by its id. */
 typedef struct kerf_event {
-    const char* id;   /* "<plugin>.<name>", the plugin by all of its id or by what follows its last dot */
+    const char* id;   /* "<plugin>.<name>"; <plugin> is the plugin's id or what follows its last dot */
     const char* help; /* one sentence */
 } kerf_event;
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
-/* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the
- * radius never falls while z decreases within the cutting region. revolution   turned about the tool's z axis prism a
- * blade: `radius` is half of its width along x, the front may be round, and two flat sides stand at ± half of its
- * thickness across y; its outline must be convex as a whole */
+/* A point of the outline: the polyline (z, radius) from the tip backwards, z decreasing. It must be convex towards the
+ * tip along +z: the radius never falls while z decreases within the cutting region.
+ *   revolution   turned about the tool's z axis
+ *   prism        a blade: `radius` is half of its width along x, the front may be round, and two flat sides lie at
+ *                ± half of its thickness across y; the outline must be convex as a whole */
 typedef struct kerf_profile_point {
     double z, radius;
 } kerf_profile_point;
 
 enum { KERF_SOLID_REVOLUTION = 1, KERF_SOLID_PRISM = 2 };
 
+/* A tool's outline as the host holds it. */
 typedef struct kerf_solid {
     uint32_t size;
     uint32_t kind;
     const kerf_profile_point* profile;
     uint32_t profile_count;
-    uint32_t cutting_count; /* the first this many profile points bound the region that removes bone            */
+    uint32_t cutting_count; /* the first profile points, which bound the region that removes bone */
 } kerf_solid;
 
-/* What a tool writes into for the host: at most `capacity` points. */
+/* What a tool writes into for the host: at most `capacity` points. The host sets all outputs to zero before. */
 typedef struct kerf_tool_shape {
     uint32_t size;
     uint32_t profile_capacity;
     kerf_profile_point* profile;
     uint32_t profile_count; /* out */
-    uint32_t cutting_count; /* out */
+    uint32_t cutting_count; /* out: 0 for a tool that removes no bone */
     double grip_z;          /* out: where the hand holds the tool on its axis [m], < 0 */
-    uint32_t kind;          /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION when asked */
+    uint32_t kind;          /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
     uint32_t reserved;
     double kerf;       /* out, prism: thickness of what removes bone [m], > 0 */
     double thickness;  /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
-    double mass;       /* out: of the tool with its handpiece [kg]; 0: it has none */
+    double mass;       /* out: of the tool with its handpiece [kg]; 0: none */
     double centre_z;   /* out, with a mass: where its centre lies on the axis [m] */
-    double gyration;   /* out, with a mass: its radius of gyration about that centre [m], > 0 */
-    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, what they are and what is
-                          needed; UTF-8, ends with NUL. Empty when asked */
+    double gyration;   /* out, with a mass: radius of gyration about that centre [m], > 0 */
+    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
+                          needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {
     uint32_t size;
     const kerf_drive* drives;
     uint32_t drive_count;
-    /* The tool's outline for these parameters. [main] */
+    /* Writes the tool's outline for these parameters. [main] */
     kerf_status (*shape)(const double* params, kerf_tool_shape* out);
 } kerf_tool;
 
@@ -139,17 +143,17 @@ typedef struct kerf_tool {
 typedef struct kerf_bone kerf_bone;
 
 typedef struct kerf_bone_sample {
-    double engagement; /* [-] 0 in air … 1 in bone not yet cut (the cut as committed about one voxel behind)     */
-    double gap;        /* [m] how far the point must travel along its direction to reach uncut bone; ≥ 0           */
-    double weight[KERF_MAX_TISSUES];  /* [-] share of each tissue; sums to 1 where there is bone                    */
-    double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                        */
-    int32_t body; /* which body answered, -1 for none                                                          */
+    double engagement; /* [-] 0 in air … 1 in uncut bone; the cut as committed, about one voxel behind */
+    double gap;        /* [m] distance along the direction to uncut bone; ≥ 0                          */
+    double weight[KERF_MAX_TISSUES];  /* [-] fraction of each tissue; sums to 1 where there is bone                   */
+    double density[KERF_MAX_TISSUES]; /* [kg/m³] of each tissue at the point                                          */
+    int32_t body;                     /* which body answered; -1 for none                                             */
     uint32_t reserved;
 } kerf_bone_sample;
 
 typedef struct kerf_surface_point {
-    double distance;  /* [m] to the present surface, negative inside, clamped to a few voxels                     */
-    kerf_vec3 normal; /* outward unit normal, tool frame; zero where there is no surface near                     */
+    double distance;  /* [m] signed distance to the present surface, negative inside, clamped to a few voxels */
+    kerf_vec3 normal; /* outward unit normal, tool frame; zero where no surface is near                       */
     int32_t body;
     uint32_t reserved;
 } kerf_surface_point;
@@ -157,13 +161,13 @@ typedef struct kerf_surface_point {
 typedef struct kerf_bone_query {
     uint32_t size;
     uint32_t tissue_count;
-    double reach; /* [m] distances are known as far as this on either side of a surface */
-    /* Edges ask here. `points`, `directions` (unit) in the tool frame at the pose of this tick; `direction_count` is 1,
-       for all points the same, or `count`; of any other number the first holds for all. One question of many points is
-       cheaper than many.  [haptic, nonblocking] */
+    double reach; /* [m] distances are known this far on either side of a surface */
+    /* Samples the committed bone at cutting edges. `points` and `directions` (unit) are in the tool frame at the pose
+       of this tick. `direction_count` is `count`, one direction a point, or 1; with any other number the first
+       direction holds for all points. One query of many points costs less than many queries. [haptic, nonblocking] */
     void (*sample)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, const kerf_vec3* directions,
                    uint32_t direction_count, kerf_bone_sample* out);
-    /* Contact asks here: the present geometry.  [haptic, nonblocking] */
+    /* Returns distance and normal of the present surface at contact points. [haptic, nonblocking] */
     void (*nearest)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, kerf_surface_point* out);
     const kerf_bone* bone;
 } kerf_bone_query;
@@ -172,16 +176,16 @@ typedef struct kerf_bone_query {
 
 enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
 
-/* One monotone scalar channel. s = dᵀu is its rate, u the tool's rate (velocity of the tip, angular velocity) in the
- * tool frame; its force is −d λ(s).
- *   cut       s − g/T ≤ 0 → λ = 0;  else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
+/* A channel: one monotone scalar force. Its rate is s = dᵀu, with u the rate of the tool (velocity of the tip, angular
+ * velocity) in the tool frame; its force on the tool is −d λ(s), with T the tick.
+ *   cut       λ = 0 for s ≤ g/T; else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
  *   contact   λ = max(0, k(δ + sT) + b(s + min(δ, 0)/T))
  *   friction  λ = τ clamp(s/w, −1, 1)
  *   hold      λ = k(δ + sT) + b s
- * `follow` is a wrench per newton of (filtered) λ that does no work against s: reaction torque, imbalance. */
+ * `follow` is a wrench on the tool per newton of filtered λ; it does no work against s: reaction torque, imbalance. */
 typedef struct kerf_channel {
     uint32_t kind;
-    uint32_t id;      /* the same number for the same thing in every tick; λ filtered for `follow` is kept by it */
+    uint32_t id;      /* the same number for the same thing in every tick: the host filters λ for `follow` by id */
     double d[6];      /* linear [-], angular [m] */
     double follow[6]; /* force [N/N], torque [N·m/N] */
     double tau;       /* [N] */
@@ -192,48 +196,50 @@ typedef struct kerf_channel {
     double delta;     /* [m] > 0: penetration */
 } kerf_channel;
 
+/* What one evaluation of a law returns. The host sets all outputs to zero before. */
 typedef struct kerf_law {
     uint32_t size;
     uint32_t count; /* out, ≤ KERF_MAX_CHANNELS */
     kerf_channel* channel;
     double wrench[6]; /* out: on the tool, about its tip, tool frame [N, N·m]: what is no resistance, such as a motor's
-                         reaction. Zero when asked. Together with what follows the channels the host gives at most half
-                         of what the coupling can hold. */
-    double note[KERF_MAX_NOTES]; /* out: what commit will want to know and would have to ask the bone again: the host
-                                    hands back those of the law that was solved. Zero when asked; finite. */
+                         reaction. Together with `follow` the host applies at most half of what the coupling can hold */
+    unsigned char note[KERF_NOTE_BYTES]; /* out: what commit needs and would have to query again. The host returns the
+                                            bytes of the evaluation that it solved and does not read them */
 } kerf_law;
 
 typedef struct kerf_tick_in {
     uint32_t size;
     uint32_t hand; /* index of the hand that holds the tool */
     uint64_t tick;
-    double dt; /* [s] nominal, always */
-    const double*
-        tool_params; /* SI, declared order: those of the tool that is held, which may be any of the plugin's */
+    double dt;                 /* [s] nominal, constant */
+    const double* tool_params; /* SI, declared order: those of the tool that is held */
     const double* force_params;
-    const double* drive; /* the commanded drive values, declared order */
+    const double* drive; /* commanded values of the tool's drives, declared order */
     const kerf_bone_query* bone;
     uint32_t tool_param_count;
-    uint32_t reserved;
+    uint32_t tool;             /* which of the law's `tools` is held; 0 for a law with `needs` */
+    const char* tool_id;       /* the id of the held tool */
+    const kerf_solid* outline; /* of the held tool */
+    const uint32_t*
+        bound; /* for each of the law's `needs`: its index into `tool_params` or `drive`; null without needs */
 } kerf_tick_in;
 
-/* What happened in the tick, told once. */
+/* What happened in the tick. */
 typedef struct kerf_advance {
     uint32_t size;
     uint32_t channel_count;
-    double rate[6];              /* the tool's rate that balanced, tool frame [m/s, rad/s] */
-    const kerf_channel* channel; /* the law that was solved                    */
-    const double* lambda;        /* what each of its channels carried [N]      */
-    double following[6]; /* on the tool, about its tip, tool frame [N, N·m]: what the host gave of what follows the
-                            channels and of the law's own wrench. It goes with filtered λ and has a limit, so it is no
-                            sum over `lambda` */
-    const double* note;  /* that law's notes; null when no law was asked */
+    double rate[6];              /* the rate of the tool at which hand and law balance, tool frame [m/s, rad/s] */
+    const kerf_channel* channel; /* the law that was solved */
+    const double* lambda;        /* the force of each channel [N] */
+    double following[6]; /* on the tool, about its tip, tool frame [N, N·m]: what the host applied of `follow` and
+                            of the law's own wrench. It is filtered and limited, so it is no sum over `lambda` */
+    const unsigned char* note; /* that law's note; null when no law was evaluated */
 } kerf_advance;
 
-/*   cut      what the tool sweeps in this tick is gone
- *   hold     body `value` is rigid to the tool from now on: it moves with it, and other bodies stop it
- *   release  nothing is held any more
- *   event    number `value` of the law's declared events has happened */
+/*   cut      removes what the tool sweeps in this tick
+ *   hold     makes body `value` rigid to the tool: it moves with it, and other bodies stop it
+ *   release  lets go of what is held
+ *   event    reports number `value` of the law's declared events */
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_HOLD = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
 
 typedef struct kerf_action {
@@ -248,6 +254,17 @@ typedef struct kerf_commit_out {
     double* signal; /* out, declared order */
 } kerf_commit_out;
 
+enum { KERF_NEED_PARAM = 1, KERF_NEED_DRIVE = 2 };
+
+/* What a law needs of the tool that it is used with: a parameter or a drive with this id and dimension. */
+typedef struct kerf_need {
+    const char* id;
+    const char* help;
+    kerf_dimension dimension;
+    uint32_t kind; /* KERF_NEED_… */
+} kerf_need;
+
+/* A law takes the tools of its own plugin that `tools` lists; without `tools`, any tool that has all of `needs`. */
 typedef struct kerf_force {
     uint32_t size;
     uint32_t state_size, state_align;
@@ -255,13 +272,17 @@ typedef struct kerf_force {
     uint32_t signal_count;
     const kerf_event* events;
     uint32_t event_count;
+    const char* const* tools; /* ids of tools of the same plugin */
+    uint32_t tool_count;
+    const kerf_need* needs;
+    uint32_t need_count;
     uint32_t budget_ns; /* what one `resist` should take at most */
-    /* The state that a law begins with. Parameters, and how finely the bone of `in` is known, stay as they are until it
-       begins again: what follows from them alone is worked out here, once. [haptic, nonblocking] */
+    /* Writes the state that the law begins with. The parameters and the resolution of the bone stay the same until the
+       law begins again: work out here what follows from them alone. [haptic, nonblocking] */
     void (*begin)(const kerf_tick_in* in, void* state);
-    /* States the law at the present pose. Pure: may be asked again. [haptic, nonblocking] */
+    /* Evaluates the law at the present pose. Pure: the host may call it again. [haptic, nonblocking] */
     kerf_status (*resist)(const kerf_tick_in* in, const void* state, kerf_law* out);
-    /* Told once which motion happened. [haptic, nonblocking] */
+    /* Takes the motion that happened, once a tick, and updates the state. [haptic, nonblocking] */
     kerf_status (*commit)(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out);
 } kerf_force;
 
@@ -271,10 +292,10 @@ enum { KERF_KIND_TOOL = 1, KERF_KIND_FORCE = 2 };
 
 /* What a component can do without, so that a planner may leave out what a scene does not need. */
 enum {
-    KERF_FEATURE_EFFECT = 1,     /* a physical effect: gone where its parameters are `off`                          */
-    KERF_FEATURE_RESOLUTION = 2, /* how finely it works: coarser and cheaper towards `off`; one parameter           */
+    KERF_FEATURE_EFFECT = 1,     /* a physical effect: absent where its parameters are `off` */
+    KERF_FEATURE_RESOLUTION = 2, /* a resolution: coarser and cheaper towards `off`; one parameter */
 };
-/* Lines with the same id are one feature, switched together. */
+/* Lines with the same id are one feature and are switched together. */
 typedef struct kerf_feature {
     const char* id;   /* snake_case */
     const char* help; /* one sentence: what is there with it */
@@ -296,10 +317,10 @@ typedef struct kerf_component {
     const kerf_feature* features;
 } kerf_component;
 
-/* Sizes of every struct that crosses the boundary, so that a mismatch is named, not suffered. */
+/* Sizes of all structs that cross the boundary, so that the loader can name one that differs. */
 typedef struct kerf_layout {
     uint32_t param, drive, signal, event, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
-        tick_in, advance, action, commit_out, force, component, feature;
+        tick_in, advance, action, commit_out, force, component, feature, need;
 } kerf_layout;
 
 #define KERF_LAYOUT_INIT                                                                                      \
@@ -308,7 +329,7 @@ typedef struct kerf_layout {
             sizeof(kerf_tool_shape), sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), \
             sizeof(kerf_bone_query), sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in),            \
             sizeof(kerf_advance), sizeof(kerf_action), sizeof(kerf_commit_out), sizeof(kerf_force),           \
-            sizeof(kerf_component), sizeof(kerf_feature)                                                      \
+            sizeof(kerf_component), sizeof(kerf_feature), sizeof(kerf_need)                                   \
     }
 
 typedef struct kerf_entry {

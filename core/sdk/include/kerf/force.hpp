@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <new>
+#include <cstring>
 #include <span>
 #include <type_traits>
 
@@ -14,41 +13,57 @@
 #include "kerf/math.hpp"
 #include "kerf/sampled_wall.hpp"
 
-/// The C++ face of a force component: write a plain struct, get the C table.
+/// What a force law reads and writes in a tick: bone, channels, the motion that happened, actions.
 namespace kerf {
 
-/// One tick as a force law sees it.
+/// The tick as such.
 struct Tick {
-    double dt;                      ///< [s]
-    std::span<const double> tool;   ///< parameters of the tool that is held, declared order, SI
-    std::span<const double> force;  ///< force parameters, declared order, SI
-    std::span<const double> drive;  ///< commanded drive values, declared order, SI
+    double dt = 0.0;                                ///< [s] nominal, constant
+    std::uint64_t number = 0;                       ///< counts from 0
+    std::uint32_t hand = 0;                         ///< index of the hand that holds the tool
+    std::span<const kerf_profile_point> outline{};  ///< of the held tool: (z, radius) [m], from the tip backwards
 };
 
-/// Batch questions to the bone, tool frame.   [haptic, nonblocking]
+/// The surface of bone nearest to a point.
+struct SurfacePoint : kerf_surface_point {
+    /// Whether there is a surface, and the point lies inside bone or at most `distance` [m] outside.
+    [[nodiscard]] bool is_within(double most) const noexcept {
+        return body >= 0 && distance <= most && !(normal == Vec3{});
+    }
+};
+
+/// Queries of the bone; points and directions in the tool frame.   [haptic, nonblocking]
 class BoneQuery {
 public:
     explicit BoneQuery(const kerf_bone_query& query) noexcept : query_(&query) {}
+    /// Samples the bone at cutting edges.
     /// @param direction  unit; the gap is measured along it
     void sample(std::span<const Vec3> points, Vec3 direction, std::span<kerf_bone_sample> out) const noexcept {
         sample(points, std::span<const Vec3>(&direction, 1), out);
     }
-    /// @param directions  one for all points, or one for each. One question of many points is cheaper than many
+    /// @param directions  one for all points, or one for each. One query of many points costs less than many queries
     void sample(std::span<const Vec3> points, std::span<const Vec3> directions,
                 std::span<kerf_bone_sample> out) const noexcept {
         query_->sample(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), directions.data(),
                        static_cast<std::uint32_t>(directions.size()), out.data());
     }
+    /// Returns the surface nearest to each point.
     void nearest(std::span<const Vec3> points, std::span<kerf_surface_point> out) const noexcept {
         query_->nearest(query_->bone, points.data(), static_cast<std::uint32_t>(points.size()), out.data());
     }
+    /// Returns the surface nearest to one point.
+    [[nodiscard]] SurfacePoint nearest(Vec3 point) const noexcept {
+        SurfacePoint out{};
+        query_->nearest(query_->bone, &point, 1, &out);
+        return out;
+    }
     [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
-    /// [m] distances are known as far as this on either side of a surface
+    /// [m] distances are known this far on either side of a surface.
     [[nodiscard]] double reach() const noexcept { return query_->reach; }
-    [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of its grid
-    /// [m] a cut's wall may stand so far from where the tool went (B5).
+    [[nodiscard]] double voxel() const noexcept { return 0.25 * reach(); }  ///< [m] between the samples of the grid
+    /// [m] how far a sampled wall may lie from where the tool cut it.
     [[nodiscard]] double wall_error() const noexcept { return 0.1 * voxel(); }
-    /// The same of a hole of `radius` [m].
+    /// The same for the wall of a hole of `radius` [m].
     [[nodiscard]] double wall_error(double radius) const noexcept {
         return wall_error() + wall_sagitta(radius, voxel());
     }
@@ -57,10 +72,68 @@ private:
     const kerf_bone_query* query_;
 };
 
-/// Where a law writes its channels. Too many are dropped and counted, never written past the end.
+/// A unit rate along `n` at `point`, as a rate of the tool about its tip: the `d` of a channel there.
+[[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
+
+// ---- channels, by named fields ----------------------------------------------------------------------------------
+
+/// Bone pushes back with `stiffness` × depth. `along` points into the bone.
+struct ContactSpec {
+    std::uint32_t id;      ///< the same number for the same thing in every tick
+    Vec3 at{};             ///< [m]
+    Vec3 along;            ///< unit
+    double stiffness;      ///< [N/m]
+    double depth;          ///< [m] of penetration; negative outside
+    double damping = 0.0;  ///< [N·s/m]
+};
+/// Bone resists an edge that moves along `along` faster than it must to cross `gap` in this tick.
+struct CutSpec {
+    std::uint32_t id;
+    Vec3 at{};
+    Vec3 along;           ///< unit
+    double edge_force;    ///< [N] that builds up over `onset`
+    double onset = 1e-6;  ///< [m/s] ≥ 1e-6
+    double slope;         ///< [N·s/m] of what grows with the rate
+    double gap = 0.0;     ///< [m] to uncut bone
+    Vec6 follow{};        ///< wrench on the tool per newton [N/N, N·m/N]
+};
+/// Rubbing along `along`, either way.
+struct FrictionSpec {
+    std::uint32_t id;
+    Vec3 at{};
+    Vec3 along;           ///< unit
+    double limit;         ///< [N]
+    double onset = 1e-6;  ///< [m/s] ≥ 1e-6: the rate from which on the limit acts
+};
+
+/// Where a law writes its channels. It drops and counts those beyond KERF_MAX_CHANNELS.
 class Channels {
 public:
     explicit Channels(kerf_law& law) : law_(&law) { law.count = 0; }
+
+    void contact(const ContactSpec& spec) noexcept {
+        kerf_channel* c = add(KERF_CONTACT, spec.id, rate_at(spec.at, spec.along));
+        if (c == nullptr) return;
+        c->k = spec.stiffness;
+        c->b = spec.damping;
+        c->delta = spec.depth;
+    }
+    void cut(const CutSpec& spec) noexcept {
+        kerf_channel* c = add(KERF_CUT, spec.id, rate_at(spec.at, spec.along));
+        if (c == nullptr) return;
+        c->tau = spec.edge_force;
+        c->w = std::max(1e-6, spec.onset);
+        c->eta = spec.slope;
+        c->gap = spec.gap;
+        std::copy(spec.follow.begin(), spec.follow.end(), c->follow);
+    }
+    void friction(const FrictionSpec& spec) noexcept {
+        kerf_channel* c = add(KERF_FRICTION, spec.id, rate_at(spec.at, spec.along));
+        if (c == nullptr) return;
+        c->tau = spec.limit;
+        c->w = std::max(1e-6, spec.onset);
+    }
+    /// Adds an empty channel; null where there is no room.
     /// @param id  the same number for the same thing in every tick
     kerf_channel* add(std::uint32_t kind, std::uint32_t id) noexcept {
         if (law_->count >= KERF_MAX_CHANNELS) {
@@ -74,14 +147,17 @@ public:
         c.w = 1e-6;
         return &c;
     }
-    /// A wrench on the tool, about its tip, that is no resistance: a motor's reaction.   Force [N], torque [N·m].
+    kerf_channel* add(std::uint32_t kind, std::uint32_t id, const Vec6& d) noexcept {
+        kerf_channel* c = add(kind, id);
+        if (c != nullptr) std::copy(d.begin(), d.end(), c->d);
+        return c;
+    }
+    /// Adds a wrench on the tool, about its tip, that is no resistance: a motor's reaction.   Force [N], torque [N·m].
     void push(Vec3 force, Vec3 torque) noexcept {
         const Vec6 wrench = make_vec6(force, torque);
         for (std::size_t i = 0; i < 6; ++i) law_->wrench[i] += wrench[i];
     }
     [[nodiscard]] std::size_t count() const noexcept { return law_->count; }
-    /// Leaves a number for the commit of this law, so that it need not ask the bone again. `i` < KERF_MAX_NOTES.
-    void note(std::size_t i, double value) noexcept { law_->note[i] = value; }
     [[nodiscard]] int dropped() const noexcept { return dropped_; }
 
 private:
@@ -89,11 +165,8 @@ private:
     int dropped_ = 0;
 };
 
-/// A unit rate along `n` at `point`, as a rate of the tool about its tip: the `d` of a channel there.
-[[nodiscard]] constexpr Vec6 rate_at(Vec3 point, Vec3 n) noexcept { return make_vec6(n, cross(point, n)); }
-
-/// Sum of edge elements that share a rate into one cut channel. They share the width of their onset: the τ-weighted
-/// mean (resolutions R1).
+/// Sums edge elements that share a rate into one cut channel. Their onsets are averaged with their edge forces as
+/// weights.
 struct ChannelSum {
     double tau = 0.0, eta = 0.0, tau_w = 0.0;
 
@@ -104,7 +177,7 @@ struct ChannelSum {
         eta += slope;
         tau_w += edge_force * w;
     }
-    /// Writes a `share` [–] of it along `d`; nothing where there is no channel left.
+    /// Writes a fraction `share` [–] of the sum along `d`; nothing where `channel` is null.
     void write(const Vec6& d, double share, double gap, kerf_channel* channel) const noexcept {
         if (channel == nullptr) return;
         std::copy(d.begin(), d.end(), channel->d);
@@ -115,92 +188,67 @@ struct ChannelSum {
     }
 };
 
-/// What happened in the tick.
-struct Advance {
-    Vec6 rate;                              ///< tool frame [m/s, rad/s]
-    std::span<const kerf_channel> channel;  ///< the law that was solved
-    std::span<const double> lambda;         ///< what each of its channels carried [N]
-    std::span<const double> note;           ///< what `resist` left; empty when no law was asked
-    Vec6
-        following{};  ///< on the tool: what was given of what follows the channels and of the law's own wrench [N, N·m]
+// ---- after the balance ------------------------------------------------------------------------------------------
 
-    /// What all channels of one kind carried together [N].
+/// The motion that happened in the tick.
+struct Advance {
+    Vec6 rate{};                              ///< tool frame [m/s, rad/s]
+    std::span<const kerf_channel> channel{};  ///< the law that was solved
+    std::span<const double> lambda{};         ///< the force of each channel [N]
+    Vec6 following{};      ///< on the tool: what the host applied of `follow` and of the law's own wrench [N, N·m]
+    bool has_law = false;  ///< whether a law was evaluated in this tick
+
+    /// Returns the force of all channels of one kind together [N].
     [[nodiscard]] double carried_by(std::uint32_t kind) const noexcept {
         double sum = 0.0;
         for (std::size_t c = 0; c < channel.size(); ++c)
             if (channel[c].kind == kind) sum += lambda[c];
         return sum;
     }
+    /// Returns the force of the channel `id` [N]; 0 without one.
+    [[nodiscard]] double carried_by_id(std::uint32_t id) const noexcept {
+        for (std::size_t c = 0; c < channel.size(); ++c)
+            if (channel[c].id == id) return lambda[c];
+        return 0.0;
+    }
+    /// Returns the force that pushes the tool back along its shaft, of all channels but friction [N], ≥ 0.
+    [[nodiscard]] double pushed_along() const noexcept {
+        double sum = 0.0;
+        for (std::size_t c = 0; c < channel.size(); ++c)
+            if (channel[c].kind != KERF_FRICTION) sum += channel[c].d[2] * lambda[c];
+        return std::max(0.0, sum);
+    }
 };
 
+/// The motion, with what `resist` returned for its commit. Without a law in this tick the notes are as constructed.
+template <class Notes>
+struct Noted : Advance {
+    static_assert(std::is_trivially_copyable_v<Notes> && sizeof(Notes) <= KERF_NOTE_BYTES,
+                  "what resist returns must be trivially copyable, of at most KERF_NOTE_BYTES");
+    Notes notes{};
+};
+
+/// What a law does to the world.
 class Actions {
 public:
     explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = 0; }
+    /// Removes what the cutting part of the tool sweeps in this tick.
     void cut() noexcept { add(KERF_ACTION_CUT); }
+    /// Makes a body rigid to the tool.
     /// @param body  as the bone's answers name it
     void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, static_cast<std::uint32_t>(body)); }
+    /// Lets go of what is held.
     void release() noexcept { add(KERF_ACTION_RELEASE); }
-    /// @param which  of the events that the law's table declares
-    void event(std::size_t which) noexcept { add(KERF_ACTION_EVENT, static_cast<std::uint32_t>(which)); }
+    /// Reports an event that the law describes.
+    template <class E>
+    requires std::is_enum_v<E>
+    void event(E which) noexcept { add(KERF_ACTION_EVENT, static_cast<std::uint32_t>(which)); }
 
 private:
     void add(std::uint32_t kind, std::uint32_t value = 0) noexcept {
         if (out_->action_count < KERF_MAX_ACTIONS) out_->action[out_->action_count++] = {kind, value};
     }
     kerf_commit_out* out_;
-};
-
-/// A force law: what resists the tool in this tick, as a few monotone channels.
-///
-/// `resist` states the law at the present pose; the core then finds the one motion at which hand and law balance. So
-/// it is pure, and may be asked again. `commit` is told once which motion happened. A law may have besides
-///
-///     static void begin(const Tick&, const BoneQuery&, State& fresh) noexcept    [haptic, nonblocking]
-///
-/// to work out once what follows from parameters alone: they stay as they are until it begins again.
-template <class L>
-concept ForceLaw = requires(const Tick& tick, const BoneQuery& bone, const typename L::State& state,
-                            typename L::State& next, Channels& channels, const Advance& advance,
-                            std::span<double> signals, Actions& actions) {
-    { L::resist(tick, bone, state, channels) }
-    noexcept;  // [haptic, nonblocking] pure
-    { L::commit(tick, bone, advance, next, signals, actions) }
-    noexcept;                                                  // [haptic, nonblocking]
-    requires std::is_trivially_copyable_v<typename L::State>;  // the host saves, restores and moves it
-    requires std::is_default_constructible_v<typename L::State>;
-};
-
-/// The C table of a law.
-template <ForceLaw L>
-struct ForceTable {
-    static Tick tick_of(const kerf_tick_in& in) noexcept {
-        return {in.dt,
-                {in.tool_params, in.tool_param_count},
-                {in.force_params, L::force_parameter_count},
-                {in.drive, L::drive_count}};
-    }
-    static void begin(const kerf_tick_in* in, void* state) {
-        auto& fresh = *new (state) typename L::State{};
-        if constexpr (requires { &L::begin; }) {
-            static_assert(noexcept(L::begin(tick_of(*in), BoneQuery(*in->bone), fresh)));
-            L::begin(tick_of(*in), BoneQuery(*in->bone), fresh);
-        }
-    }
-    static kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* out) {
-        Channels channels(*out);
-        L::resist(tick_of(*in), BoneQuery(*in->bone), *static_cast<const typename L::State*>(state), channels);
-        return channels.dropped() == 0 ? KERF_OK : KERF_CAPACITY;
-    }
-    static kerf_status commit(const kerf_tick_in* in, const kerf_advance* a, void* state, kerf_commit_out* out) {
-        Actions actions(*out);
-        Advance advance{{}, {a->channel, a->channel_count}, {a->lambda, a->channel_count}, {}, {}};
-        if (a->note != nullptr) advance.note = {a->note, KERF_MAX_NOTES};
-        for (std::size_t i = 0; i < 6; ++i) advance.rate[i] = a->rate[i];
-        for (std::size_t i = 0; i < 6; ++i) advance.following[i] = a->following[i];
-        L::commit(tick_of(*in), BoneQuery(*in->bone), advance, *static_cast<typename L::State*>(state),
-                  {out->signal, L::signal_count}, actions);
-        return KERF_OK;
-    }
 };
 
 }  // namespace kerf

@@ -8,11 +8,18 @@
 
 namespace kerf {
 
-/// What drives a turning tool.
+/// What drives a tool that turns or oscillates.
 struct Motor {
     double inertia = 0.0;  ///< [kg·m²] of all that turns; 0: the speed follows at once
     double torque = 0.0;   ///< [N·m] the most it turns or brakes with
     double ramp = 1e300;   ///< [1/s²] how fast its controller changes the speed, loaded or not, while the torque lasts
+
+    /// A motor that reaches `speed` [1/s] unloaded in `run_up` [s]; 0 makes the speed follow at once.
+    [[nodiscard]] static constexpr Motor with_run_up(double run_up, double speed, double torque,
+                                                     double inertia) noexcept {
+        if (run_up <= 0.0) return {.inertia = 0.0, .torque = torque};
+        return {.inertia = inertia, .torque = torque, .ramp = speed / run_up};
+    }
 };
 
 /// A spindle as part of a law's State: it holds the commanded speed for as long as the motor's torque lasts.

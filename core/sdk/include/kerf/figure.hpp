@@ -28,24 +28,4 @@ private:
 /// @param length [m]
 [[nodiscard]] inline Figure in_mm(double length) noexcept { return Figure(1e3 * length, " mm"); }
 
-/// What `shape` returns for parameters that no tool can be made of, each within its range but not all of them together:
-/// which, what they are, and what is needed. What is longer than there is room for is cut off.
-///
-///     return refuse(out, "`shoulder_diameter` is ", in_mm(3.0_mm), "; it needs more than `diameter`, ", in_mm(4.0_mm),
-///     ".");
-///
-/// [main] pure.
-template <typename... Pieces>
-kerf_status refuse(kerf_tool_shape* out, const Pieces&... pieces) noexcept {
-    std::size_t at = 0;
-    const auto add = [&](std::string_view piece) {
-        const std::size_t room = sizeof out->refusal - 1 - at;
-        at = static_cast<std::size_t>(std::copy_n(piece.begin(), std::min(room, piece.size()), out->refusal + at) -
-                                      out->refusal);
-    };
-    (add(static_cast<std::string_view>(pieces)), ...);
-    out->refusal[at] = '\0';
-    return KERF_OUT_OF_RANGE;
-}
-
 }  // namespace kerf

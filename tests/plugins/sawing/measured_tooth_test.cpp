@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // One tooth against what was measured of one tooth (validation B.3), with the plugin's own defaults.
-#include "plugins/sawing/tooth_law.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "plugins/sawing/saw_parameters.h"
-#include "tests/support/saw_rig.h"
+#include "kerf/units.hpp"
+#include "plugins/sawing/saw_force.h"
 
 namespace kerf::sawing {
 namespace {
 
 using namespace literals;
 
-// Round numbers, so that a reader can check every answer by hand.
-constexpr ToothCoefficients textbook{.edge = 10.0_N_per_mm, .edge_depth = 1.0_um, .chip = 1000.0_N_per_mm2};
-
-TEST(ToothLaw, ThickChipTakesTheWholeEdgeForceAndTheChipForce) {
-    EXPECT_NEAR(force_per_width(50.0_um, textbook), 60.0_N_per_mm, 1e-9 /* e^-50 is nothing */);
-}
-TEST(ToothLaw, AtTheEdgeDepthAboutTwoThirdsOfTheEdgeForceHaveBuiltUp) {
-    EXPECT_NEAR(force_per_width(1.0_um, textbook), 10.0_N_per_mm * (1.0 - std::exp(-1.0)) + 1.0_N_per_mm, 1e-9);
-}
-TEST(ToothLaw, NoChipNoForce) {
-    EXPECT_EQ(force_per_width(0.0, textbook), 0.0);
-    EXPECT_EQ(force_per_width(-1.0_um, textbook), 0.0);
-}
-TEST(ToothLaw, BoneOfHalfTheDensityResistsAQuarter) { EXPECT_EQ(resistance_of_density(900.0, 1800.0), 0.25); }
-
 struct OneTooth {
-    ToolSetup setup = test::saw();
-    Coefficients k = coefficients(setup.force_parameters);
-    double kerf = blade_of(setup.tool_parameters).kerf();
+    SawCutting law = defaults_of<SawCutting>();
+    double kerf = defaults_of<OscillatingBlade>().blade().kerf();
 
-    double thrust(double t) const { return kerf * force_per_width(t, k.thrust); }
-    double cutting(double t) const { return kerf * force_per_width(t, k.cutting); }
+    double thrust(double t) const { return kerf * force_per_width(t, law.thrust()); }
+    double cutting(double t) const { return kerf * force_per_width(t, law.cutting()); }
 };
 
 // B3-a

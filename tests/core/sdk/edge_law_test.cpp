@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/drilling/edge_law.h"
+#include "kerf/edge_law.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kerf/units.hpp"
 
-namespace kerf::drilling {
+namespace kerf {
 namespace {
 
 using namespace literals;
@@ -28,10 +30,22 @@ TEST(EdgeLaw, RisesWithTheChip) {
 
 TEST(EdgeLaw, HalfTheDensityResistsAQuarter) { EXPECT_DOUBLE_EQ(resistance_of_density(900.0, 1800.0), 0.25); }
 
-TEST(CrushingPressure, OfSpongyAndOfWholeBone) {
-    EXPECT_NEAR(crushing_pressure(300.0), 6.12e6, 1.0);
-    EXPECT_NEAR(crushing_pressure(1850.0), 232.73e6, 1e3);
+TEST(EdgeLaw, BuildsUpByTwoThirdsAtTheEdgeDepth) {
+    EXPECT_NEAR(force_per_width(1.0_um, textbook), 10.0_N_per_mm * (1.0 - std::exp(-1.0)) + 1.0_N_per_mm, 1e-9);
+}
+
+TEST(EdgeLaw, AddsTissuesByWeightTimesEngagement) {
+    const kerf_bone_sample half{
+        .engagement = 0.5, .gap = 0.0, .weight = {0.25, 0.75}, .density = {900.0, 1800.0}, .body = 0, .reserved = 0};
+    EXPECT_DOUBLE_EQ(resistance(half, 2, 1800.0), 0.5 * (0.25 * 0.25 + 0.75));
+    EXPECT_DOUBLE_EQ(resistance(half, 1, 1800.0), 0.5 * 0.25 * 0.25) << "of one tissue";
+}
+
+TEST(EdgeLaw, ResistsNothingInAir) {
+    const kerf_bone_sample air{
+        .engagement = 0.0, .gap = 0.0, .weight = {1.0}, .density = {1800.0}, .body = -1, .reserved = 0};
+    EXPECT_EQ(resistance(air, 1, 1800.0), 0.0);
 }
 
 }  // namespace
-}  // namespace kerf::drilling
+}  // namespace kerf

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include "kerf/abi.h"
+#include "kerf/exact_math.hpp"
+#include "kerf/figure.hpp"
+
+namespace kerf {
+
+/// The solid of a tool, as its `outline()` returns it. Points are (z, radius) in the tool frame [m], from the tip
+/// backwards, z decreasing.
+///
+///     return revolution({{0, 0}, {-2_mm, 2_mm}}).cuts().to(-90_mm, 2_mm).gripped_at(-130_mm);
+///
+/// [main] pure.
+class Outline {
+public:
+    static constexpr std::size_t capacity = 64;
+
+    /// Appends a point.
+    constexpr Outline& to(double z, double radius) noexcept {
+        if (count_ < capacity) point_[count_] = {z, radius};
+        ++count_;
+        return *this;
+    }
+    /// Appends an arc of a ball about (`centre_z`, 0), from its tip to the polar angle `end` [rad], in `pieces` chords;
+    /// the first point, at its tip, too. `end` may lie behind the equator.
+    Outline& ball(double centre_z, double radius, double end, std::size_t pieces = 12) noexcept {
+        for (std::size_t i = 0; i <= pieces; ++i) {
+            const SinCos angle = sin_cos_exact(end * static_cast<double>(i) / static_cast<double>(pieces));
+            to(centre_z + radius * angle.cos, radius * angle.sin);
+        }
+        return *this;
+    }
+    /// All that is listed so far removes bone while the law cuts; what follows does not. Never called: nothing does.
+    constexpr Outline& cuts() noexcept {
+        cutting_ = count_;
+        return *this;
+    }
+    /// The hand holds the tool on its axis at `z` < 0 [m].
+    constexpr Outline& gripped_at(double z) noexcept {
+        grip_z_ = z;
+        return *this;
+    }
+    struct Weight {
+        double mass;      ///< [kg] of the tool with its handpiece
+        double centre_z;  ///< [m] where its centre lies on the axis
+        double gyration;  ///< [m] its radius of gyration about that centre, > 0
+    };
+    constexpr Outline& weighs(Weight weight) noexcept {
+        weight_ = weight;
+        return *this;
+    }
+    [[nodiscard]] constexpr const kerf_profile_point& last() const noexcept { return point_[count_ - 1]; }
+
+    /// Writes it into what the host gave.
+    [[nodiscard]] kerf_status write(kerf_tool_shape& out) const noexcept {
+        if (refusal_[0] != '\0') {
+            std::copy(refusal_.begin(), refusal_.end(), out.refusal);
+            return KERF_OUT_OF_RANGE;
+        }
+        if (count_ > capacity || count_ > out.profile_capacity) return KERF_CAPACITY;
+        std::copy_n(point_.begin(), count_, out.profile);
+        out.profile_count = static_cast<std::uint32_t>(count_);
+        out.cutting_count = static_cast<std::uint32_t>(cutting_);
+        out.grip_z = grip_z_;
+        out.kind = kind_;
+        out.kerf = kerf_;
+        out.thickness = thickness_;
+        out.mass = weight_.mass;
+        out.centre_z = weight_.centre_z;
+        out.gyration = weight_.gyration;
+        return KERF_OK;
+    }
+
+private:
+    friend Outline revolution(std::initializer_list<kerf_profile_point> points) noexcept;
+    friend Outline prism(double kerf, double thickness) noexcept;
+    template <typename... Pieces>
+    friend Outline refuse(const Pieces&... pieces) noexcept;
+
+    std::array<kerf_profile_point, capacity> point_{};
+    std::size_t count_ = 0, cutting_ = 0;
+    std::uint32_t kind_ = KERF_SOLID_REVOLUTION;
+    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
+    Weight weight_{};
+    std::array<char, sizeof(kerf_tool_shape::refusal)> refusal_{};
+};
+
+/// Turned about the tool's z axis.
+[[nodiscard]] inline Outline revolution(std::initializer_list<kerf_profile_point> points = {}) noexcept {
+    Outline outline;
+    for (const kerf_profile_point& p : points) outline.to(p.z, p.radius);
+    return outline;
+}
+/// A blade: each radius is half of its width along x. What cuts is `kerf` [m] thick across y, the blade behind it
+/// `thickness` [m].
+[[nodiscard]] inline Outline prism(double kerf, double thickness) noexcept {
+    Outline outline;
+    outline.kind_ = KERF_SOLID_PRISM;
+    outline.kerf_ = kerf;
+    outline.thickness_ = thickness;
+    return outline;
+}
+
+/// What `outline()` returns for parameters that do not go together, each within its range: which, what they are, and
+/// what is needed. Text beyond the room for it is cut off.
+///
+///     return refuse("`shoulder_diameter` is ", in_mm(3.0_mm), "; it needs more than `diameter`, ", in_mm(4.0_mm),
+///     ".");
+template <typename... Pieces>
+[[nodiscard]] Outline refuse(const Pieces&... pieces) noexcept {
+    Outline outline;
+    std::size_t at = 0;
+    const auto add = [&](std::string_view piece) {
+        for (const char c : piece)
+            if (at + 1 < outline.refusal_.size()) outline.refusal_[at++] = c;
+    };
+    (add(static_cast<std::string_view>(pieces)), ...);
+    return outline;
+}
+
+}  // namespace kerf

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kerf/exact_math.hpp"
+#include "kerf/force.hpp"
+#include "kerf/spindle.hpp"
+
+/// A motor with a cutter: run-up, bogging, stall, and how its cutting forces fade as it stops.
+namespace kerf {
+
+/// How far a cutter cuts.
+struct CuttingState {
+    double fraction = 0.0;  ///< [–] of the cutting forces: 1 while bone is removed, then fading
+
+    [[nodiscard]] bool resists() const noexcept { return fraction > 0.0; }
+    [[nodiscard]] bool removes_bone() const noexcept { return fraction >= 1.0; }
+    /// Below its slowest cutting speed a cutter removes no bone. It sinks onto what its edges leave, and their forces
+    /// fade over 2 ms while contact takes over, so that the hand feels no step.
+    void step(bool cuts, double dt) noexcept {
+        constexpr double fading_time = 2e-3;  // [s]
+        fraction = cuts ? 1.0 : fraction > 1e-6 ? fraction * exp_exact(-dt / fading_time) : 0.0;
+    }
+};
+
+/// Which of a law's events reports which phase of its motor.
+template <class E>
+struct PhaseEvents {
+    E off, speeding_up, running, reversing, bogging, stalled, running_down;
+
+    [[nodiscard]] constexpr E of(Spindle::Phase phase) const noexcept {
+        switch (phase) {
+            case Spindle::Phase::off:
+                return off;
+            case Spindle::Phase::spinning_up:
+                return speeding_up;
+            case Spindle::Phase::running:
+                return running;
+            case Spindle::Phase::reversing:
+                return reversing;
+            case Spindle::Phase::bogging:
+                return bogging;
+            case Spindle::Phase::stalled:
+                return stalled;
+            case Spindle::Phase::running_down:
+                return running_down;
+        }
+        return off;
+    }
+};
+
+/// A motor with a cutter, as part of a law's State.
+struct PoweredCutter {
+    Spindle motor;
+    CuttingState cutting;
+
+    [[nodiscard]] double speed() const noexcept { return motor.speed; }  ///< [1/s], negative in reverse
+    /// One tick. Reports a new phase.   [haptic, nonblocking]
+    /// @param load          [N·m] what resists at speed
+    /// @param slowest_cut   [1/s] from which speed on bone is removed
+    template <class E>
+    void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
+              const PhaseEvents<E>& events, Actions& actions) noexcept {
+        if (motor.step(with, commanded, load, dt)) actions.event(events.of(motor.phase));
+        cutting.step(motor.speed >= slowest_cut, dt);
+    }
+};
+
+}  // namespace kerf
