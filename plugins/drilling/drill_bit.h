@@ -12,6 +12,7 @@
 /// The drills as a procedure sets them; all SI.
 namespace kerf::drilling {
 
+inline constexpr std::size_t spindle_drive = 0;  ///< index of the one drive of every drill
 inline constexpr double slowest_cut = 0.5;  ///< [1/s] from this speed on a drill removes bone
 
 /// What every drill has.

@@ -289,7 +289,7 @@ TEST(Insert, BoneOfOtherTissuesIsRefused) {
 TEST(Subtract, TakesWhatTheSolidHolds) {
     Bench bench;
     bench.simulation.subtract(0, test::mill_at(0.0, 2.0_mm));
-    const double cylinder = pi * test::Mill::radius * test::Milling::radius * 3.0_mm;
+    const double cylinder = pi * test::Mill::radius * test::Mill::radius * 3.0_mm;
     EXPECT_NEAR(bench.simulation.present().removed(), cylinder, 0.02 * cylinder);
     EXPECT_TRUE(bench.simulation.committed().same_bits(bench.simulation.exact()));
     EXPECT_EQ(bench.simulation.undo(), "");

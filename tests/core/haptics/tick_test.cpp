@@ -123,7 +123,7 @@ TEST(Tick, TheHandIsNeverPushedHarderThanTheDeviceCan) {
     Rig rig;
     double largest = 0.0;
     for (int i = 0; i < 2000; ++i) {
-        const double ahead = std::min(30.0_mm, 3.0_mm * i);  // faster than 20 mm in a tick would be no hand
+        const double ahead = std::min<double>(30.0_mm, 3.0_mm * i);  // faster than 20 mm in a tick would be no hand
         largest = std::max(largest, length(linear(rig.tick(test::at_depth(ahead)).command.wrench)));
     }
     EXPECT_LE(largest, 8.5 * (1.0 + 1e-9));

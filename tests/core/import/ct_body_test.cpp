@@ -133,7 +133,7 @@ TEST(CtBody, FillsACavityOnlyWhenTold) {
 }
 
 TEST(CtBody, ClosesASlitNarrowerThanTwiceItsRadius) {
-    for (const double closing : {0.0, 2.0_mm}) {
+    for (const double closing : {0.0_mm, 2.0_mm}) {
         Anatomy one = anatomy();
         one.ct->keep = {1};
         one.ct->closing = closing;

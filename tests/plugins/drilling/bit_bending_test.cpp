@@ -33,7 +33,9 @@ struct Pushes {
         channel.push_back(one);
         lambda.push_back(newtons);
     }
-    [[nodiscard]] Advance advance() const { return {{}, channel, lambda, {}, following}; }
+    [[nodiscard]] Advance advance() const {
+        return {.rate = {}, .channel = channel, .lambda = lambda, .following = following};
+    }
 };
 
 TwistDrill bit() { return {3.2_mm, 118.0_deg, 0.15, 60.0_mm, 0.25}; }
@@ -102,7 +104,7 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     };
     double depth = -0.1_mm;
     for (; - simulation.world_from_tool().position.z < 3.0_mm && depth < 40.0_mm; depth += 4.0_um) (void)go(depth, 0.0);
-    simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 500; ++i) (void)go(depth, 0.0);
     TickResult r;
     for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 2.0_um) r = go(depth, aside);

@@ -132,7 +132,7 @@ Body plate_over(double thickness, double gap) {
 }
 
 TEST(BreakingWall, OnceBrokenItBearsHardlyAnythingWhateverLiesBehind) {
-    for (const double gap : {0.0, 6.0_mm, 4.0_mm, 3.0_mm}) {
+    for (const double gap : {0.0_mm, 6.0_mm, 4.0_mm, 3.0_mm}) {
         Awl awl(plate_over(1.0_mm, gap));
         double broken = 0.0, after = 0.0;
         for (double depth = -0.2_mm; depth < (gap > 0.0 ? 0.9_mm + gap : 7.5_mm); depth += 8.0_um) {

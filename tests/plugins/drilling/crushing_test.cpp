@@ -164,9 +164,9 @@ TEST(Crushing, WideTipsAndSoftSpringsStandInCortexAsWell) {
                             Case{3.2_mm, 200e3, 150.0}}) {
         Rig rig(1850.0, 0.25_mm,
                 {{"diameter", one.diameter}, {"contact_stiffness", one.stiffness}, {"motor_torque", 20.0}});
-        rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+        rig.simulation.command_drive(drilling::spindle_drive, 1000.0_rpm);
         for (double depth = -0.1_mm; depth < 5.0_mm; depth += 2.0_um) (void)rig.go_direct(test::at_depth(depth));
-        rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+        rig.simulation.command_drive(drilling::spindle_drive, 0.0);
         for (int i = 0; i < 300; ++i) (void)rig.go(test::at_depth(5.0_mm));
         const double stands = rig.depth();
         rig.begun = 0;
@@ -226,7 +226,7 @@ TEST(StillTip, SticksToASlopeByFriction) {
 TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
     Rig rig;
     (void)rig.thrust_between(2.0_mm, 4.0_mm, 2.0_mm_per_s);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, 1000.0_rpm);
     double hand = rig.depth(), last = 0.0, thrust = 0.0;
     for (int i = 0; i < 2000 && rig.depth() < 6.0_mm; ++i) {
         const CouplingGains g = test::gains(0.005);
@@ -237,7 +237,7 @@ TEST(Crushing, TurningAgainItCutsAndInReverseItCrushesAsItStood) {
     EXPECT_NEAR(last, 1000.0_rpm, 1e-9);
     EXPECT_GE(rig.depth(), 6.0_mm) << "with 5 N, cutting";
     EXPECT_LT(thrust, 8.0);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, -1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, -1000.0_rpm);
     for (int i = 0; i < 500; ++i) (void)rig.push(5.0);
     const double stands = rig.depth();
     for (int i = 0; i < 1000; ++i) (void)rig.push(5.0);
@@ -334,10 +334,10 @@ TEST(Crushing, AStillConePressedAgainstTheEdgeOfABoneIsNotThrownUp) {
 
 TEST(Crushing, SwitchedOffUnderAPushInSpongyBoneItSinksIn) {
     Rig rig(spongy, 0.25_mm, {{"run_up", 0.1}});
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, 1000.0_rpm);
     for (int i = 0; i < 6000 && rig.depth() < 4.0_mm; ++i) (void)rig.push(4.0);
     ASSERT_GT(rig.depth(), 4.0_mm);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    rig.simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 1000; ++i) (void)rig.push(20.0);
     const double stands = rig.depth();
     for (int i = 0; i < 500; ++i) (void)rig.push(20.0);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
 
 namespace kerf::drilling {
@@ -95,12 +96,11 @@ TEST(ShareOfTheFeed, ALipThatGoesAwayTakesNothing) {
     const std::size_t corner = edges.places.lip.count - 1;
     EXPECT_EQ(edges.takes[edges.places.lip.count + corner].chip, 0.0);
     EXPECT_EQ(edges.takes[corner].chip, 2.0) << "no more: that a drill goes mostly sideways is felt elsewhere";
-    EXPECT_GT(edge_forces(edges, lips.tick, Lips::n, 1.0_mm_per_s).normal[0], 0.0)
-        << "so the bone pushes the other way";
+    EXPECT_GT(edge_forces(edges, lips.law, Lips::n, 1.0_mm_per_s).normal[0], 0.0) << "so the bone pushes the other way";
 }
 
 TEST(ShareOfTheFeed, DrawnBackOrHeldStillAnyWobbleLeavesItEven) {
-    for (const double along : {-5.0_mm_per_s, 0.0}) {
+    for (const double along : {-5.0_mm_per_s, 0.0_mm_per_s}) {
         Lips lips;
         const Edges& edges = lips.going({3.0_mm_per_s, -2.0_mm_per_s, along, 0.1, 0.2, 0});
         for (std::size_t i = 0; i < edges.count; ++i) EXPECT_EQ(edges.takes[i].chip, 1.0) << along << ' ' << i;
@@ -118,7 +118,7 @@ TEST(ShareOfTheFeed, TurningAboutTheTipTheSideThatSinksTakesMore) {
 // In whole bone what pushes aside cancels, and the thrust is that of all edges.
 TEST(EdgeForces, InWholeBoneOnlyThrustAndTorqueAreLeft) {
     Lips lips;
-    const EdgeForces forces = edge_forces(lips.going({0, 0, 2.0_mm_per_s, 0, 0, 0}), lips.tick, Lips::n, 2.0_mm_per_s);
+    const EdgeForces forces = edge_forces(lips.going({0, 0, 2.0_mm_per_s, 0, 0, 0}), lips.law, Lips::n, 2.0_mm_per_s);
     EXPECT_NEAR(forces.thrust(), 129.1 + 567.4 * 0.12, 1.0) << "the line of [macavelia-2012]";
     for (const std::size_t other : {0u, 1u, 3u, 4u}) EXPECT_NEAR(forces.normal[other], 0.0, 1e-9) << other;
     for (const std::size_t other : {0u, 1u, 2u, 3u, 4u}) EXPECT_NEAR(forces.cutting[other], 0.0, 1e-9) << other;
@@ -131,7 +131,7 @@ TEST(EdgeForces, OneLipPushesAlongItsOwnNormal) {
     for (std::size_t i = 0; i < lips.edges->count; ++i)
         if (i >= lips.edges->places.lip.count) lips.edges->resistance[i] = 0.0;
     const Edges& edges = lips.going({0, 0, 2.0_mm_per_s, 0, 0, 0});
-    const EdgeForces forces = edge_forces(edges, lips.tick, Lips::n, 2.0_mm_per_s);
+    const EdgeForces forces = edge_forces(edges, lips.law, Lips::n, 2.0_mm_per_s);
     double radial = 0.0, axial = 0.0;
     for (std::size_t i = 0; i < edges.places.lip.count; ++i) {
         const LipElement& el = edges.places.lip.element[i];

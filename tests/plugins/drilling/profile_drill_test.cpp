@@ -124,20 +124,19 @@ TEST(ProfileDrill, ABallLeavesItsHole) {
 TEST(ProfileDrill, ABallsThrustIsTheIntegralAlongItsLips) {
     const double feed = 4.0e-3, n = 1000.0 / 60.0, per_lip = feed / (2.0 * n);
     const ToolSetup setup = ball({{"element_pitch", 0.05_mm}, {"edge_depth", 0.01e-6}});
-    const auto f = [&](std::size_t at) { return setup.force_parameters[at]; };
+    const auto law = value_of<drilling::DrillCutting>(setup.force_parameters);
     const double half_web = 0.5 * 0.15 * value_of<drilling::ProfileBit>(setup.tool_parameters).diameter,
                  c = half_web / 0.81915204428899180, r = ball_radius;
     constexpr int pieces = 20000;
     const double first = std::sqrt(c * c - half_web * half_web), last = std::sqrt(r * r - half_web * half_web),
                  ds = (last - first) / pieces;
-    double thrust = 2.0 * c * (f(drilling::force_chisel_edge) + f(drilling::force_chisel_chip) * per_lip);
+    double thrust = 2.0 * c * (law.chisel_edge + law.chisel_chip * per_lip);
     for (int i = 0; i < pieces; ++i) {
         const double s = first + (i + 0.5) * ds, at = std::sqrt(s * s + half_web * half_web), cos_beta = s / at;
         const double sin_p = std::sqrt(1.0 - at * at / (r * r)),
                      cos2_i = 1.0 - sin_p * sin_p * (1.0 - cos_beta * cos_beta);
-        thrust += 2.0 * ds * cos_beta *
-                  (f(drilling::force_thrust_edge) +
-                   f(drilling::force_thrust_chip) * per_lip * sin_p * cos_beta / std::sqrt(cos2_i));
+        thrust +=
+            2.0 * ds * cos_beta * (law.thrust_edge + law.thrust_chip * per_lip * sin_p * cos_beta / std::sqrt(cos2_i));
     }
     EXPECT_NEAR(drill_down(setup, 8.0_mm, feed).last.thrust / thrust, 1.0, 0.005) << thrust << " N";
 }

@@ -61,7 +61,7 @@ TEST(Sideways, ALandIsResistedByItsLength) {
     };
     for (const double spacing : {0.5_mm, 0.25_mm})
         for (const double rate : {1.0_mm_per_s, 10.0_mm_per_s})
-            for (const double withdrawn : {0.0, 0.5_mm, 2.0_mm}) {
+            for (const double withdrawn : {0.0_mm, 0.5_mm, 2.0_mm}) {
                 const double more =
                     pushed(drill(1.0), spacing, rate, withdrawn) - pushed(drill(0.25), spacing, rate, withdrawn);
                 EXPECT_NEAR(more / (0.75 * 3.2_mm * of_land(rate)), 1.0, 0.03)
@@ -79,7 +79,7 @@ TEST(Sideways, SoIsAPilotByItsOwn) {
                                  {"motor_torque", 20.0}});
     };
     for (const double spacing : {0.5_mm, 0.25_mm})
-        for (const double withdrawn : {0.0, 0.5_mm}) {
+        for (const double withdrawn : {0.0_mm, 0.5_mm}) {
             const double rate = 1.0_mm_per_s, more = pushed(drill(4.5_mm), spacing, rate, withdrawn) -
                                                      pushed(drill(3.5_mm), spacing, rate, withdrawn);
             EXPECT_NEAR(more / (1.0_mm * of_land(rate)), 1.0, 0.03) << spacing << ", " << withdrawn;

@@ -16,8 +16,6 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using drilling::signal_drive_power;
-using drilling::signal_spindle_speed;
 
 struct Rig {
     Body body = test::block({-5.0_mm, -5.0_mm, -12.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
@@ -74,10 +72,10 @@ TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedO
     EXPECT_EQ(rig.rpm(), 0.0);
     EXPECT_NEAR(r.torque, 20.0_Nmm, 0.5_Nmm) << "all of the motor's torque";
     EXPECT_FALSE(r.is_cutting);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    rig.simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 20; ++i) r = rig.push(0.0);
     EXPECT_LT(std::abs(r.torque), 0.5_Nmm);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, 1000.0_rpm);
     for (int i = 0; i < 200; ++i) r = rig.push(0.0);
     EXPECT_EQ(rig.events.back(), "drilling.running");
 }
@@ -85,7 +83,7 @@ TEST(SpindleInBone, AMotorTooWeakForTheBoneStallsAndPullsAtTheHandUntilSwitchedO
 TEST(SpindleInBone, InReverseItRubsAndTakesNoBone) {
     Rig rig({});
     for (int i = 0; i < 2000; ++i) (void)rig.push(170.0);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, -1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, -1000.0_rpm);
     for (int i = 0; i < 300; ++i) (void)rig.push(100.0);
     const double depth = rig.depth();
     TickResult r;
@@ -104,7 +102,7 @@ TEST(SpindleInBone, InReverseItRubsAndTakesNoBone) {
 TEST(SpindleInBone, StalledInReverseItPullsTheOtherWay) {
     Rig rig({{"motor_torque", 20.0_Nmm}, {"inertia", 5e-6}});
     for (int i = 0; i < 1500; ++i) (void)rig.push(20.0);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, -1000.0_rpm);
+    rig.simulation.command_drive(drilling::spindle_drive, -1000.0_rpm);
     TickResult r;
     for (int i = 0; i < 3000 && rig.events.back() != "drilling.stalled"; ++i) r = rig.push(250.0);
     ASSERT_EQ(rig.events.back(), "drilling.stalled");
@@ -132,7 +130,7 @@ TEST(SpindleInBone, SwitchedOffUnderPushItStopsCuttingAndStands) {
     Rig rig({{"run_up", 0.2}});
     for (int i = 0; i < 2500; ++i) (void)rig.push(150.0);
     const double at_switch = rig.depth();
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    rig.simulation.command_drive(drilling::spindle_drive, 0.0);
     double last = rig.push(150.0).thrust, largest_step = 0.0;
     for (int i = 0; i < 2000; ++i) {
         const double thrust = rig.push(150.0).thrust;
@@ -154,7 +152,7 @@ TEST(SpindleInBone, WhatItCutBeforeItStoodIsGone) {
     for (const int ticks : {2000, 2003, 2008, 2014}) {
         Rig rig({{"run_up", 0.0}});
         for (int i = 0; i < ticks; ++i) (void)rig.push(170.0);
-        rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+        rig.simulation.command_drive(drilling::spindle_drive, 0.0);
         Pose last_cut = rig.simulation.world_from_tool();
         for (int i = 0; i < 100; ++i)
             if (rig.push(170.0).is_cutting) last_cut = rig.simulation.world_from_tool();
@@ -180,13 +178,13 @@ TEST(SpindleInBone, AStillDrillInItsHoleRubsOnTheWall) {
     Rig rig({{"run_up", 0.0}});
     for (int i = 0; i < 4000; ++i) (void)rig.push(170.0);
     ASSERT_GT(rig.depth(), 3.0_mm);
-    rig.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    rig.simulation.command_drive(drilling::spindle_drive, 0.0);
     // Pulled out by a hand that stands a millimetre aside, the shank is pressed on the wall: friction holds it back.
     const double deep = rig.depth();
     TickResult r;
     for (int i = 0; i < 2000; ++i) {
         Pose hand = test::at_depth(deep - 1.0_um * i);
-        hand.position.x += std::min(1.0_mm, 0.01_mm * i);
+        hand.position.x += std::min<double>(1.0_mm, 0.01_mm * i);
         r = rig.simulation.tick({hand});
         rig.simulation.after_tick();
     }

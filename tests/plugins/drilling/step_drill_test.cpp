@@ -107,7 +107,7 @@ struct Countersink {
 
 TEST(StepDrill, SwitchedOffItStandsOnItsShoulder) {
     Countersink sink(7.5_mm);
-    sink.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    sink.simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 600; ++i) (void)sink.tick(test::at_depth(7.5_mm));
     ASSERT_EQ(signals_of<drilling::DrillCutting>(sink.simulation.signals()).spindle_speed, 0.0);
     TickResult r;
@@ -120,7 +120,7 @@ TEST(StepDrill, SwitchedOffItStandsOnItsShoulder) {
 
 TEST(StepDrill, SwitchedOffItsPilotIsHeldByItsHole) {
     Countersink sink(6.0_mm);
-    sink.simulation.command_drive(drilling::drive_spindle_speed, 0.0);
+    sink.simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 600; ++i) (void)sink.tick(test::at_depth(6.0_mm));
     TickResult r;
     for (double aside = 0.0; aside < 2.0_mm; aside += 2.0_um) r = sink.tick(test::at_depth(6.0_mm, 0.0, {aside, 0, 0}));

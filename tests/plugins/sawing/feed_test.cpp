@@ -60,7 +60,10 @@ struct Feeding {
         const TickResult r = simulation.tick_direct({p});
         EXPECT_FALSE(r.is_quarantined);
         simulation.after_tick();
-        return {r.bone_on_tool, r.thrust, depth, {simulation.signals(), simulation.signals() + sawing::signal_count}};
+        return {r.bone_on_tool,
+                r.thrust,
+                depth,
+                {simulation.signals(), simulation.signals() + setup.force->force->signal_count}};
     }
     Felt to(double target, double feed = 8.0_mm_per_s) {
         Felt last;
@@ -116,7 +119,7 @@ TEST(SawThrust, IsThatOfAllTeethOverTheOscillation) {
 TEST(SawThrust, HasItsEighteenTeethInBone) {
     Feeding saw(wide_block(), test::saw());
     saw.to(5.0_mm);
-    EXPECT_NEAR(saw.mean(rate, 100).signals[sawing::signal_engaged_teeth], 18.0, 0.05);
+    EXPECT_NEAR(signals_of<sawing::SawCutting>(saw.mean(rate, 100).signals).engaged_teeth, 18.0, 0.05);
 }
 
 // B3-a, through the whole loop: 2.5 … 10 µm in the mean.
@@ -279,7 +282,7 @@ TEST(SawThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     saw.to(3.0_mm);
     const double before = saw.simulation.present().removed();
     double work = 0.0;
-    for (int i = 0; i < 2000; ++i) work += saw.go(rate).signals[sawing::signal_drive_power] * saw.dt;
+    for (int i = 0; i < 2000; ++i) work += signals_of<sawing::SawCutting>(saw.go(rate).signals).drive_power * saw.dt;
     saw.simulation.finish();
     // The blade sweeps more than its front, by half a swing at either end, where teeth come by only a part of the time:
     // those ends are bone that nobody is charged for. What 18 teeth of 0.7 mm take: kerf x 12.6 mm x 2 mm.

@@ -30,7 +30,7 @@ TEST(SawBlade, KerfIsTheBladeAndItsSetOnBothSides) {
 // E03-2: the angle of the tooth at the middle is none, and tips lie on the arc, a pitch apart along it.
 TEST(SawBlade, TeethLieOnTheArcAPitchApartAndFaceOutwards) {
     const SawBlade b = blade({{"tooth_count", 17.0}});
-    for (const double swing : {0.0, 2.0_deg, -2.5_deg}) {
+    for (const double swing : {0.0_deg, 2.0_deg, -2.5_deg}) {
         const Teeth teeth = teeth_of(b, swing);
         ASSERT_EQ(teeth.count, 17u);
         for (std::size_t i = 0; i < teeth.count; ++i) {

@@ -39,7 +39,8 @@ struct AtTheEnd {
 TEST(SawAtTheRegionsEnd, CutsUpToItAndStandsThereAndItIsSaidOnce) {
     AtTheEnd saw;
     double thrust = 0.0;
-    for (int i = 0; i < 3000; ++i) thrust = saw.tick(test::at_depth(std::min(-0.5_mm + i * 6.0_um, 5.0_mm))).thrust;
+    for (int i = 0; i < 3000; ++i)
+        thrust = saw.tick(test::at_depth(std::min<double>(-0.5_mm + i * 6.0_um, 5.0_mm))).thrust;
     EXPECT_EQ(saw.times_said, 1);
     EXPECT_NEAR(-saw.simulation.world_from_tool().position.z, 4.0_mm, 0.5_mm) << "a voxel";
     EXPECT_GT(thrust, 10.0) << "N: it is felt";
@@ -47,7 +48,7 @@ TEST(SawAtTheRegionsEnd, CutsUpToItAndStandsThereAndItIsSaidOnce) {
 
 TEST(SawAtTheRegionsEnd, TakesNothingBeyondIt) {
     AtTheEnd saw;
-    for (int i = 0; i < 3000; ++i) (void)saw.tick(test::at_depth(std::min(-0.5_mm + i * 6.0_um, 5.0_mm)));
+    for (int i = 0; i < 3000; ++i) (void)saw.tick(test::at_depth(std::min<double>(-0.5_mm + i * 6.0_um, 5.0_mm)));
     saw.simulation.finish();
     const Grid& g = saw.body.grid();
     const CutField &cut = saw.simulation.exact(), uncut(saw.body, 1);
@@ -65,9 +66,10 @@ TEST(SawAtTheRegionsEnd, TakesNothingBeyondIt) {
 
 TEST(SawAtTheRegionsEnd, GoneAsideItStandsAtTheFaceToo) {
     AtTheEnd saw;
-    for (int i = 0; i < 1500; ++i) (void)saw.tick(test::at_depth(std::min(-0.5_mm + i * 6.0_um, 2.0_mm)));
+    for (int i = 0; i < 1500; ++i) (void)saw.tick(test::at_depth(std::min<double>(-0.5_mm + i * 6.0_um, 2.0_mm)));
     ASSERT_EQ(saw.times_said, 0);
-    for (int i = 0; i < 3000; ++i) (void)saw.tick(test::at_depth(2.0_mm, 0.0, {std::min(i * 6.0_um, 12.0_mm), 0, 0}));
+    for (int i = 0; i < 3000; ++i)
+        (void)saw.tick(test::at_depth(2.0_mm, 0.0, {std::min<double>(i * 6.0_um, 12.0_mm), 0, 0}));
     EXPECT_EQ(saw.times_said, 1);
     const double reach = test::outline(saw.setup).cutting.largest_radius();
     EXPECT_LT(std::abs(saw.simulation.world_from_tool().position.x) + reach, 10.0_mm + 0.5_mm);

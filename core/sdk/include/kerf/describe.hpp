@@ -220,7 +220,7 @@ constexpr auto collect(const Items& items, Convert convert) {
                 if constexpr (is_a<std::remove_cvref_t<decltype(one)>, Kind>::value) out[at++] = convert(one);
             };
             (take(item), ...);
-            static_cast<void>(at);
+            static_cast<void>(at), static_cast<void>(take);
         },
         items);
     return out;

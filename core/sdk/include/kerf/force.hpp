@@ -90,12 +90,12 @@ struct ContactSpec {
 struct CutSpec {
     std::uint32_t id;
     Vec3 at{};
-    Vec3 along;           ///< unit
-    double edge_force;    ///< [N] that builds up over `onset`
-    double onset = 1e-6;  ///< [m/s] ≥ 1e-6
-    double slope;         ///< [N·s/m] of what grows with the rate
-    double gap = 0.0;     ///< [m] to uncut bone
-    Vec6 follow{};        ///< wrench on the tool per newton [N/N, N·m/N]
+    Vec3 along;               ///< unit
+    double edge_force = 0.0;  ///< [N] that builds up over `onset`
+    double onset = 1e-6;      ///< [m/s] ≥ 1e-6
+    double slope;             ///< [N·s/m] of what grows with the rate
+    double gap = 0.0;         ///< [m] to uncut bone
+    Vec6 follow{};            ///< wrench on the tool per newton [N/N, N·m/N]
 };
 /// Rubbing along `along`, either way.
 struct FrictionSpec {

@@ -72,6 +72,7 @@ struct ForceTable {
                     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Budget>) ns = one.ns;
                 };
                 (take(item), ...);
+                static_cast<void>(take);
             },
             Tables<Law>::about.items);
         return ns;
@@ -219,6 +220,7 @@ template <class Law>
                     signals.*one.member = values[at++];
             };
             (read(item), ...);
+            static_cast<void>(read);
         },
         detail::Tables<Law>::about.items);
     return signals;

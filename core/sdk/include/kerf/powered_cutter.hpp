@@ -63,6 +63,12 @@ struct PoweredCutter {
         if (motor.step(with, commanded, load, dt)) actions.event(events.of(motor.phase));
         cutting.step(motor.speed >= slowest_cut, dt);
     }
+    /// The same for a law whose events are the phases, in their order.
+    void step(const Motor& with, double commanded, double load, double dt, double slowest_cut,
+              Actions& actions) noexcept {
+        if (motor.step(with, commanded, load, dt)) actions.event(motor.phase);
+        cutting.step(motor.speed >= slowest_cut, dt);
+    }
 };
 
 }  // namespace kerf
