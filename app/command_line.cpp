@@ -255,6 +255,13 @@ void describe_to(CLI::App& app, CommandLine& line) {
                "Where chart.csv, chart.html and the pictures go; out/chart if not given", not_empty(out_help));
 
     add("list", "Name the tools and force models that were found");
+
+    CLI::App* fresh = add("new", "Write the beginning of a plugin, a burr that builds and runs");
+    CLI::App* fresh_plugin = fresh->add_subcommand("plugin", "Write a plugin into a folder of its own");
+    fresh->require_subcommand(1);
+    fresh_plugin->add_option("NAME", line.source, "Its name, as in `round_burr`")->type_name("")->required();
+    add_option(fresh_plugin, "-o,--out", line.out, "FOLDER", "The folder to make; the name if not given",
+               not_empty(out_help));
 }
 
 std::string quoted(const std::string& word) { return "`" + word + "`"; }
@@ -314,6 +321,7 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
     return command == nullptr                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
            : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
            : command->get_name() == "report" ? "of which run? Write `kerf report SESSION.db`."
+           : command->get_name() == "new"    ? "what? Write `kerf new plugin NAME`."
            : command->get_name() == "anatomy"
                ? "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`."
                : "which procedure? Write " + quoted("kerf " + command->get_name() + " PROCEDURE.yaml") + ".";

@@ -16,6 +16,7 @@
 #include "app/findings.h"
 #include "app/import_source.h"
 #include "app/interruption.h"
+#include "app/new_plugin.h"
 #include "app/plan_procedure.h"
 #include "app/preview/preview_page.h"
 #include "app/privacy.h"
@@ -419,6 +420,15 @@ ExitCode tell_privacy(const CommandLine& line) {
     return worst;
 }
 
+ExitCode begin_plugin(const CommandLine& line) {
+    if (const std::string error = write_new_plugin(line.source, line.out); !error.empty())
+        return complain(error, exit_bad_input);
+    const std::string folder = line.out.empty() ? line.source : line.out;
+    std::printf("%s\nBuild it: cmake -S %s -B %s/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build %s/build\n",
+                folder.c_str(), folder.c_str(), folder.c_str(), folder.c_str());
+    return exit_pass;
+}
+
 }  // namespace
 
 ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed) {
@@ -436,6 +446,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);
+    if (line.command == "new") return begin_plugin(line);
     if (line.command == "rehearse") {
         ExitCode worst = exit_pass;
         for (const auto& file : line.files) worst = std::max(worst, rehearse(file, line, plugins));

@@ -6,6 +6,8 @@
 #   include/kerf             the headers of core/sdk: target kerf::sdk, which needs nothing
 #   lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin()
 #   share/kerf/procedures    procedures and their anatomies
+#   share/kerf/examples      plugins to begin with, each a project of its own
+#   share/doc/kerf           the documentation
 include(CMakePackageConfigHelpers)
 set(kerf_package lib/cmake/kerf)
 
@@ -18,4 +20,6 @@ install(FILES
   ${CMAKE_BINARY_DIR}/kerfConfigVersion.cmake
   DESTINATION ${kerf_package})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/procedures/ DESTINATION share/kerf/procedures FILES_MATCHING PATTERN "*.yaml")
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION share/doc/kerf)
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md DESTINATION share/doc/kerf)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION share/doc/kerf/docs)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples/ DESTINATION share/kerf/examples)

@@ -4,31 +4,42 @@ include_guard(GLOBAL)
 include(CheckCXXCompilerFlag)
 set(KERF_PLUGIN_TEST ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake CACHE INTERNAL "")
 
-# kerf_add_plugin(drilling SOURCES edge_law.cpp edge_law.h ENTRY plugin.cpp [PROCEDURES peck.yaml …] [FOLDER kerf])
+# kerf_add_plugin(drilling ENTRY plugin.cpp [SOURCES edge_law.cpp edge_law.h …] [PROCEDURES drill.yaml …]
+#                 [ANATOMIES anatomy/femur.yaml …] [FOLDER kerf])
 #   → kerf_drilling    the module that the host loads, lib/kerf/kerf_drilling.so where built and where installed
-#   → kerf::drilling   all but the entry, a static library that tests may link
+#   → kerf::drilling   SOURCES as a static library, or as an interface library where all of them are headers; tests link it
 #   → drilling.loads   a test: `kerf` loads the module and describes it
-# ENTRY may be left out: then SOURCES hold the entry, too. FOLDER: below lib; procedures find those in `kerf` only.
+#   → drilling.NAME    for each procedure NAME.yaml a test: all of its rehearsals end as they expect
+# FOLDER: below lib; procedures find the modules in `kerf` only. A plugin outside of Kerf's tree is installed where that
+# Kerf is, unless CMAKE_INSTALL_PREFIX says otherwise.
 function(kerf_add_plugin name)
-  cmake_parse_arguments(arg "" "ENTRY;FOLDER" "SOURCES;PROCEDURES" ${ARGN})
-  if(arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
-    message(FATAL_ERROR "kerf_add_plugin(${name}): got \"${arg_UNPARSED_ARGUMENTS}\", need SOURCES. Write kerf_add_plugin(${name} SOURCES a.cpp a.h ENTRY plugin.cpp).")
+  cmake_parse_arguments(arg "" "ENTRY;FOLDER" "SOURCES;PROCEDURES;ANATOMIES" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS OR NOT arg_ENTRY)
+    message(FATAL_ERROR "kerf_add_plugin(${name}): got \"${arg_UNPARSED_ARGUMENTS}\", need ENTRY, the file with KERF_PLUGIN. "
+      "Write kerf_add_plugin(${name} ENTRY plugin.cpp), with SOURCES a.cpp a.h for further files.")
   endif()
   if(NOT arg_FOLDER)
     set(arg_FOLDER kerf)
   endif()
-  if(arg_ENTRY)
+
+  add_library(kerf_${name} MODULE ${arg_ENTRY})
+  target_link_libraries(kerf_${name} PRIVATE kerf::sdk)
+  set(parts kerf_${name})
+  set(compiled ${arg_SOURCES})
+  list(FILTER compiled EXCLUDE REGEX "\\.(h|hpp|hh)$")
+  if(compiled)
     add_library(kerf_${name}_parts STATIC ${arg_SOURCES})
+    set(scope PUBLIC)
+    list(APPEND parts kerf_${name}_parts)
+  elseif(arg_SOURCES)
+    add_library(kerf_${name}_parts INTERFACE ${arg_SOURCES})
+    set(scope INTERFACE)
+  endif()
+  if(arg_SOURCES)
     add_library(kerf::${name} ALIAS kerf_${name}_parts)
-    add_library(kerf_${name} MODULE ${arg_ENTRY})
-    target_include_directories(kerf_${name}_parts PUBLIC ${CMAKE_SOURCE_DIR})
-    target_link_libraries(kerf_${name}_parts PUBLIC kerf::sdk)
+    target_include_directories(kerf_${name}_parts ${scope} ${PROJECT_SOURCE_DIR})
+    target_link_libraries(kerf_${name}_parts ${scope} kerf::sdk)
     target_link_libraries(kerf_${name} PRIVATE kerf_${name}_parts)
-    set(parts kerf_${name}_parts kerf_${name})
-  else()
-    add_library(kerf_${name} MODULE ${arg_SOURCES})
-    target_link_libraries(kerf_${name} PRIVATE kerf::sdk)
-    set(parts kerf_${name})
   endif()
 
   check_cxx_compiler_flag(-fno-gnu-unique KERF_COMPILER_HAS_NO_GNU_UNIQUE)
@@ -45,13 +56,22 @@ function(kerf_add_plugin name)
       target_link_libraries(${part} PRIVATE kerf::warnings)
     endif()
   endforeach()
-  set_target_properties(kerf_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/${arg_FOLDER})
+  set(folder ${CMAKE_BINARY_DIR}/lib/${arg_FOLDER})
+  set_target_properties(kerf_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder})
   target_link_options(kerf_${name} PRIVATE -Wl,--exclude-libs,ALL)
 
   install(TARGETS kerf_${name} LIBRARY DESTINATION lib/${arg_FOLDER})
-  if(arg_PROCEDURES)
-    install(FILES ${arg_PROCEDURES} DESTINATION share/kerf/procedures)
-  endif()
+  install(FILES ${arg_PROCEDURES} DESTINATION share/kerf/procedures)
+  foreach(anatomy IN LISTS arg_ANATOMIES)   # a procedure names it from its own folder
+    get_filename_component(beside "${anatomy}" DIRECTORY)
+    install(FILES ${anatomy} DESTINATION share/kerf/procedures/${beside})
+  endforeach()
   add_test(NAME ${name}.loads
-    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:kerf::program> -D PLUGIN=$<TARGET_FILE:kerf_${name}> -P ${KERF_PLUGIN_TEST})
+    COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:kerf::program> -D PLUGIN=$<TARGET_FILE:kerf_${name}>
+      -P ${KERF_PLUGIN_TEST})
+  foreach(procedure IN LISTS arg_PROCEDURES)
+    get_filename_component(stem ${procedure} NAME_WE)
+    add_test(NAME ${name}.${stem} COMMAND kerf::program rehearse ${CMAKE_CURRENT_SOURCE_DIR}/${procedure})
+    set_tests_properties(${name}.${stem} PROPERTIES ENVIRONMENT KERF_PLUGIN_PATH=${folder} TIMEOUT 300)
+  endforeach()
 endfunction()

@@ -61,7 +61,7 @@ struct Crushing {
                                                     .unit = unit::N_per_mm2,
                                                     .min = 1_N_per_mm2,
                                                     .max = 500_N_per_mm2,
-                                                    .def = 60_N_per_mm2,
+                                                    .def = 40_N_per_mm2,
                                                     .source = "assumed"}),
                         signal(&Signals::push, {.id = "push", .help = "Push of the bone on the rim.", .unit = unit::N}),
                         event(Happened::entered, {.id = "operation.entered", .help = "The rim is in bone."}));

@@ -47,6 +47,7 @@ inline ToolSetup drill(const std::string& tool, std::map<std::string, double> se
         }
         if (info.id == "drill_cutting") setup.force_parameters = values(info.parameters, set);
     }
+    if (const std::string why = bind_law(setup); !why.empty()) throw std::runtime_error(why);
     return setup;
 }
 

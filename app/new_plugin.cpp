@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/new_plugin.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "app/new_plugin_files.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr std::size_t longest_name = 40;
+
+bool is_name(const std::string& name) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+    return !name.empty() && name.size() <= longest_name && name[0] >= 'a' && name[0] <= 'z' &&
+           std::all_of(name.begin(), name.end(), fits);
+}
+
+/// `hand_saw` as `HandSaw`.
+std::string type_name(const std::string& name) {
+    std::string type;
+    bool is_first = true;
+    for (const char c : name) {
+        if (c != '_') type += is_first && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        is_first = c == '_';
+    }
+    return type;
+}
+
+/// Without the line that leads on to the next example.
+std::string without_next(const std::string& text) {
+    const std::size_t at = text.rfind("\nNext: ");
+    return at == std::string::npos ? text : text.substr(0, at + 1);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+}  // namespace
+
+std::string write_new_plugin(const std::string& name, const std::string& wanted) {
+    namespace fs = std::filesystem;
+    if (!is_name(name))
+        return "the plugin's name is `" + name + "`; it needs a-z, 0-9 and _, a letter first, 40 at most. Write " +
+               "`kerf new plugin round_burr`.";
+    const fs::path folder = wanted.empty() ? name : wanted;
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(folder, error)))
+        return "`" + folder.string() + "` exists already. Name another folder with `--out`.";
+    if (!fs::create_directories(folder, error))
+        return "`" + folder.string() + "` cannot be made: " + error.message() + ". Name another folder with `--out`.";
+    for (const NewPluginFile& file : new_plugin_files) {
+        const fs::path path = folder / replaced(file.name, "round_burr", name);
+        std::string text = replaced(without_next(file.text), "round_burr", name);
+        text = replaced(replaced(text, "RoundBurr", type_name(name)), "02_" + name, name);
+        std::ofstream out(path, std::ios::binary);
+        out << text;
+        out.close();
+        if (!out) {
+            fs::remove_all(folder, error);
+            return "`" + path.string() + "` cannot be written. Name another folder with `--out`.";
+        }
+    }
+    return {};
+}
+
+}  // namespace kerf
