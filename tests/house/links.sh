@@ -1,0 +1,145 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# links.sh [ROOT]: follows what Markdown files point at. Exit status 1 if something is missing.
+#
+#   [text](path#heading)   the file and the heading exist; addresses on the web are not followed
+#   `core/field/grid.h`    a path of the repository, in back quotes, exists
+#   | file | … |           each name in back quotes in the first column of such a table is a file beside the page
+#   --gtest_filter='A.*'   some test has such a name; the same for: filter `A*`
+#
+# Needs bash, awk, find, grep and sort alone.
+set -euo pipefail
+export LC_ALL=C.UTF-8 2>/dev/null || export LC_ALL=C
+cd -- "${1:-$(dirname -- "${BASH_SOURCE[0]}")/../..}"
+
+mapfile -t pages < <({ find . -maxdepth 1 -name '*.md'; find docs plugins devices studies examples conformance tests bench \
+    procedures -name '*.md' -not -path '*/build/*' 2>/dev/null; } | sed 's,^\./,,' | sort)
+
+# Prints "page:line<TAB>kind<TAB>target" for each link, path and filter; "page<TAB>heading<TAB>anchor" for each heading.
+facts=$(awk '
+    # As GitHub makes anchors: lower case, no punctuation, spaces become hyphens.
+    function anchor(text) {
+        gsub(/\]\([^)]*\)/, "]", text)
+        text = tolower(text)
+        gsub(/[`.,:;!?()\[\]{}"\047*=\/+<>&|…’“”–§$%#@~^]/, "", text)
+        gsub(/[ \t]/, "-", text)
+        return text
+    }
+    FNR == 1 { in_code = in_files = 0; delete seen }
+    /^[ \t]*```/ { in_code = !in_code; next }
+    /^\| file \|/ { in_files = 1 }
+    !/^\|/ { in_files = 0 }
+    in_files {
+        split($0, cell, "|")
+        rest = cell[2]
+        while (match(rest, /`[^`]+`/)) {
+            print FILENAME ":" FNR "\tfile\t" substr(rest, RSTART + 1, RLENGTH - 2)
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+    }
+    !in_code && /^#+ / {
+        heading = $0
+        sub(/^#+ +/, "", heading)
+        sub(/[ \t]+$/, "", heading)
+        name = anchor(heading)
+        print FILENAME "\theading\t" name (seen[name]++ ? "-" (seen[name] - 1) : "")
+    }
+    !in_code {
+        rest = $0
+        while (match(rest, /\]\([^) ]+\)/)) {
+            print FILENAME ":" FNR "\tlink\t" substr(rest, RSTART + 2, RLENGTH - 3)
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+        rest = $0
+        while (match(rest, /`[^`]+`/)) {
+            code = substr(rest, RSTART + 1, RLENGTH - 2)
+            before = substr(rest, 1, RSTART - 1)
+            if (before ~ /filter $/) print FILENAME ":" FNR "\tfilter\t" code
+            else if (code ~ /^\.?\/?(app|bench|cmake|core|devices|docs|plugins|procedures|studies|tests|examples|conformance)(\/[A-Za-z0-9_.-]+)+\/?$/)
+                print FILENAME ":" FNR "\tpath\t" code
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+    }
+    {
+        rest = $0
+        while (match(rest, /--gtest_filter=\047[^\047]+\047/)) {
+            print FILENAME ":" FNR "\tfilter\t" substr(rest, RSTART + 16, RLENGTH - 17)
+            rest = substr(rest, RSTART + RLENGTH)
+        }
+    }' "${pages[@]}")
+
+declare -A headings=()
+while IFS= read -r line; do headings[$line]=1; done < <(awk -F '\t' '$2 == "heading" { print $1 "#" $3 }' <<<"$facts")
+tests=$(find tests -name '*.cpp' -exec grep -hoE '^TEST(_F|_P)?\([A-Za-z0-9_]+, *[A-Za-z0-9_]+' {} + |
+    sed -E 's/^TEST(_F|_P)?\(//; s/, */./' | sort -u)
+
+failed=0
+complain() { printf '%s\n' "$1"; failed=1; }
+
+folder_of() { if [[ $1 == */* ]]; then REPLY=${1%/*}; else REPLY=.; fi; }
+
+# REPLY: the path without "." and "..".
+make_plain() {
+    local -a out=() parts
+    local part
+    IFS=/ read -ra parts <<<"$1"
+    for part in "${parts[@]}"; do
+        case $part in
+            '' | .) ;;
+            ..) if ((${#out[@]} > 0)); then unset 'out[-1]'; else out=(outside); fi ;;
+            *) out+=("$part") ;;
+        esac
+    done
+    local IFS=/
+    REPLY="${out[*]}"
+}
+
+check_link() {   # PLACE TARGET
+    local page=${1%:*} target=$2 path heading=''
+    case $target in
+        http://* | https://* | mailto:*) return ;;
+    esac
+    if [[ $target == *'#'* ]]; then heading=${target#*#}; fi
+    path=${target%%#*}
+    if [[ -z $path ]]; then
+        path=$page
+    else
+        folder_of "$page"
+        make_plain "$REPLY/$path"
+        path=$REPLY
+    fi
+    if [[ ! -e $path ]]; then
+        complain "$1: the link to $target leads to $path, which does not exist. Correct it."
+    elif [[ -n $heading && -z ${headings["$path#$heading"]:-} ]]; then
+        complain "$1: $path has no heading #$heading. Correct the link."
+    fi
+}
+
+check_file() {   # PLACE NAME: with or without its ending; * matches
+    folder_of "${1%:*}"
+    compgen -G "$REPLY/$2" >/dev/null || compgen -G "$REPLY/$2.*" >/dev/null ||
+        complain "$1: there is no file $2 in $REPLY. Correct the table."
+}
+
+check_filter() {   # PLACE PATTERNS
+    local pattern expression
+    local -a patterns
+    IFS=: read -ra patterns <<<"$2"
+    for pattern in "${patterns[@]}"; do
+        [[ $pattern == *[A-Za-z]* ]] || continue
+        expression=${pattern//./\\.}
+        expression="^${expression//\*/.*}\$"
+        grep -qE -- "$expression" <<<"$tests" || complain "$1: no test has a name like $pattern. Correct the filter."
+    done
+}
+
+while IFS=$'\t' read -r place kind target; do
+    case $kind in
+        link) check_link "$place" "$target" ;;
+        path) [[ -e $target ]] || complain "$place: $target does not exist. Correct the path." ;;
+        file) check_file "$place" "$target" ;;
+        filter) check_filter "$place" "$target" ;;
+    esac
+done <<<"$facts"
+((failed)) || printf 'all links, paths and test filters of %d pages lead somewhere\n' "${#pages[@]}"
+exit "$failed"
