@@ -5,6 +5,7 @@
 #   [text](path#heading)   the file and the heading exist; addresses on the web are not followed
 #   `core/field/grid.h`    a path of the repository, in back quotes, exists
 #   | file | … |           each name in back quotes in the first column of such a table is a file beside the page
+#   | … | function | file | …   in such a table, each function is named in a file of its row
 #   --gtest_filter='A.*'   some test has such a name; the same for: filter `A*`
 #
 # Needs bash, awk, find, grep and sort alone.
@@ -21,21 +22,29 @@ facts=$(awk '
     function anchor(text) {
         gsub(/\]\([^)]*\)/, "]", text)
         text = tolower(text)
-        gsub(/[`.,:;!?()\[\]{}"\047*=\/+<>&|…’“”–§$%#@~^]/, "", text)
+        gsub(/[`.,:;!?()\[\]{}"\047*=\/+<>&|$%#@~^]/, "", text)
+        gsub(/…|–|×|°/, "", text)
         gsub(/[ \t]/, "-", text)
         return text
     }
-    FNR == 1 { in_code = in_files = 0; delete seen }
-    /^[ \t]*```/ { in_code = !in_code; next }
-    /^\| file \|/ { in_files = 1 }
-    !/^\|/ { in_files = 0 }
-    in_files {
-        split($0, cell, "|")
-        rest = cell[2]
+    # Prints what is in back quotes in `text`, as facts of one kind.
+    function quoted(text, kind, suffix,    rest) {
+        rest = text
         while (match(rest, /`[^`]+`/)) {
-            print FILENAME ":" FNR "\tfile\t" substr(rest, RSTART + 1, RLENGTH - 2)
+            print FILENAME ":" FNR "\t" kind "\t" substr(rest, RSTART + 1, RLENGTH - 2) suffix
             rest = substr(rest, RSTART + RLENGTH)
         }
+    }
+    function without_quotes(text) { gsub(/`/, "", text); gsub(/,/, " ", text); return text }
+    FNR == 1 { in_code = in_files = function_at = 0; delete seen }
+    /^[ \t]*```/ { in_code = !in_code; next }
+    /^\| file \|/ { in_files = 1 }
+    !/^\|/ { in_files = function_at = 0 }
+    in_files { split($0, cell, "|"); quoted(cell[2], "file", "") }
+    function_at { split($0, cell, "|"); quoted(cell[function_at], "function", " " without_quotes(cell[function_at + 1])) }
+    /\| function \| file \|/ {
+        n = split($0, cell, "|")
+        for (i = 1; i <= n; ++i) if (cell[i] == " function ") function_at = i
     }
     !in_code && /^#+ / {
         heading = $0
@@ -121,6 +130,15 @@ check_file() {   # PLACE NAME: with or without its ending; * matches
         complain "$1: there is no file $2 in $REPLY. Correct the table."
 }
 
+check_function() {   # PLACE "Class::name file …"
+    local -a words files=()
+    local word
+    read -ra words <<<"$2"
+    for word in "${words[@]:1}"; do if [[ -f $word ]]; then files+=("$word"); fi; done
+    ((${#files[@]} > 0)) || { complain "$1: no file is named for ${words[0]}. Name it."; return; }
+    grep -qwF -- "${words[0]##*::}" "${files[@]}" || complain "$1: ${words[0]} is not in ${files[*]}. Correct the table."
+}
+
 check_filter() {   # PLACE PATTERNS
     local pattern expression
     local -a patterns
@@ -138,6 +156,7 @@ while IFS=$'\t' read -r place kind target; do
         link) check_link "$place" "$target" ;;
         path) [[ -e $target ]] || complain "$place: $target does not exist. Correct the path." ;;
         file) check_file "$place" "$target" ;;
+        function) check_function "$place" "$target" ;;
         filter) check_filter "$place" "$target" ;;
     esac
 done <<<"$facts"
