@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# links.sh [ROOT]: follows what Markdown files point at. Exit status 1 if something is missing.
+# links.sh [ROOT]: follows what Markdown files point at, and the pages that sources name. Exit status 1 if something is
+# missing.
 #
 #   [text](path#heading)   the file and the heading exist; addresses on the web are not followed
 #   `core/field/grid.h`    a path of the repository, in back quotes, exists
 #   | file | … |           each name in back quotes in the first column of such a table is a file beside the page
 #   | … | function | file | …   in such a table, each function is named in a file of its row
 #   --gtest_filter='A.*'   some test has such a name; the same for: filter `A*`
+#   docs/a.md, "Heading"   in a source: the page exists, and has the heading if one is named
 #
 # Needs bash, awk, find, grep and sort alone.
 set -euo pipefail
@@ -160,5 +162,24 @@ while IFS=$'\t' read -r place kind target; do
         filter) check_filter "$place" "$target" ;;
     esac
 done <<<"$facts"
+check_named_page() {   # PLACE 'docs/a.md' or 'docs/a.md, "Heading"'
+    local page=${2%%,*} heading=''
+    if [[ $2 == *'"'* ]]; then heading=${2#*\"}; heading=${heading%\"}; fi
+    if [[ ! -f $page ]]; then
+        complain "$1: $page does not exist. Correct the comment."
+    elif [[ -n $heading ]] && ! grep -qE "^#+ +$heading\$" -- "$page"; then
+        complain "$1: $page has no heading \"$heading\". Correct the comment."
+    fi
+}
+
+while IFS= read -r line; do
+    place=${line%%:docs/*}
+    check_named_page "$place" "${line#"$place":}"
+done < <({
+    find app bench cmake core devices examples plugins procedures studies tests -type f \( -name '*.h' -o -name '*.hpp' \
+        -o -name '*.cpp' -o -name '*.cmake' -o -name '*.txt' -o -name '*.yaml' \) -not -path '*/build/*' -print0 2>/dev/null
+    printf 'dev\0'
+} | xargs -0 grep -noE 'docs/[A-Za-z0-9_/.-]+\.md(, "[^"]+")?')
+
 ((failed)) || printf 'all links, paths and test filters of %d pages lead somewhere\n' "${#pages[@]}"
 exit "$failed"
