@@ -202,7 +202,7 @@ mean_words() {   # LIMIT FILE…
         }
         FNR == 1 { report(); name = FILENAME; in_code = 0; text = "" }
         /^```/ { finish(); in_code = !in_code; next }
-        in_code || /^    / || /^[ \t]*$/ || /^#/ || /^\|/ || /^<!--/ || /^!\[/ { finish(); next }
+        in_code || /^    / || /^[ \t]*$/ || /^#/ || /^[ \t]*\|/ || /^<!--/ || /^!\[/ { finish(); next }
         /^[ \t]*([*-]|[0-9]+\.)[ \t]/ { finish(); sub(/^[ \t]*([*-]|[0-9]+\.)[ \t]+/, "") }
         { if (text == "") line_of_text = FNR; text = text " " $0 }
         END { report(); exit failed }
