@@ -8,6 +8,7 @@
 #   | file | … |           each name in back quotes in the first column of such a table is a file beside the page
 #   | … | function | file | …   in such a table, each function is named in a file of its row
 #   --gtest_filter='A.*'   some test has such a name; the same for: filter `A*`
+#   <!-- quotes FILE -->   the block of code below is a part of the file; folders that the tree lacks are passed over
 #   docs/a.md, "Heading"   in a source: the page exists, and has the heading if one is named
 #
 # Needs bash, awk, find, grep and sort alone.
@@ -180,6 +181,18 @@ done < <({
         -o -name '*.cpp' -o -name '*.cmake' -o -name '*.txt' -o -name '*.yaml' \) -not -path '*/build/*' -print0 2>/dev/null
     printf 'dev\0'
 } | xargs -0 grep -noE 'docs/[A-Za-z0-9_/.-]+\.md(, "[^"]+")?')
+
+# A page's block of code, compared with the file that it quotes.
+while IFS=$'\t' read -r place file; do
+    [[ -d ${file%%/*} ]] || continue
+    if [[ ! -f $file ]]; then
+        complain "$place: $file, which is quoted, does not exist. Correct the page."
+        continue
+    fi
+    quoted=$(tail -n "+${place##*:}" -- "${place%:*}" | awk '/^```/ { if (inside) exit; inside = 1; next } inside')
+    whole=$(<"$file")
+    [[ -n $quoted && $whole == *"$quoted"* ]] || complain "$place: the code below is not a part of $file. Copy it again."
+done < <(grep -noE '<!-- quotes [^ ]+ -->' -- "${pages[@]}" | sed -E 's/^([^:]+:[0-9]+):<!-- quotes ([^ ]+) -->/\1\t\2/')
 
 ((failed)) || printf 'all links, paths and test filters of %d pages lead somewhere\n' "${#pages[@]}"
 exit "$failed"
