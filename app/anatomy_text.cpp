@@ -15,7 +15,7 @@ std::string millimetres(double metres, int digits = 1) { return rounded(metres *
 
 std::string place_text(const Body& body, Vec3 at) {
     const PlaceOnBone place = place_on_bone(body, at);
-    if (!place.is_in_region) return "outside the region, not looked at";
+    if (!place.is_in_region) return "outside the region, not checked";
     const bool is_far = std::abs(place.distance) >= 0.99 * place.known;
     return std::string(is_far ? "more than " : "") + millimetres(std::abs(place.distance)) +
            (place.distance < 0.0 ? " inside the bone's surface" : " outside the bone");

@@ -47,7 +47,7 @@ std::string about(const ComponentInfo& component) {
     for (const SignalInfo& s : component.signals)
         text += "    " + padded(s.id, 20) + (s.display_unit.empty() ? "no unit" : s.display_unit) + "\n        " +
                 s.help + "\n";
-    if (!component.events.empty()) text += "  events, told when they happen\n";
+    if (!component.events.empty()) text += "  events, reported when they happen\n";
     for (const EventInfo& e : component.events) text += "    " + e.id + "\n        " + e.help + "\n";
     if (!component.features.empty()) text += "  what `kerf plan` may leave out\n";
     for (const FeatureInfo& f : component.features)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Third parties, each used as dep::name. Package names and traps: docs/ARCHITECTURE.md.
+# Third parties, each used as dep::name. Package names and traps: docs/dependencies.md.
 find_package(PkgConfig REQUIRED)
 find_package(yaml-cpp 0.7 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)

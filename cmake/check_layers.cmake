@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -D ROOT=<source tree> -P check_layers.cmake
 #
-# Who may know whom (docs/ARCHITECTURE.md):
+# Who may know whom (docs/overview.md):
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
 #   plugins/<name>  kerf/…, its own folder, std
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find

@@ -16,7 +16,7 @@ struct ChannelForce {
 
 /// λ(s) of a channel as the ABI states it, `dt` the tick [s]. Non-decreasing in s.   [any] pure, nonblocking.
 ///
-/// Source: docs/ARCHITECTURE.md, "The tick's solve".
+/// Source: docs/design/tick.md, "The solve".
 [[nodiscard]] ChannelForce channel_force(const kerf_channel& channel, double s, double dt) noexcept;
 
 /// Whether the host may solve with it: finite, a direction, nothing that would push.   [any] pure, nonblocking.

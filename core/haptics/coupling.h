@@ -18,7 +18,7 @@ struct CouplingGains {
     double spare_damping = 0.0;    ///< [N·s/m] the most the passivity controller may add
     double force_scale = 1.0;      ///< [–] device newtons per bone newton, one for force and torque
     double rotation_arm = 0.05;    ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
-    double release_damping = 0.0;  ///< [N·s/m] between hand and tool at breakthrough (docs/ARCHITECTURE.md)
+    double release_damping = 0.0;  ///< [N·s/m] between hand and tool at breakthrough (docs/design/tick.md)
 };
 
 /// What a device may be asked for when its forces come `latency` ticks late (0 … longest_latency, asserted):
@@ -27,7 +27,7 @@ struct CouplingGains {
 ///     B_c = min(0.5 × its damping, T (0.08 N / Δ − K_c)), Δ one count of its encoders,
 ///     B_x = min(0.15 s × K_c, 0.22 m/T)
 ///
-/// B_c and B_x are judgements; all are held against S-01, S-02, S-06, S-15 and S-19 (docs/ARCHITECTURE.md).
+/// B_c and B_x are judgements; all are held against S-01, S-02, S-06, S-15 and S-19 (docs/design/tick.md).
 [[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency = 0) noexcept;
 
 /// The largest scale at which `work_force` [N, bone] stays within 0.6 of what the device can hold, at most 1 (R5).

@@ -62,7 +62,7 @@ inline constexpr int iteration_cap =
 /// spring), so there is one answer. Newton with an exact line search finds it: a loose one does not.
 /// Pre: every channel is_sound, and there are at most `most_channels`.   [haptic, nonblocking]
 ///
-/// Source: docs/ARCHITECTURE.md, "The tick's solve".
+/// Source: docs/design/tick.md, "The solve".
 [[nodiscard]] Motion solve(const Balance& balance) noexcept;
 /// The same from another start; the answer must not depend on it.   [any]
 [[nodiscard]] Motion solve_from(const Balance& balance, const Vec6& start) noexcept;

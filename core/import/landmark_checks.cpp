@@ -56,7 +56,7 @@ void check_sides(const Anatomy& anatomy, Diagnostics& diagnostics) {
                 millimetres(right.at.x) +
                 " mm, but x grows to the patient's left (LPS). Swap them; or, if all coordinates are RAS, turn the "
                 "sign of every x and y.");
-        swapped.reason = named(anatomy, left->second.sort, left->first, "the other one stands here.");
+        swapped.reason = named(anatomy, left->second.sort, left->first, "the other one is here.");
         diagnostics.push_back(std::move(swapped));
     }
 }

@@ -137,7 +137,7 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"status", "TEXT", "", "", "", "ok, broken or info"},
           {"help", "TEXT", "", "", "", "meaning"}}},
         {"reasons",
-         {{"position", "INTEGER", "", "", "", "order in which they are told"},
+         {{"position", "INTEGER", "", "", "", "order in which they are reported"},
           {"reason", "TEXT", "", "", "", "of the verdict, for people"}}},
         {"removed",
          {{"position", "INTEGER", "", "", "", "as in ticks.tissue"},

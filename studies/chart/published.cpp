@@ -169,9 +169,9 @@ std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWa
                 figure(way.wall->thickness / 1.0_mm) + " mm [irie-2021], " + figure(100.0 * way.wall->bone()) +
                     " % of it bone, taken for " + (way.wall->is_medial ? "99.8" : "under 64"));
     }
-    const std::string measured_as = "which walls were broken is not told; " + figure(measured_breach_push[0]) + " to " +
-                                    figure(measured_breach_push[1]) + " over about " + figure(measured_safe_push) +
-                                    " N in the mean, with wide variations [cors-2013]";
+    const std::string measured_as = "the source does not say which walls broke; " + figure(measured_breach_push[0]) +
+                                    " to " + figure(measured_breach_push[1]) + " over about " +
+                                    figure(measured_safe_push) + " N on average, with wide variations [cors-2013]";
     compare("the same, mean of the lateral walls of L1 to L5", mean_of(lateral), along_axis, measured_as);
     compare("the same, mean of the medial walls of L1 to L5", mean_of(medial), along_axis, measured_as);
     compare("the same, mean of both", 0.5 * (mean_of(lateral) + mean_of(medial)), along_axis, measured_as);

@@ -123,7 +123,7 @@ private:
             return false;
         }
         error = "step `" + task_.step + "`: the bone cannot be made at " + in_mm(finest[2]) +
-                " or finer, which plans are held against. Make the region around the axes smaller.";
+                " or finer, the reference of plans. Make the region around the axes smaller.";
         return false;
     }
 

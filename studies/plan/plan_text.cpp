@@ -97,7 +97,7 @@ std::string verdict_on_cost(const Task& task, const StepPlan& plan) {
         return task.budget.is_given ? "within the budget" : "within " + two_digits(1e6 * task.budget.tick, "us");
     if (task.budget.is_given) return "OVER the budget: ask for less accuracy or allow more";
     return "OVER " + two_digits(1e6 * task.budget.tick, "us") +
-           ": write `budget: {tick: …}`, and what keeps it is looked for";
+           ": write `budget: {tick: …}`, and the plan searches what keeps it";
 }
 
 /// What of the procedure a reader would have to write anew, as the patch of a variant.
@@ -127,12 +127,12 @@ std::string to_write(const Task& task, const StepPlan& plan) {
 std::string plan_text(const Task& task, const StepPlan& plan) {
     std::string text = "step " + plan.step + ": " + two_digits(1e3 * task.way.length, "mm") + " at " +
                        two_digits(1e3 * task.way.feed, "mm/s") + "\n";
-    text += std::string("  asked for     ") + (plan.torque_counts ? "force and torque" : "force") + " within " +
+    text += std::string("  required      ") + (plan.torque_counts ? "force and torque" : "force") + " within " +
             percent(task.accuracy.force) + ", bone removed within " + percent(task.accuracy.volume) +
             (task.budget.is_given ? ", " + two_digits(1e6 * task.budget.tick, "us") + " a tick" : "; no budget") + "\n";
-    text += "  held against  " + quantity_text(plan.reference.spacing, "mm") + ", elements of " +
+    text += "  reference     " + quantity_text(plan.reference.spacing, "mm") + ", elements of " +
             pitch_text(task, plan.reference.pitch) + ": " + two_digits(plan.reference_force, "N") + " and " +
-            two_digits(1e3 * plan.reference_torque, "N mm") + " (RMS along the way)" +
+            two_digits(1e3 * plan.reference_torque, "N mm") + " (RMS along the path)" +
             (plan.torque_counts ? "" : "; so little torque does not count") + "\n\n";
     text += "  " + column("spacing", 10) + column("elements", 10) + column("force", 10) + column("torque", 10) +
             column("removed", 10) + "a tick, 999 of 1000\n";
@@ -153,8 +153,8 @@ std::string plan_text(const Task& task, const StepPlan& plan) {
         text += "  " + column(feature.id, 22) + errors(feature.change) +
                 (feature.is_left_out ? "left out: " : "kept: ") + feature.help + "\n";
     text += "\n  together      " + errors_said(plan.chosen.error) + ": " +
-            (plan.keeps_accuracy ? "as accurate as asked for\n"
-                                 : "NOT as accurate as asked for; nothing coarser than the reference is\n");
+            (plan.keeps_accuracy ? "as accurate as required\n"
+                                 : "NOT as accurate as required; nothing coarser than the reference is\n");
     const Cost& cost = *plan.chosen.cost;
     text += "  a tick takes  " + microseconds(cost) + " in 999 of 1000, at most " + two_digits(cost.longest, "us") +
             ": " + verdict_on_cost(task, plan) + "\n  as written    " + microseconds(plan.cost_as_written) +

@@ -130,7 +130,7 @@ std::string legend(int y) {
     add(Outcome::pass, Method::as_printed, "as printed passes", 150);
     add(Outcome::fail, Method::kerf, "fails", 80);
     add(Outcome::not_applicable, Method::kerf, "not applicable: the table says why", 260);
-    return text + text_at(x, y, "empty: not looked at. Figures: rest the pointer on a cell, or stability.csv.");
+    return text + text_at(x, y, "empty: not tested. Figures: rest the pointer on a cell, or stability.csv.");
 }
 
 }  // namespace

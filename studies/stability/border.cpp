@@ -242,8 +242,8 @@ void look_at_led_by_spring(const Scope& scope, const ToolUnderTest& tool, const 
                     const std::string told = finding.measured;
                     finding = finding_of(scene, tilt, crossing);
                     finding.criterion = "<= 3.2 % of the force before, a tick of at most 0.01 mm";
-                    finding.reason = "crosses at up to " + figure(1e3 * crossing.fastest, "mm/s") +
-                                     ": looked at in 1/" + std::to_string(parts) + " of a tick; in a whole one " + told;
+                    finding.reason = "crosses at up to " + figure(1e3 * crossing.fastest, "mm/s") + ": tested in 1/" +
+                                     std::to_string(parts) + " of a tick; in a whole one " + told;
                     if (crossing.fastest > parts * fastest_feed) finding.outcome = Outcome::not_applicable;
                 }
                 finding.device = device.id;

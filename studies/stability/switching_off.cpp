@@ -53,7 +53,7 @@ SwitchedOff switch_off(const Body& body, const ToolUnderTest& tool, const PortSe
 
 std::string in_figures(const SwitchedOff& off, double push) {
     return "largest step " + figure(100.0 * off.step / push, "%") + ", handed over in " +
-           std::to_string(off.handing_over) + " ms, stands on " + figure(off.stands_on, "N");
+           std::to_string(off.handing_over) + " ms, rests on " + figure(off.stands_on, "N");
 }
 
 }  // namespace

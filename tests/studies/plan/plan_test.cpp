@@ -266,7 +266,7 @@ TEST(Plan, TextAndTableSayWhatTheyAreNotForAndWhatToWrite) {
     const StepPlan plan = planned(task);
     EXPECT_EQ(plan_csv(std::span(&plan, 1)).rfind("# For training and research; not for diagnosis", 0), 0u);
     const std::string text = plan_text(task, plan);
-    EXPECT_NE(text.find("as accurate as asked for"), std::string::npos) << text;
+    EXPECT_NE(text.find("as accurate as required"), std::string::npos) << text;
     EXPECT_NE(text.find("        instruments.pilot.parameters.friction: 0\n"), std::string::npos) << text;
     EXPECT_NE(text.find("        accuracy.spacing: "), std::string::npos) << text;
 }
