@@ -85,6 +85,18 @@ TickRow numbered_tick(std::uint64_t tick) {
     return row;
 }
 
+/// A tick without zeros, which SQLite keeps in no space: 600 bytes in a file.
+TickRow full_tick(std::uint64_t tick) {
+    TickRow row = numbered_tick(tick);
+    const double value = 0.1 + 1e-3 * static_cast<double>(tick);
+    for (Vec6* wrench : {&row.modelled, &row.coupled, &row.limited, &row.commanded}) wrench->fill(value);
+    row.device_from_handle = row.world_from_tool = {{value, value, value}, {0.5, 0.1, 0.2, 0.3}};
+    for (double* number :
+         {&row.thrust, &row.torque, &row.depth, &row.feed_rate, &row.power_hand, &row.power_drive, &row.removed})
+        *number = value;
+    return row;
+}
+
 TEST(Recorder, ASessionIsOneFileWithEveryRowPushed) {
     // Given a session in lock-step, faster than the disk if nobody waits
     const TemporaryFolder folder;
@@ -325,8 +337,8 @@ TEST(Recorder, ThatIsKilledWhileItIsMadeLeavesAFolderForTheNext) {
         ASSERT_TRUE(WIFSIGNALED(status)) << "its own folder was refused";
 
         // Then the next run takes the folder, and what is there is a session or nothing
-        if (std::filesystem::exists(folder / "session.db"))
-            EXPECT_EQ(ask(folder / "session.db", "PRAGMA application_id"), std::to_string(session_application_id));
+        EXPECT_TRUE(!std::filesystem::exists(folder / "session.db") ||
+                    ask(folder / "session.db", "PRAGMA application_id") == std::to_string(session_application_id));
         OutputLock lock;
         MadeFolders made;
         EXPECT_EQ(prepare_output(folder.path(), lock, made), "");
@@ -339,7 +351,7 @@ TEST(Recorder, KeepsItsWalShort) {
     auto recorder = new_recorder(path);
     std::uintmax_t longest = 0;
     for (std::uint64_t tick = 0; tick < 120'000; ++tick) {  // 70 MB
-        recorder->push(numbered_tick(tick));
+        recorder->push(full_tick(tick));
         ASSERT_TRUE(recorder->wait_for_room());
         std::error_code not_there;
         if (tick % 1000 == 0)
@@ -363,11 +375,11 @@ TEST(Recorder, SaysThatACompleteSessionCouldNotBeFolded) {
         auto recorder = new_recorder(path);
         std::uint64_t tick = 0;
         for (; std::filesystem::file_size(path) < 14u << 20 && tick < 100'000; ++tick) {
-            recorder->push(numbered_tick(tick));
+            recorder->push(full_tick(tick));
             if (!recorder->wait_for_room()) _exit(3);
         }
         for (const std::uint64_t end = tick + 13'000; tick < end; ++tick) {
-            recorder->push(numbered_tick(tick));
+            recorder->push(full_tick(tick));
             if (!recorder->wait_for_room()) _exit(4);
         }
         const std::string said = recorder->finish(test::synthetic_summary());
@@ -392,9 +404,8 @@ TEST(DrawnRun, TakesNoMoreMemoryForMoreTicks) {
         for (std::uint64_t tick = 0; tick < 1'000'000; ++tick) run.add(numbered_tick(tick));
         for (std::uint64_t tick = 0; tick < 1'000'000; ++tick) run.add(EventRow{tick, 0.0, "event", "detail"});
         getrusage(RUSAGE_SELF, &usage);
-        _exit(usage.ru_maxrss < 150'000 /* kB */ && run.plotted().size() > 10'000 && run.event_count() == 1'000'000
-                  ? 0
-                  : 1);
+        _exit(usage.ru_maxrss < 150'000 /* kB */ && run.plotted().size() > 1'000 && run.event_count() == 1'000'000 ? 0
+                                                                                                                   : 1);
     }
     int status = 0;
     waitpid(child, &status, 0);
