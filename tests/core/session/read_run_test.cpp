@@ -164,7 +164,7 @@ TEST(ReadRun, WhatNoRunWritesIsRefused) {
 
 TEST(RecordChecksum, FindsAChangeInEveryTable) {
     for (const char* sql : {"UPDATE ticks SET thrust=1e6 WHERE tick=7",
-                            "UPDATE ticks SET removed=0",
+                            "UPDATE ticks SET removed=1e-9",
                             "UPDATE events SET detail='x'",
                             "UPDATE metrics SET value=0",
                             "UPDATE metrics SET status='ok'",
