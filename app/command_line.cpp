@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* hint_of_run =
     "Writes session.db, summary.json, report.html and bone.stl; bone-1.stl … if it came apart.\n"
-    "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.";
+    "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.\n"
+    "A replay: 1 too where nothing could be compared, 3 where it differs or its recording was changed.";
 
 /// One of a few words, with a message that says which.
 CLI::Validator one_of(const std::vector<std::string>& words) {
@@ -103,7 +104,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
                not_empty(yaml_help));
     add_changes(run);
     add_option(run, "--hand", line.hand, "REHEARSAL",
-               "The rehearsal that the simulated hand follows; the first if not given",
+               "The rehearsal that the simulated hand follows; if not given the first, or that of the recording",
                not_empty("the id of a rehearsal"));
     add_option(run, "--replay", line.replay, "SESSION", "The hand does what this session.db recorded, to the same bits",
                not_empty("the name of a session.db"));

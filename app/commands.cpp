@@ -22,13 +22,16 @@
 #include "app/privacy.h"
 #include "app/progress.h"
 #include "app/run_procedure.h"
+#include "app/standard_streams.h"
 #include "core/procedure/codes.h"
 #include "core/procedure/patch.h"
+#include "core/procedure/printable_lines.h"
 #include "core/procedure/schema.h"
 #include "core/procedure/shapes.h"
 #include "core/session/content_hash.h"
 #include "core/session/read_run.h"
 #include "core/session/read_session.h"
+#include "core/session/record_checksum.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/write_file.h"
@@ -41,7 +44,7 @@ namespace kerf {
 namespace {
 
 ExitCode complain(const std::string& error, ExitCode code) {
-    std::fprintf(stderr, "kerf: %s\n", error.c_str());
+    print_error("kerf: " + error + "\n");
     return code;
 }
 
@@ -49,8 +52,11 @@ ExitCode complain(const std::string& error, ExitCode code) {
 /// work that go into it.
 std::string refusal_of_folder(const std::string& folder) {
     namespace fs = std::filesystem;
-    std::error_code ignored;
-    fs::path there = fs::absolute(folder.empty() ? "." : folder, ignored);
+    std::error_code error, ignored;
+    fs::path there = fs::absolute(folder.empty() ? "." : folder, error);
+    if (error)
+        return "`--out` is `" + folder + "`, and the working folder is gone (" + error.message() +
+               "). Change into another folder, or give one with its whole path.";
     while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
     const std::string cannot = "`--out` is `" + folder + "`, where nothing can be written: `" + there.string() + "` ";
     if (!fs::is_directory(there, ignored)) return cannot + "is a file. Give another folder.";
@@ -65,13 +71,23 @@ std::string refusal_of_page(const std::string& file) {
     return refusal_of_folder(std::filesystem::path(file).parent_path().string());
 }
 
-void print(const RunSummary& s) {
-    std::printf("verdict: %s\n", to_text(s.verdict));
-    for (const auto& reason : s.reasons) std::printf("  %s\n", reason.c_str());
+/// Writes a page, and makes the folders that it needs; they go again if it cannot be written.
+std::string write_page(const std::string& file, const std::string& page) {
+    MadeFolders made;
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    std::string error = folder.empty() ? std::string() : made.make(folder);
+    if (error.empty()) error = write_file(file, page);
+    if (error.empty()) made.keep();
+    return error;
+}
+
+void print_summary(const RunSummary& s) {
+    print(std::string("verdict: ") + to_text(s.verdict) + "\n");
+    for (const auto& reason : s.reasons) print("  " + reason + "\n");
     for (const auto& m : s.metrics)
-        std::printf("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str());
-    std::printf("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9, s.duration,
-                1.0 / s.force_scale, static_cast<unsigned long long>(s.hash));
+        print(formatted("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str()));
+    print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,
+                    s.duration, 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash)));
 }
 
 DocumentRequest request_of(const std::string& file, const CommandLine& line) {
@@ -95,12 +111,12 @@ std::optional<Scene> make_scene(const std::string& file, const CommandLine& line
 /// What import did, on stderr.
 void print_notes(const std::optional<Scene>& scene) {
     if (!scene) return;
-    for (const auto& note : scene->import.notes) std::fprintf(stderr, "%s\n", note.c_str());
+    for (const auto& note : scene->import.notes) print_error(note + "\n");
 }
 
 /// The scene, or nothing; and all that was found on stderr.
 std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics) {
-    if (!diagnostics.empty()) std::fputs(to_text(diagnostics).c_str(), stderr);
+    if (!diagnostics.empty()) print_error(to_text(diagnostics));
     print_notes(scene);
     return scene;
 }
@@ -124,7 +140,7 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
         }
         if (documents && line.is_with_bone) print_notes(make_bone(*documents, file, one.diagnostics));
     }
-    std::fputs(findings_text(all, line.format).c_str(), stdout);
+    print(findings_text(all, line.format));
     return std::any_of(all.begin(), all.end(), [](const Findings& f) { return has_error(f.diagnostics); })
                ? exit_bad_input
                : exit_pass;
@@ -160,17 +176,38 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
         const RunOutcome outcome = run_procedure(*scene, plugins, request);
         if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-        std::printf("%s: %s\n  expected  %s\n  ended     %s\n", rehearsal.id.c_str(),
-                    outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS",
-                    expectation_of(rehearsal).c_str(), ending_of(outcome.summary).c_str());
+        print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS") +
+              "\n  expected  " + expectation_of(rehearsal) + "\n  ended     " + ending_of(outcome.summary) + "\n");
         as_expected += outcome.is_as_expected;
     }
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
-    std::printf("%s: %d of %d rehearsals ended as they say\n", file.c_str(), as_expected, count);
+    print(file + formatted(": %d of %d rehearsals ended as they say\n", as_expected, count));
     return as_expected == count ? exit_pass : exit_not_passed;
 }
 
 // ---- run ---------------------------------------------------------------------------------------------------------
+
+/// Says whether a replay ended as its recording did, and whether the recording is as it was written.
+ExitCode compare(const RecordedInputs& recorded, const RunSummary& replayed) {
+    ExitCode code = exit_pass;
+    const auto say = [&](const char* what, ExitCode comes_to) {
+        print(std::string("  replay: ") + what + "\n");
+        code = std::max(code, comes_to);
+    };
+    if (recorded.hash.empty())
+        say("nothing to compare with: the recording ends without a result", exit_not_passed);
+    else if (recorded.hash == hex16(replayed.hash))
+        say("the same bits", exit_pass);
+    else
+        say("NOT the same bits", exit_fault);
+    if (recorded.rows == RecordCheck::changed)
+        say("the recording was CHANGED after its run wrote it: its rows do not give its checksum", exit_fault);
+    if (recorded.rows == RecordCheck::unknown && recorded.is_old)
+        say("the rows of the recording were not checked: this old session has no checksum", exit_pass);
+    else if (recorded.rows == RecordCheck::unknown && !recorded.hash.empty())
+        say("the rows of the recording were not checked: it is incomplete", exit_not_passed);
+    return code;
+}
 
 ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (const std::string refusal = line.out.empty() ? "" : refusal_of_folder(line.out); !refusal.empty())
@@ -184,8 +221,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     }
 
     // Before the bone is made, which may take minutes: can it be run at all?
-    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, line.hand); !refusal.empty())
-        return complain(refusal, exit_bad_input);
+    std::string rehearsal = line.hand;
     std::optional<RecordedInputs> recorded;
     const std::string another_text = ": was recorded with another text of this procedure or anatomy, or with another "
                                      "scan, so it cannot end the same.";
@@ -199,8 +235,14 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
                                                      recorded->variant + "`.");
         else if (recorded && recorded->procedure_text != documents->procedure.text)
             error = line.replay + another_text;
+        else if (recorded && !line.hand.empty() && line.hand != recorded->rehearsal)
+            error = line.replay + ": was recorded with the rehearsal `" + recorded->rehearsal + "`, and `--hand` is `" +
+                    line.hand + "`. Leave out `--hand`.";
         if (!error.empty()) return complain(error, exit_bad_input);
+        rehearsal = recorded->rehearsal;
     }
+    if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
+        return complain(refusal, exit_bad_input);
     const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
@@ -213,8 +255,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.learner = line.learner;
     request.mode = line.mode;
     request.progress = show_progress;
-    request.rehearsal = line.hand;
-    std::string recorded_hash;
+    request.rehearsal = rehearsal;
     if (recorded) {
         request.replay = std::move(recorded->device_from_handle);
         request.adoptions = std::move(recorded->adoptions);
@@ -225,7 +266,6 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
                                 exit_bad_input);
             request.hand_inputs.emplace_back(tick, *input);
         }
-        recorded_hash = recorded->hash;
     }
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
     std::error_code ignored;
@@ -236,15 +276,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-    print(outcome.summary);
-    std::printf("  %s/report.html\n", request.out.c_str());
+    print_summary(outcome.summary);
+    print("  " + request.out + "/report.html\n");
     if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
-    if (!recorded_hash.empty()) {
-        const bool is_same = recorded_hash == hex16(outcome.summary.hash);
-        std::printf("  replay: %s\n", is_same ? "the same bits" : "NOT the same bits");
-        if (!is_same) return exit_fault;
-    }
-    return outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
+    const ExitCode judged = outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
+    return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
 }
 
 // ---- report ------------------------------------------------------------------------------------------------------
@@ -264,12 +300,10 @@ ExitCode report(const CommandLine& line) {
     std::string error;
     const auto run = read_run(line.source, error);
     if (!run) return complain(error, exit_bad_input);
-    if (!line.out.empty() && fs::path(file).has_parent_path())
-        fs::create_directories(fs::path(file).parent_path(), ignored);
-    if (error = write_file(file, report_html(run->summary, run->ticks, run->events, run->bone_after)); !error.empty())
+    if (error = write_page(file, report_html(run->summary, run->drawn)); !error.empty())
         return complain(error + (line.out.empty() ? " Give another place with `--out`." : ""), exit_bad_input);
-    if (!run->missing.empty()) std::fprintf(stderr, "%s\n", run->missing.c_str());
-    std::printf("%s\n", file.c_str());
+    if (!run->missing.empty()) print_error(run->missing + "\n");
+    print(file + "\n");
     return exit_pass;
 }
 
@@ -279,7 +313,7 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
     const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
-    std::fputs(outcome.text.c_str(), stdout);
+    print(outcome.text);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.text.empty() ? exit_bad_input : exit_fault);
     return outcome.is_kept ? exit_pass : exit_not_passed;
 }
@@ -287,7 +321,7 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
 /// The papers' laws, which only `stability` and `chart` show.
 void scan_papers(PluginRegistry& papers, const std::string& folder) {
     papers.scan({folder});
-    for (const auto& refusal : papers.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
+    for (const auto& refusal : papers.refusals()) print_error(refusal + "\n");
 }
 
 ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
@@ -296,17 +330,17 @@ ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugin
     if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
     PluginRegistry papers;
     scan_papers(papers, printed_folder);
-    std::printf("%s.\n%s\n", notice_line, table_head().c_str());
+    print(std::string(notice_line) + ".\n" + table_head() + "\n");
     const stability::Report print_line = [](const Finding& finding) {
-        std::printf("%s\n", table_line(finding).c_str());
+        print(table_line(finding) + "\n");
         std::fflush(stdout);
     };
     std::string error;
     const auto findings = run_suite(plugins, papers, line.plugin, line.is_quick, print_line, error);
     if (!error.empty()) return complain(error, exit_bad_input);
-    std::fputs(tally(findings).c_str(), stdout);
+    print(tally(findings));
     if (error = write_atlas(out, findings); !error.empty()) return complain(error, exit_fault);
-    std::printf("%s/stability.svg\n", out.c_str());
+    print(out + "/stability.svg\n");
     return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
 }
 
@@ -316,16 +350,15 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     PluginRegistry printed;
     scan_papers(printed, printed_folder);
     if (printed.plugins().empty())
-        std::fprintf(stderr, "kerf: the papers as printed are not in %s: the chart goes without them.\n",
-                     printed_folder.c_str());
-    std::printf("%s.\n", notice_line);
+        print_error("kerf: the papers as printed are not in " + printed_folder + ": the chart goes without them.\n");
+    print(std::string(notice_line) + ".\n");
     chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
-    request.progress = [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); };
+    request.progress = [](const std::string& what) { print_error(what + "\n"); };
     std::string error;
     const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
     if (!error.empty()) return complain(error, exit_bad_input);
     if (error = chart::write_chart(out, drawn); !error.empty()) return complain(error, exit_fault);
-    std::printf("%s/chart.html\n", out.c_str());
+    print(out + "/chart.html\n");
     return exit_pass;
 }
 
@@ -333,9 +366,9 @@ ExitCode expand(const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
     const auto procedure =
         read_procedure(line.files.front(), plugins.catalog(), diagnostics, {line.variant, line.settings});
-    std::fputs(to_text(diagnostics).c_str(), stderr);
+    print_error(to_text(diagnostics));
     if (!procedure) return exit_bad_input;
-    std::printf("# %s\n%s", notice_line, emitted(*procedure->document, true).c_str());
+    print(std::string("# ") + notice_line + "\n" + emitted(*procedure->document, true));
     return exit_pass;
 }
 
@@ -343,25 +376,25 @@ ExitCode describe(const CommandLine& line, const PluginRegistry& plugins) {
     std::string error;
     const auto text = description_of(plugins, line.component, error);
     if (!text) return complain(error, exit_bad_input);
-    std::fputs(text->c_str(), stdout);
+    print(*text);
     return exit_pass;
 }
 
 ExitCode explain(const CommandLine& line) {
     if (line.code.empty()) {
-        std::fputs(list_of_codes().c_str(), stdout);
+        print(list_of_codes());
         return exit_pass;
     }
     const CodeEntry* entry = find_code(line.code);
     if (entry == nullptr)
         return complain("there is no code `" + line.code + "`. Write `kerf explain` to see all.", exit_bad_input);
-    std::fputs(explanation_of(*entry).c_str(), stdout);
+    print(explanation_of(*entry));
     return exit_pass;
 }
 
 ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
     const Shape& shape = line.kind == "anatomy" ? shapes::anatomy : shapes::procedure;
-    std::fputs(schema_text(shape, plugins.catalog(), notice_line).c_str(), stdout);
+    print(printable_json(schema_text(shape, plugins.catalog(), notice_line)));
     return exit_pass;
 }
 
@@ -370,20 +403,20 @@ ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
 ExitCode import(const CommandLine& line) {
     const ImportOutcome outcome =
         import_source({line.source, line.out, line.series, line.may_resample, line.unit, line.frame});
-    std::fputs(outcome.text.c_str(), stdout);
-    std::fputs(to_text(outcome.diagnostics).c_str(), stderr);
+    print(outcome.text);
+    print_error(to_text(outcome.diagnostics));
     if (has_error(outcome.diagnostics)) return exit_bad_input;
     if (!outcome.error.empty()) return complain(outcome.error, exit_bad_input);
-    std::printf("%s.\n", notice_line);
+    print(std::string(notice_line) + ".\n");
     return exit_pass;
 }
 
 ExitCode check_anatomy(const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
     const auto scene = make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true});
-    if (scene) std::fputs(anatomy_text(*scene).c_str(), stdout);
+    if (scene) print(anatomy_text(*scene));
     std::vector<Findings> findings{{line.anatomy, diagnostics}};
-    std::fputs(findings_text(findings, line.format).c_str(), stdout);
+    print(findings_text(findings, line.format));
     return has_error(diagnostics) ? exit_bad_input : exit_pass;
 }
 
@@ -393,16 +426,13 @@ ExitCode preview(const CommandLine& line, const PluginRegistry& plugins) {
     Diagnostics diagnostics;
     const auto scene =
         make_scene(line.files.front(), line, plugins, diagnostics, {.with_shifts = true, .with_scan = true});
-    std::fputs(to_text(diagnostics).c_str(), stderr);
+    print_error(to_text(diagnostics));
     if (!scene) return exit_bad_input;
     const std::string file = line.out.empty() ? "out/" + scene->procedure.id + "-preview.html" : line.out;
-    std::error_code ignored;
-    if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())
-        std::filesystem::create_directories(folder, ignored);
     const StillWorking sign_of_life("drawing");
-    if (const std::string error = write_file(file, preview_page(*scene)); !error.empty())
+    if (const std::string error = write_page(file, preview_page(*scene)); !error.empty())
         return complain(error, exit_bad_input);
-    std::printf("%s\n", file.c_str());
+    print(file + "\n");
     return exit_pass;
 }
 
@@ -414,7 +444,7 @@ ExitCode tell_privacy(const CommandLine& line) {
             worst = complain(report.error, exit_bad_input);
             continue;
         }
-        std::fputs(privacy_text(file, report, line.shows_values).c_str(), stdout);
+        print(privacy_text(file, report, line.shows_values));
         if (!report.findings.empty()) worst = std::max(worst, exit_not_passed);
     }
     return worst;
@@ -452,7 +482,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
         for (const auto& file : line.files) worst = std::max(worst, rehearse(file, line, plugins));
         return worst;
     }
-    std::fputs(list_of_components(plugins).c_str(), stdout);
+    print(list_of_components(plugins));
     return exit_pass;
 }
 

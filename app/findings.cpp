@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/procedure/printable_lines.h"
 #include "core/session/recorder.h"
 
 namespace kerf {
@@ -40,7 +41,7 @@ std::string json_of(const std::vector<Findings>& all) {
             {{"file", one.file}, {"has_errors", has_error(one.diagnostics)}, {"diagnostics", std::move(diagnostics)}});
     }
     const Json document{{"schema", 1}, {"notice", notice_line}, {"files", std::move(files)}};
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 /// Workflow commands end at a line's end; their properties also at `,` and `:`.

@@ -18,11 +18,15 @@ Interruption::Interruption() {
     struct sigaction action {};
     action.sa_handler = &note;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        is_taken_[i] = sigaction(signals[i], nullptr, &before_[i]) == 0 && before_[i].sa_handler != SIG_IGN;
+        if (is_taken_[i]) sigaction(signals[i], &action, nullptr);
+    }
 }
 
 Interruption::~Interruption() {
-    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i)
+        if (is_taken_[i]) sigaction(signals[i], &before_[i], nullptr);
 }
 
 bool Interruption::has_come() const noexcept { return is_noted != 0; }

@@ -7,7 +7,8 @@
 namespace kerf {
 
 /// While this lives, the first Ctrl-C (SIGINT, SIGTERM, SIGHUP) is only noted, so that a run can end in order. A second
-/// one ends the program as ever.   [main] one at a time
+/// one ends the program as ever. A signal that was ignored before, as by `nohup`, stays ignored.   [main] one at a
+/// time
 class Interruption {
 public:
     Interruption();
@@ -20,6 +21,7 @@ public:
 private:
     static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
     std::array<struct sigaction, signals.size()> before_{};
+    std::array<bool, signals.size()> is_taken_{};
 };
 
 }  // namespace kerf

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `kerf` program. Exit codes: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault.
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
 
 #include "app/commands.h"
+#include "app/last_resort.h"
 #include "app/plugin_folders.h"
 #include "app/shipped.h"
+#include "app/standard_streams.h"
 
-int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a name, not an end
-    kerf::CommandLine line = kerf::read_command_line(argc, argv);
+namespace {
+
+using namespace kerf;
+
+ExitCode do_as_told(int argc, char** argv) {
+    CommandLine line = read_command_line(argc, argv);
     if (!line.answer.empty()) {
-        std::fputs(line.answer.c_str(), line.exit_code == kerf::exit_pass ? stdout : stderr);
-        return line.exit_code;
+        line.exit_code == exit_pass ? print(line.answer) : print_error(line.answer);
+        return static_cast<ExitCode>(line.exit_code);
     }
     // Plugins lie in ../lib/kerf of the program, and wherever the user says; shipped procedures in
     // ../share/kerf/procedures.
@@ -26,13 +30,22 @@ int main(int argc, char** argv) {
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
     if (line.command != "privacy")  // of that, any file is meant as it is named
         for (std::string& file : line.files)
-            file = kerf::shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
-    line.anatomy = kerf::shipped_or_own(line.anatomy, (prefix / "share" / "kerf" / "procedures").string());
-    const kerf::PluginFolders folders =
-        kerf::plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
-    for (const auto& complaint : folders.complaints) std::fprintf(stderr, "kerf: %s\n", complaint.c_str());
-    kerf::PluginRegistry plugins;
+            file = shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
+    line.anatomy = shipped_or_own(line.anatomy, (prefix / "share" / "kerf" / "procedures").string());
+    const PluginFolders folders = plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
+    for (const auto& complaint : folders.complaints) print_error("kerf: " + complaint + "\n");
+    PluginRegistry plugins;
     plugins.scan(folders.folders);
-    for (const auto& refusal : plugins.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
-    return kerf::carry_out(line, plugins, (lib / "kerf-bench").string());
+    for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+    return carry_out(line, plugins, (lib / "kerf-bench").string());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    occupy_closed_streams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error with a name, not an end
+    say_why_not_on_terminate();
+    if (!is_stack_large_enough()) return exit_fault;
+    return close_stdout(do_or_say_why_not([&] { return do_as_told(argc, argv); }));
 }

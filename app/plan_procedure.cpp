@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <system_error>
 #include <vector>
 
 #include "app/progress.h"
@@ -47,13 +45,6 @@ double feed_of(const Procedure& procedure) {
     return 1e-3;
 }
 
-/// Before the minute's work that goes into it.
-std::string make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    return error ? folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`." : "";
-}
-
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
     const std::string failed = write_file(folder + "/plan.txt", text);
     return failed.empty() ? write_file(folder + "/plan.csv", csv) : failed;
@@ -65,7 +56,8 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
-    if (!folder.empty() && !(outcome.error = make_folder(folder)).empty()) return outcome;
+    MadeFolders made;  // before the minute's work that goes into it
+    if (!folder.empty() && !(outcome.error = made.make(folder)).empty()) return outcome;
     std::string text = std::string(notice_line) + ".\n" + procedure.id + ", " + procedure.title + "\n";
     std::vector<plan::StepPlan> plans;
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
@@ -107,6 +99,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
     }
     outcome.text = text;
     if (!folder.empty()) outcome.error = write_plan(folder, text, plan::plan_csv(plans));
+    if (outcome.error.empty()) made.keep();
     return outcome;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plugin_folders.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -25,12 +27,15 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
         plugin_path.remove_prefix(std::min(end + 1, plugin_path.size()));
         std::error_code error;
         if (folder.empty() || is_there(folder)) continue;
-        if (fs::is_directory(folder, error)) {
+        const bool is_folder = fs::is_directory(folder, error);
+        if (is_folder && access(folder.c_str(), R_OK | X_OK) == 0) {
             found.folders.push_back(folder);
         } else if (std::find(complained.begin(), complained.end(), folder) == complained.end()) {
             complained.push_back(folder);
             found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which " +
-                                       (fs::exists(folder, error) ? "is not a folder" : "does not exist") +
+                                       (is_folder                   ? "may not be read"
+                                        : fs::exists(folder, error) ? "is not a folder"
+                                                                    : "does not exist") +
                                        ": no plugins come from there. Correct it or take it out.");
         }
     }

@@ -20,6 +20,7 @@
 
 #include "core/import/image/dicom_elements.h"
 #include "core/import/image/packed_bytes.h"
+#include "core/session/recorder.h"
 
 namespace kerf {
 namespace {
@@ -435,6 +436,23 @@ void look_at_dicom(const std::string& file, PrivacyReport& report) {
 // ---- databases
 // --------------------------------------------------------------------------------------------------------
 
+/// Whether a text is written as `pattern` is: 0 stands for a digit, f for a hexadecimal one.
+bool is_written_as(std::string_view text, std::string_view pattern) {
+    const auto fits = [](char want, char got) {
+        const bool is_hex = is_digit(got) || (got >= 'a' && got <= 'f');
+        return want == '0' ? is_digit(got) : want == 'f' ? is_hex : want == got;
+    };
+    return text.size() == pattern.size() && std::equal(pattern.begin(), pattern.end(), text.begin(), fits);
+}
+
+/// Whether a row of a session's envelope is what Kerf itself puts there: when the run began, by its own clock, and its
+/// random number. They are the session's own, and tell nothing of whose bone it was. Whatever else stands in their
+/// place is looked at.
+bool is_of_the_run(const std::string& key, const std::string& value) {
+    return (key == "start" && is_written_as(value, "0000-00-00T00:00:00Z")) ||
+           (key == "uuid" && is_written_as(value, "ffffffff-ffff-ffff-ffff-ffffffffffff"));
+}
+
 /// All texts of all tables, each on a line of its own; numbers would look like anything. Bytes are looked at here.
 /// Empty, and `is_whole` false, if it is damaged.
 std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyReport& report) {
@@ -457,6 +475,10 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
         return bytes == nullptr ? std::string()
                                 : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
     };
+    bool is_session = false;
+    if (is_whole)
+        each_row("PRAGMA application_id",
+                 [&](sqlite3_stmt* row) { is_session = sqlite3_column_int64(row, 0) == session_application_id; });
     if (is_whole)
         each_row("SELECT name, sql FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE %'",
                  [&](sqlite3_stmt* row) {
@@ -467,6 +489,9 @@ std::string texts_of_database(const std::string& file, bool& is_whole, PrivacyRe
         std::string quoted;
         for (const char c : table) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
         each_row("SELECT * FROM \"" + quoted + "\"", [&](sqlite3_stmt* row) {
+            if (is_session && table == "envelope" && sqlite3_column_count(row) == 2 &&
+                is_of_the_run(text_of(row, 0), text_of(row, 1)))
+                return;
             for (int column = 0; column < sqlite3_column_count(row); ++column)
                 if (const int type = sqlite3_column_type(row, column); type == SQLITE_TEXT)
                     all += text_of(row, column) + "\n";

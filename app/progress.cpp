@@ -5,7 +5,10 @@
 
 #include <chrono>
 #include <cstdio>
-#include <utility>
+#include <exception>
+#include <system_error>
+
+#include "core/procedure/printable.h"
 
 namespace kerf {
 
@@ -33,36 +36,46 @@ std::string percent(double share) { return std::to_string(static_cast<int>(100.0
 
 void show_progress(double share, const std::string& what) {
     if (is_on_terminal()) {
-        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * share, what.c_str());
+        std::fprintf(stderr, "%s%3.0f %%  %s", clear_line, 100.0 * share, printable(what).c_str());
         if (share >= 1.0) std::fputc('\n', stderr);
     } else if (is_line_due()) {
-        std::fprintf(stderr, "%s  %s\n", percent(share).c_str(), what.c_str());
+        std::fprintf(stderr, "%s  %s\n", percent(share).c_str(), printable(what).c_str());
     }
 }
 
 void show_work(const std::string& what) {
     if (is_on_terminal())
-        std::fprintf(stderr, "%s%s%s", clear_line, what.c_str(), what.empty() ? "" : " …");
+        std::fprintf(stderr, "%s%s%s", clear_line, printable(what).c_str(), what.empty() ? "" : " …");
     else if (!what.empty() && is_line_due())
-        std::fprintf(stderr, "%s …\n", what.c_str());
+        std::fprintf(stderr, "%s …\n", printable(what).c_str());
 }
 
-StillWorking::StillWorking(std::string what) : what_(std::move(what)) {
+StillWorking::StillWorking(const std::string& what) : what_(printable(what)) {
     const bool is_written_over = is_on_terminal();
     if (is_written_over) std::fprintf(stderr, "%s%s …", clear_line, what_.c_str());
-    clock_ = std::thread([this, is_written_over] {
+    try {
+        clock_ = std::thread([this, is_written_over] { show_until_over(is_written_over); });
+    } catch (const std::system_error&) {
+        // The system gives no thread: the work goes on without a clock.
+    }
+}
+
+void StillWorking::show_until_over(bool is_written_over) noexcept {
+    try {
         std::unique_lock lock(mutex_);
         const int step = is_written_over ? 1 : seconds_per_line;
         for (int seconds = step; !wake_.wait_for(lock, std::chrono::seconds(step), [this] { return is_over_; });
              seconds += step)
             std::fprintf(stderr, is_written_over ? "\r\033[K%s" : "%s\n", text(seconds).c_str());
-    });
+    } catch (const std::exception&) {
+        // There is no memory for a line; the work itself will say so.
+    }
 }
 
 void StillWorking::is_at(double share, const std::string& part) {
     const std::lock_guard lock(mutex_);
     share_ = share;
-    part_ = part;
+    part_ = printable(part);
 }
 
 std::string StillWorking::text(int seconds) const {
@@ -76,7 +89,7 @@ StillWorking::~StillWorking() {
         is_over_ = true;
     }
     wake_.notify_one();
-    clock_.join();
+    if (clock_.joinable()) clock_.join();
     if (is_on_terminal()) std::fputs(clear_line, stderr);
 }
 

@@ -20,7 +20,7 @@ void show_work(const std::string& what);
 /// [main]
 class StillWorking {
 public:
-    explicit StillWorking(std::string what);
+    explicit StillWorking(const std::string& what);
     ~StillWorking();
     StillWorking(const StillWorking&) = delete;
     StillWorking& operator=(const StillWorking&) = delete;
@@ -29,6 +29,7 @@ public:
     void is_at(double share, const std::string& part);
 
 private:
+    void show_until_over(bool is_written_over) noexcept;
     [[nodiscard]] std::string text(int seconds) const;
 
     const std::string what_;

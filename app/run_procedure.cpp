@@ -19,6 +19,7 @@
 #include "core/procedure/read_map.h"
 #include "core/session/content_hash.h"
 #include "core/session/envelope.h"
+#include "core/session/read_run.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/stl.h"
@@ -145,6 +146,14 @@ std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation,
 
 std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
 
+/// The page of the session that lies in a folder.
+std::string write_report(const std::string& folder) {
+    std::string error;
+    const auto run = read_run(folder + "/session.db", error, true);
+    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn))
+               : folder + "/report.html could not be made: " + error;
+}
+
 void append(const Mesh& more, Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
@@ -208,9 +217,10 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
 
     // The record is open before the first tick, so that whatever happens leaves something to read.
     OutputLock lock;
+    MadeFolders made;
     std::unique_ptr<Recorder> recorder;
     if (!request.out.empty()) {
-        if (outcome.error = prepare_output(request.out, lock); !outcome.error.empty()) {
+        if (outcome.error = prepare_output(request.out, lock, made); !outcome.error.empty()) {
             outcome.is_bad_input = true;
             return outcome;
         }
@@ -238,6 +248,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             return outcome;
         }
         recorder = std::move(created.recorder);
+        made.keep();
     }
 
     const HandPlan plan = plan_of(*rehearsal, scene);
@@ -262,7 +273,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         event.detail = detail;
         kerf::add_event(hash, event);
         if (recorder) recorder->push_event(event);
-        outcome.events.push_back(Recorder::as_kept(std::move(event)));
+        if (request.on_event) request.on_event(Recorder::as_kept(std::move(event)));
     };
     const auto add_event = [&](const std::string& id, const std::string& detail) {
         add_event_at(simulation.ticks() - 1, id, detail);
@@ -336,7 +347,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
                         simulation.outline().cutting);
         const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, removed);
         add_tick(hash, row);
-        outcome.ticks.push_back(row);
+        if (request.on_tick) request.on_tick(row);
         for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
         if (monitor.current() != step) {
             removed = simulation.present().removed();
@@ -405,7 +416,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     const DrawnSurface drawn = drawn_surface(all_surfaces(simulation, 2));
     for (const std::string& error :
          {recorder->finish(summary, drawn), write_file(request.out + "/summary.json", summary_json(summary)),
-          write_file(request.out + "/report.html", report_html(summary, outcome.ticks, outcome.events, drawn))})
+          write_report(request.out)})
         if (!error.empty()) outcome.error += (outcome.error.empty() ? "" : "\n      ") + error;
     for (const PieceRow& piece : summary.pieces)
         if (const std::string error =

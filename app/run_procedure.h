@@ -21,15 +21,15 @@ struct RunRequest {
     std::vector<std::uint64_t>
         adoptions;                     ///< of that run: the ticks after which the loop took over what had come apart
     HandInputs::Recorded hand_inputs;  ///< of that run: what else was asked for, and before which tick
-    std::function<bool()> is_interrupted;                                 ///< asked after every tick; may be empty
+    std::function<bool()> is_interrupted;           ///< asked after every tick; may be empty
+    std::function<void(const TickRow&)> on_tick;    ///< gets each row: the run itself keeps none; may be empty
+    std::function<void(const EventRow&)> on_event;  ///< likewise, as the session keeps it; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty
 };
 
 struct RunOutcome {
     RunSummary summary;
     bool is_as_expected = false;
-    std::vector<TickRow> ticks;
-    std::vector<EventRow> events;
     bool was_interrupted = false;  ///< outputs are written all the same
     std::string error;             ///< for people; not empty: the run could not be made or written
     bool is_bad_input = false;     ///< the error is the user's input
@@ -38,7 +38,8 @@ struct RunOutcome {
 /// Why a procedure has no such rehearsal, empty: the first, with what to write; empty if it has.   [any] pure.
 [[nodiscard]] std::string refusal_of_rehearsal(const Procedure& procedure, const std::string& id);
 
-/// Runs a rehearsal of the scene's procedure.   [main]
+/// Runs a rehearsal of the scene's procedure. Memory does not grow with its ticks: the record goes to the session, and
+/// the page is made from that.   [main]
 [[nodiscard]] RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request);
 
 }  // namespace kerf

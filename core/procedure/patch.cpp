@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/procedure/printable.h"
 #include "core/procedure/read_map.h"
 
 namespace kerf {
@@ -178,23 +180,21 @@ bool is_plain(std::string_view text) {
     if (std::string_view("!&*?{}[],#|>@`\"'%:").find(text.front()) != std::string_view::npos) return false;
     if (text.front() == '-' && (text.size() < 2 || text[1] == ' ' || text[1] == '-')) return false;
     if (text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
-    return std::none_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; });
+    return printable(text) == text;
 }
 
+/// What a terminal must not see is escaped, in the way of YAML.
 std::string scalar(const std::string& text) {
     if (is_plain(text)) return text;
     std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '\n')
-            quoted += "\\n";
-        else if (c == '\t')
-            quoted += "\\t";
-        else if (c == '\r')
-            quoted += "\\r";
-        else if (c == '"' || c == '\\')
-            quoted.append(1, '\\').append(1, c);
-        else
-            quoted += c;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = std::min(rest.find_first_of("\n\t\r\"\\"), rest.size());
+        quoted += printable(rest.substr(0, end));
+        if (end < rest.size()) {
+            const char c = rest[end];
+            quoted += c == '\n' ? "\\n" : c == '\t' ? "\\t" : c == '\r' ? "\\r" : c == '"' ? "\\\"" : "\\\\";
+        }
+        rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     return quoted + "\"";
 }
@@ -244,7 +244,7 @@ private:
                 shown.begin(), shown.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
             shown.append(width < 58 ? 58 - width : 1, ' ');
             const SourcePlace place = document_.place(node.span);
-            shown += "  # " + place.file + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
+            shown += "  # " + printable(place.file) + (node.span.source == 0 ? ":" + std::to_string(place.line) : "");
         }
         text_ += shown + "\n";
     }

@@ -9,8 +9,11 @@
 #include <limits>
 #include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/procedure/plain_numbers.h"
+#include "core/session/record_checksum.h"
 #include "core/session/session_file.h"
 #include "core/session/session_tables.h"
 
@@ -30,6 +33,7 @@ public:
         read_ticks();
         read_surface();
         complete();
+        if (error_.empty()) check_rows();
         error = error_;
         return error.empty() ? std::optional(std::move(run_)) : std::nullopt;
     }
@@ -74,6 +78,7 @@ private:
     void read_ticks();
     void read_surface();
     void complete();
+    void check_rows();
 
     [[nodiscard]] std::string key(const std::string& name) const {
         const auto found = keys_.find(name);
@@ -124,8 +129,8 @@ void Reading::read_lists() {
     if (run_.summary.signals.size() > most_signal_columns)
         fail("has more than " + std::to_string(most_signal_columns) + " signals");
     each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
-        run_.events.push_back(
-            {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
+        run_.drawn.add(
+            EventRow{static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
     });
 }
 
@@ -183,6 +188,10 @@ void Reading::read_ticks() {
     for (const TableColumn& column : ticks.columns)
         columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
 
+    SessionQuery count(file_.handle(), "SELECT count(*) FROM ticks");
+    const std::int64_t total = count.next() ? count.integer(0) : 0;
+    if (count.has_failed()) return fail("its table `ticks` cannot be read");
+    run_.drawn.expect(static_cast<std::uint64_t>(total));
     each("ticks", columns, "tick", [&](const SessionQuery& query) {
         int column = 0;
         const auto next = [&] { return number(query, column++, "ticks"); };
@@ -218,9 +227,9 @@ void Reading::read_ticks() {
         row.power_drive = next();
         row.removed = next();
         for (std::size_t i = 0; i < run_.summary.signals.size(); ++i) row.signals[i] = next();
-        if (query.integer(0) < 0 || (!run_.ticks.empty() && row.tick <= run_.ticks.back().tick))
+        if (query.integer(0) < 0 || (run_.drawn.last() && row.tick <= run_.drawn.last()->tick))
             fail("tick " + std::to_string(query.integer(0)) + " is there twice or before the first");
-        run_.ticks.push_back(row);
+        run_.drawn.add(row);
     });
 }
 
@@ -230,14 +239,15 @@ void Reading::read_surface() {
          [&](const SessionQuery& row) {
              if (is_there) return fail("has two surfaces");
              is_there = true;
-             DrawnSurface& surface = run_.bone_after;
+             DrawnSurface surface;
              surface.step = number(row, 0, "surface");
              surface.half_size = {number(row, 1, "surface"), number(row, 2, "surface"), number(row, 3, "surface")};
              surface.positions = row.bytes(4);
              surface.normals = row.bytes(5);
              surface.tissues = row.bytes(6);
              surface.triangles = row.bytes(7);
-             if (!is_sound(surface)) fail("its surface has triangles without vertices");
+             if (!is_sound(surface)) return fail("its surface has triangles without vertices");
+             run_.drawn.set_bone(std::move(surface));
          });
 }
 
@@ -255,18 +265,27 @@ void Reading::complete() {
         "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
     summary.verdict = Verdict::incomplete;
     summary.reasons = {run_.missing};
-    summary.ticks = run_.ticks.size();
-    summary.duration = run_.ticks.empty() ? 0.0 : run_.ticks.back().time;
-    summary.removed = run_.ticks.empty() ? 0.0 : run_.ticks.back().removed;
+    const auto& last = run_.drawn.last();
+    summary.ticks = run_.drawn.ticks();
+    summary.duration = last ? last->time : 0.0;
+    summary.removed = last ? last->removed : 0.0;
+}
+
+void Reading::check_rows() {
+    if (check_record(file_.handle()) == RecordCheck::changed)
+        error_ = path_ +
+                 ": its rows are not those that the run wrote: they do not give its checksum. The file is damaged, or "
+                 "was edited. Take an undamaged copy; or replay it with `kerf run --replay` to see what its inputs "
+                 "come to.";
 }
 
 }  // namespace
 
-std::optional<RecordedRun> read_run(const std::string& path, std::string& error) {
+std::optional<RecordedRun> read_run(const std::string& path, std::string& error, bool is_own) {
     std::vector<std::string> tables;
     for (const Table& table : session_tables({})) tables.push_back(table.name);
     SessionFile file;
-    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
+    if (error = file.open(path, tables, is_own); !error.empty()) return std::nullopt;
     return Reading(path, file).run(error);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/session/recorder.h"
 #include "core/session/session_file.h"
+#include "core/session/session_tables.h"
 
 namespace kerf {
 
@@ -22,8 +23,10 @@ bool is_plausible(const Pose& pose) {
 }  // namespace
 
 std::optional<RecordedInputs> read_session(const std::string& path, std::string& error) {
+    std::vector<std::string> tables;
+    for (const Table& table : session_tables({})) tables.push_back(table.name);
     SessionFile file;
-    if (error = file.open(path, {"session", "ticks", "events"}); !error.empty()) return std::nullopt;
+    if (error = file.open(path, tables); !error.empty()) return std::nullopt;
 
     RecordedInputs inputs;
     SessionQuery keys(file.handle(), "SELECT key, value FROM session");
@@ -31,6 +34,7 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         const std::string key = keys.text(0);
         if (key == "procedure_text") inputs.procedure_text = keys.text(1);
         if (key == "condition.variant") inputs.variant = keys.text(1);
+        if (key == "run.rehearsal") inputs.rehearsal = keys.text(1);
         if (key == "anatomy_hash") inputs.anatomy_hash = std::strtoull(keys.text(1).c_str(), nullptr, 16);
         if (key == "hash") inputs.hash = keys.text(1);
     }
@@ -66,6 +70,9 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }
+    SessionQuery version(file.handle(), "PRAGMA user_version");
+    inputs.is_old = version.next() && version.integer(0) < session_schema_version;
+    inputs.rows = check_record(file.handle());
     return inputs;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/record_checksum.h"
 #include "core/session/recording.h"
 
 namespace kerf {
@@ -14,13 +15,16 @@ namespace kerf {
 /// What a replay needs of a session: every input of every tick, and the hash the run ended in.
 struct RecordedInputs {
     std::string procedure_text;
-    std::string variant;  ///< of the procedure; empty for none
+    std::string variant;    ///< of the procedure; empty for none
+    std::string rehearsal;  ///< that the hand followed
     std::uint64_t anatomy_hash = 0;
     std::vector<Pose> device_from_handle;  ///< one per tick, in order
     std::vector<std::uint64_t> adoptions;  ///< ticks after which the loop took over what had come apart, in order
     std::vector<std::pair<std::uint64_t, std::string>>
-        hand_inputs;   ///< what else the hand asked for, and before which tick
-    std::string hash;  ///< sixteen hexadecimal digits; empty for a run that was cut short
+        hand_inputs;                          ///< what else the hand asked for, and before which tick
+    std::string hash;                         ///< sixteen hexadecimal digits; empty for a run that was cut short
+    RecordCheck rows = RecordCheck::unknown;  ///< whether all that the session holds is what the run wrote
+    bool is_old = false;                      ///< of a Kerf that wrote no checksum
 };
 
 /// Reads a session file without changing it. Error: not a session, another schema, gaps in the ticks, a pose that is

@@ -6,21 +6,26 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <span>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "core/field/spsc_ring.h"
 #include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
+#include "core/session/record_checksum.h"
 #include "core/session/session_tables.h"
 #include "core/session/sqlite_database.h"
 #include "core/session/summary.h"
+#include "core/session/write_file.h"
 
 namespace kerf {
 namespace {
@@ -33,8 +38,10 @@ constexpr std::size_t event_rows = 1024;
 constexpr std::size_t batch_rows = 250;
 constexpr auto batch_time = milliseconds(100);  // with one commit's time on top well under the promised 0.25 s
 constexpr auto poll_time = milliseconds(10);
-// Folding the -wal into the file waits for the disk. It has a thread of its own, so that a commit never does.
+// Folding the -wal into the file waits for the disk. It has a thread of its own, so that a commit never does. What
+// comes meanwhile is little, so the writer folds it in by itself: only then can the -wal begin anew.
 constexpr auto checkpoint_time = milliseconds(5000);
+constexpr std::uintmax_t checkpoint_bytes = 8 << 20;
 
 /// An event without the heap.
 struct EventSlot {
@@ -108,17 +115,24 @@ struct Recorder::Impl {
     std::condition_variable wake;
     std::atomic<bool> is_stopping{false};
     std::atomic<bool> is_failed{false};
+    std::atomic<bool> has_writer_ended{false};               ///< before it was told to
+    std::atomic<bool> is_fold_due{false}, is_folded{false};  ///< from the writer to the checkpointer, and back
     bool is_closed = false;
-    std::string error;  ///< the first, once closed
+    std::string error;       ///< the first, once closed
+    std::string fold_error;  ///< why the -wal is still beside a session that is complete
 
     void create(const SessionHeader& header);
+    void open_to_write();
     void start();
     void stop();
     void write_until_stopped();
     void checkpoint_until_stopped();
     bool write_batch();
     void write_tick(const TickRow& row);
+    void fold_when_long();
+    void finalize();
     void close(const char* state);
+    bool write_state(const char* state);
     void set(const char* table, std::string_view key, std::string_view value);
     void write_results(const RunSummary& summary, const DrawnSurface& bone_after);
 };
@@ -135,6 +149,7 @@ void Recorder::Impl::create(const SessionHeader& header) {
     signal_count = std::min<std::size_t>(header.signals.size(), most_signal_columns);
     tables = session_tables(header.signals);
 
+    database.run("PRAGMA journal_mode=MEMORY");  // nobody reads it before it is whole: nothing needs undoing
     database.run("PRAGMA application_id=" + std::to_string(session_application_id));
     database.run("PRAGMA user_version=" + std::to_string(session_schema_version));
     database.run("BEGIN");
@@ -180,7 +195,9 @@ void Recorder::Impl::create(const SessionHeader& header) {
         signal.run();
     }
     database.run("COMMIT");
-    // Only now, so that even a session killed at once is known as one by its first page.
+}
+
+void Recorder::Impl::open_to_write() {
     database.run("PRAGMA journal_mode=WAL");
     database.run("PRAGMA synchronous=NORMAL");
     database.run("PRAGMA wal_autocheckpoint=0");
@@ -247,6 +264,7 @@ void Recorder::Impl::write_until_stopped() {
         const bool is_due = most >= batch_rows || was_stopping || Clock::now() - last_commit >= batch_time;
         if (most > 0 && is_due) {
             if (!write_batch()) is_failed.store(true, std::memory_order_release);
+            fold_when_long();
             last_commit = Clock::now();
             continue;
         }
@@ -255,20 +273,59 @@ void Recorder::Impl::write_until_stopped() {
     }
 }
 
+/// Keeps the -wal short. Its failure costs nothing: the -wal is complete.
+void Recorder::Impl::fold_when_long() {
+    if (is_folded.exchange(false, std::memory_order_acquire)) {
+        database.try_run("PRAGMA wal_checkpoint(TRUNCATE)");
+        return;
+    }
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(path + "-wal", unknown);
+    if (unknown || bytes < checkpoint_bytes || is_fold_due.load(std::memory_order_relaxed)) return;
+    is_fold_due.store(true, std::memory_order_release);
+    wake.notify_all();
+}
+
 void Recorder::Impl::checkpoint_until_stopped() {
     SqliteDatabase own;
     own.open(path);
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, checkpoint_time, [&] { return is_stopping.load(std::memory_order_acquire); })) {
+    const auto is_awaited = [&] {
+        return is_stopping.load(std::memory_order_acquire) || is_fold_due.load(std::memory_order_acquire);
+    };
+    while (true) {
+        wake.wait_for(lock, checkpoint_time, is_awaited);
+        if (is_stopping.load(std::memory_order_acquire)) return;
         lock.unlock();
-        own.run("PRAGMA wal_checkpoint(PASSIVE)");  // its failure costs nothing: the -wal is complete
+        if (own.try_run("PRAGMA wal_checkpoint(PASSIVE)")) is_folded.store(true, std::memory_order_release);
+        is_fold_due.store(false, std::memory_order_release);
         lock.lock();
     }
 }
 
 void Recorder::Impl::start() {
-    writer = std::thread([this] { write_until_stopped(); });
-    checkpointer = std::thread([this] { checkpoint_until_stopped(); });
+    const auto write = [this]() noexcept {
+        try {
+            write_until_stopped();
+        } catch (const std::exception&) {  // there is no memory left
+            has_writer_ended.store(true, std::memory_order_release);
+            is_failed.store(true, std::memory_order_release);
+        }
+    };
+    const auto checkpoint = [this]() noexcept {
+        try {
+            checkpoint_until_stopped();
+        } catch (const std::exception&) {
+            // The -wal grows, and is complete.
+        }
+    };
+    try {
+        writer = std::thread(write);
+        checkpointer = std::thread(checkpoint);
+    } catch (const std::system_error& refused) {
+        stop();
+        database.fail(std::string("the system gives no thread (") + refused.code().message() + ")");
+    }
 }
 
 void Recorder::Impl::stop() {
@@ -279,6 +336,11 @@ void Recorder::Impl::stop() {
     wake.notify_all();
     if (writer.joinable()) writer.join();
     if (checkpointer.joinable()) checkpointer.join();
+    if (!has_writer_ended.load(std::memory_order_acquire)) return;
+    database.fail("out of memory");
+    lost_ticks += ticks.size();
+    lost_cuts += cuts.size();
+    lost_events += events.size();
 }
 
 // ---- after the last tick -----------------------------------------------------------------------------------------
@@ -329,22 +391,42 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     set("session", "hash", hex16(summary.hash));
 }
 
-/// Says how the session ended, folds the -wal in and closes.
-void Recorder::Impl::close(const char* state) {
+void Recorder::Impl::finalize() {
     for (SqliteStatement* statement : {&begin, &commit, &insert_tick, &insert_cut, &insert_event})
         statement->finalize();
+}
+
+/// How the session ended, and the checksum of all that it holds, in one transaction.
+bool Recorder::Impl::write_state(const char* state) {
+    database.run("BEGIN");
+    SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
+    set("session", "lost_ticks", std::to_string(lost_ticks.load()));
+    set("session", "lost_events", std::to_string(lost_events.load()));
+    set("session", "lost_cuts", std::to_string(lost_cuts.load()));
+    if (!database.is_good()) return false;
+    const auto checksum = record_checksum(database.handle());
+    if (!checksum) database.fail("its rows cannot be read back");
+    if (checksum) set("session", record_checksum_key, hex16(*checksum));
+    return database.run("COMMIT");
+}
+
+/// Says how the session ended, folds the -wal in and closes.
+void Recorder::Impl::close(const char* state) {
+    finalize();
     // A transaction that did not fit may leave room for these few bytes.
     if (!database.is_good()) {
         error = database.recover();
         state = "incomplete";
     }
-    SqliteStatement(database, std::string("UPDATE session SET value='") + state + "' WHERE key='state'").run();
-    set("session", "lost_ticks", std::to_string(lost_ticks.load()));
-    set("session", "lost_events", std::to_string(lost_events.load()));
-    set("session", "lost_cuts", std::to_string(lost_cuts.load()));
+    if (!write_state(state)) {
+        const std::string why = database.recover();
+        if (error.empty()) error = why;
+        database.run("UPDATE session SET value='incomplete' WHERE key='state'");
+        (void)database.recover();
+    }
     database.run("PRAGMA wal_checkpoint(TRUNCATE)");
     database.run("PRAGMA journal_mode=DELETE");
-    if (error.empty()) error = database.error();
+    fold_error = database.error();
     database.close();
     is_closed = true;
 }
@@ -360,16 +442,36 @@ Recorder::~Recorder() {
 }
 
 Recorder::Created Recorder::create(const std::string& path, const SessionHeader& header) {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+    const std::string part = path + ".part";
+    const std::vector<std::string> all{part, part + "-journal", path + "-wal", path + "-shm", path + "-journal", path};
+    for (const std::string& file : all) {
         std::error_code error;
-        std::filesystem::remove(path + suffix, error);
-        if (error) return {nullptr, path + suffix + " could not be replaced: " + error.message()};
+        std::filesystem::remove(file, error);
+        if (error) return {nullptr, file + " could not be replaced: " + error.message()};
     }
     auto impl = std::make_unique<Impl>();
     impl->path = path;
-    if (impl->database.open(path)) impl->create(header);
-    if (!impl->database.is_good()) return {nullptr, path + " could not be made: " + for_people(impl->database.error())};
-    impl->start();
+    SqliteDatabase& database = impl->database;
+    const auto failed = [&](const std::string& why) -> Created {
+        database.close();
+        for (const std::string& file : all) {
+            std::error_code ignored;
+            std::filesystem::remove(file, ignored);
+        }
+        return {nullptr, why};
+    };
+    const auto refusal = [&] { return path + " could not be made: " + for_people(database.error()); };
+
+    if (database.open(part)) impl->create(header);
+    if (!database.is_good()) return failed(refusal());
+    database.close();
+    if (std::string why = put_in_place(part, path); !why.empty()) return failed(why);
+    if (database.open(path)) impl->open_to_write();
+    if (database.is_good()) impl->start();
+    if (!database.is_good()) {
+        impl->finalize();
+        return failed(refusal());
+    }
     return {std::unique_ptr<Recorder>(new Recorder(std::move(impl))), {}};
 }
 
@@ -396,7 +498,8 @@ bool Recorder::wait_for_room() {
         return is_filled(impl_->ticks, parts) || is_filled(impl_->cuts, parts) || is_filled(impl_->events, parts);
     };
     if (any_filled(2))
-        while (any_filled(4)) std::this_thread::sleep_for(milliseconds(1));
+        while (any_filled(4) && !impl_->has_writer_ended.load(std::memory_order_acquire))
+            std::this_thread::sleep_for(milliseconds(1));
     return !impl_->is_failed.load(std::memory_order_acquire);
 }
 
@@ -421,7 +524,11 @@ std::string Recorder::finish(const RunSummary& summary, const DrawnSurface& bone
     impl_->write_results(summary, bone_after);
     impl_->database.run("COMMIT");
     impl_->close(losses().any() ? "incomplete" : "finished");
-    return impl_->error.empty() ? std::string() : impl_->path + " is incomplete: " + for_people(impl_->error);
+    if (!impl_->error.empty()) return impl_->path + " is incomplete: " + for_people(impl_->error);
+    if (!impl_->fold_error.empty())
+        return impl_->path + " is complete together with session.db-wal, which could not be folded into it: " +
+               for_people(impl_->fold_error) + " Keep both files together.";
+    return {};
 }
 
 }  // namespace kerf

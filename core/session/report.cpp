@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "core/procedure/plain_numbers.h"
 #include "core/session/content_hash.h"
@@ -147,11 +148,11 @@ std::string steps_html(const RunSummary& summary) {
     return html + "</tbody></table></div></section>\n";
 }
 
-std::string plots_html(const RunSummary& summary, const std::vector<TickRow>& rows) {
+std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
     std::string html = "<section class=\"plots\"><h2>Forces</h2>";
-    if (rows.empty()) return html + "<p>No ticks were recorded.</p></section>\n";
+    if (run.ticks() == 0) return html + "<p>No ticks were recorded.</p></section>\n";
 
-    html += "<noscript><figure>" + thrust_over_depth_svg(rows) +
+    html += "<noscript><figure>" + thrust_over_depth_svg(run.pictured()) +
             "<figcaption class=\"soft small\">Scripts are off: the other plots and the bone in 3D are not "
             "shown.</figcaption></figure></noscript>";
     html += "<div class=\"script\"><p class=\"soft small hint\">Drag to zoom, double-click to see everything again.</p>"
@@ -200,10 +201,11 @@ std::string bone_html() {
                   "again. L left, P posterior, S superior.</span></div></div></section>\n";
 }
 
-std::string events_html(const std::vector<EventRow>& events) {
+std::string events_html(const DrawnRun& run) {
+    const std::vector<EventRow>& events = run.events();
     if (events.empty()) return {};
-    std::string html = "<section><details><summary>" + std::to_string(events.size()) +
-                       (events.size() == 1 ? " event" : " events") +
+    std::string html = "<section><details><summary>" + std::to_string(run.event_count()) +
+                       (run.event_count() == 1 ? " event" : " events") +
                        "</summary><div class=\"wide\"><table><thead><tr><th "
                        "class=\"number\">Time</th><th>Event</th><th>Detail</th></tr></thead><tbody>";
     for (std::size_t i = 0; i < std::min(events.size(), most_events_listed); ++i) {
@@ -214,7 +216,7 @@ std::string events_html(const std::vector<EventRow>& events) {
                 "</code></td><td>" + html_escaped(events[i].detail) + "</td></tr>";
     }
     html += "</tbody></table></div>";
-    if (events.size() > most_events_listed)
+    if (run.event_count() > most_events_listed)
         html +=
             "<p class=\"soft small\">The first " + std::to_string(most_events_listed) + "; session.db holds all.</p>";
     return html + "</details></section>\n";
@@ -229,8 +231,7 @@ std::string footer_html(const RunSummary& summary) {
 
 }  // namespace
 
-std::string report_html(const RunSummary& summary, const std::vector<TickRow>& rows,
-                        const std::vector<EventRow>& events, const DrawnSurface& bone_after) {
+std::string report_html(const RunSummary& summary, const DrawnRun& run) {
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
                        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
@@ -243,12 +244,12 @@ std::string report_html(const RunSummary& summary, const std::vector<TickRow>& r
     html += facts_html(summary);
     html += metrics_html(summary);
     html += steps_html(summary);
-    html += plots_html(summary, rows);
+    html += plots_html(summary, run);
     html += bone_html();
-    html += events_html(events);
+    html += events_html(run);
     html += "</main>\n" + footer_html(summary);
-    html += "<script type=\"application/json\" id=\"run-data\">" + report_data_json(summary, rows, events, bone_after) +
-            "</script>\n<script>";
+    html +=
+        "<script type=\"application/json\" id=\"run-data\">" + report_data_json(summary, run) + "</script>\n<script>";
     html += report_script;
     return html + "</script></body></html>\n";
 }

@@ -8,19 +8,18 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ranges>
 #include <utility>
 
 #include "core/procedure/plain_numbers.h"
+#include "core/procedure/printable_lines.h"
 
 namespace kerf {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using Bytes = std::vector<unsigned char>;
-
-constexpr std::size_t most_rows_drawn = 20'000;
-constexpr std::size_t most_events_drawn = 2'000;
 
 /// The low `size` bytes, least significant first.
 void put(Bytes& bytes, std::uint32_t value, int size) {
@@ -34,34 +33,33 @@ float plain(double value) {
 }
 
 template <class GetValue>
-std::string packed_floats(const std::vector<std::size_t>& drawn, GetValue get_value) {
+std::string packed_floats(const std::vector<TickRow>& drawn, GetValue get_value) {
     Bytes bytes;
     bytes.reserve(4 * drawn.size());
-    for (const std::size_t row : drawn) put(bytes, std::bit_cast<std::uint32_t>(plain(get_value(row))), 4);
+    for (const TickRow& row : drawn) put(bytes, std::bit_cast<std::uint32_t>(plain(get_value(row))), 4);
     return base64(bytes);
 }
 
-Json rows_json(const std::vector<TickRow>& rows, const std::vector<std::size_t>& drawn) {
+Json rows_json(const std::vector<TickRow>& drawn) {
     Bytes tissues;
-    for (const std::size_t i : drawn) put(tissues, static_cast<std::uint32_t>(std::clamp(rows[i].tissue, -1, 127)), 1);
+    for (const TickRow& row : drawn) put(tissues, static_cast<std::uint32_t>(std::clamp(row.tissue, -1, 127)), 1);
     return {{"count", drawn.size()},
-            {"time", packed_floats(drawn, [&](std::size_t i) { return rows[i].time; })},
-            {"thrust", packed_floats(drawn, [&](std::size_t i) { return rows[i].thrust; })},
-            {"torque", packed_floats(drawn, [&](std::size_t i) { return rows[i].torque * 1e3; })},
-            {"lateral", packed_floats(drawn, [&](std::size_t i) { return lateral_force(rows[i]); })},
-            {"depth", packed_floats(drawn, [&](std::size_t i) { return rows[i].depth * 1e3; })},
+            {"time", packed_floats(drawn, [](const TickRow& row) { return row.time; })},
+            {"thrust", packed_floats(drawn, [](const TickRow& row) { return row.thrust; })},
+            {"torque", packed_floats(drawn, [](const TickRow& row) { return row.torque * 1e3; })},
+            {"lateral", packed_floats(drawn, [](const TickRow& row) { return lateral_force(row); })},
+            {"depth", packed_floats(drawn, [](const TickRow& row) { return row.depth * 1e3; })},
             {"tissue", base64(tissues)}};
 }
 
-Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& rows,
-                  const std::vector<std::size_t>& drawn) {
+Json signals_json(const std::vector<SignalColumn>& signals, const std::vector<TickRow>& drawn) {
     Json list = Json::array();
     for (std::size_t s = 0; s < std::min<std::size_t>(signals.size(), most_signal_columns); ++s) {
         const double per_unit = signals[s].per_unit;
         list.push_back(
             {{"name", signals[s].id},
              {"unit", unit_for_people(signals[s].unit)},
-             {"values", packed_floats(drawn, [&](std::size_t i) { return rows[i].signals[s] / per_unit; })}});
+             {"values", packed_floats(drawn, [&](const TickRow& row) { return row.signals[s] / per_unit; })}});
     }
     return list;
 }
@@ -73,20 +71,16 @@ bool is_bad_news(const std::string& event_id) {
 
 Json events_json(const std::vector<EventRow>& events) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < std::min(events.size(), most_events_drawn); ++i)
-        list.push_back({{"time", events[i].time},
-                        {"id", events[i].id},
-                        {"detail", events[i].detail},
-                        {"isBad", is_bad_news(events[i].id)}});
+    for (const EventRow& event : events)
+        list.push_back(
+            {{"time", event.time}, {"id", event.id}, {"detail", event.detail}, {"isBad", is_bad_news(event.id)}});
     return list;
 }
 
 /// From the bone towards the eye, so that the eye looks into the hole: back along the tool where it was deepest.
-Vec3 direction_of_view(const std::vector<TickRow>& rows) {
-    const auto deepest = std::max_element(rows.begin(), rows.end(),
-                                          [](const TickRow& a, const TickRow& b) { return a.depth < b.depth; });
+Vec3 direction_of_view(const std::optional<TickRow>& deepest) {
     const Vec3 from_the_front{0, -1, 0};
-    if (deepest == rows.end() || !is_finite(deepest->world_from_tool)) return from_the_front;
+    if (!deepest || !is_finite(deepest->world_from_tool)) return from_the_front;
     const Vec3 back = Vec3{0, 0, 0} - normalized(rotate(deepest->world_from_tool.rotation,
                                                         {0, 0, 1}));  // zeros without a sign, as above
     return length(back) > 0.5 ? back : from_the_front;
@@ -118,7 +112,7 @@ std::string base64(std::span<const unsigned char> bytes) {
 
 std::string html_escaped(std::string_view text) {
     std::string safe;
-    for (const char c : text) switch (c) {
+    for (const char c : printable_lines(text)) switch (c) {
             case '&':
                 safe += "&amp;";
                 break;
@@ -189,64 +183,24 @@ double round_step(double range) {
     return 10.0 * power;
 }
 
-double lateral_force(const TickRow& row) noexcept {
-    const Vec3 force = linear(row.modelled);
-    const Vec3 shaft = normalized(rotate(row.world_from_tool.rotation, {0, 0, 1}));
-    return length(force - dot(force, shaft) * shaft);
-}
-
-std::vector<std::size_t> rows_to_draw(const std::vector<TickRow>& rows, std::size_t most) {
-    std::vector<std::size_t> drawn;
-    if (rows.size() <= most) {
-        drawn.resize(rows.size());
-        for (std::size_t i = 0; i < rows.size(); ++i) drawn[i] = i;
-        return drawn;
-    }
-    constexpr std::size_t quantities = 4;
-    const auto quantity = [&](std::size_t row, std::size_t which) {
-        const TickRow& r = rows[row];
-        return std::array{r.thrust, r.torque, r.depth, lateral_force(r)}[which];
-    };
-    const std::size_t stretches = std::max<std::size_t>(1, (most - std::min<std::size_t>(most, 2)) / (2 * quantities));
-    for (std::size_t s = 0; s < stretches; ++s) {
-        const std::size_t from = rows.size() * s / stretches, to = rows.size() * (s + 1) / stretches;
-        std::array<std::size_t, quantities> least{}, greatest{};
-        least.fill(from);
-        greatest.fill(from);
-        for (std::size_t row = from; row < to; ++row)
-            for (std::size_t q = 0; q < quantities; ++q) {
-                if (quantity(row, q) < quantity(least[q], q)) least[q] = row;
-                if (quantity(row, q) > quantity(greatest[q], q)) greatest[q] = row;
-            }
-        drawn.insert(drawn.end(), least.begin(), least.end());
-        drawn.insert(drawn.end(), greatest.begin(), greatest.end());
-    }
-    drawn.push_back(0);
-    drawn.push_back(rows.size() - 1);
-    std::sort(drawn.begin(), drawn.end());
-    drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
-    return drawn;
-}
-
 std::string_view tissue_colour(std::size_t tissue) noexcept {
     constexpr std::array<std::string_view, 8> colours{"#e0bd82", "#c9785a", "#6f9fc8", "#82ad7c",
                                                       "#a884b8", "#d3a0a8", "#93999e", "#5aa9a3"};
     return colours[tissue % colours.size()];
 }
 
-std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
-                             const std::vector<EventRow>& events, const DrawnSurface& bone_after) {
+std::string report_data_json(const RunSummary& summary, const DrawnRun& run) {
     Json tissues = Json::array();
     for (std::size_t i = 0; i < summary.tissues.size(); ++i)
         tissues.push_back({{"name", summary.tissues[i]}, {"colour", tissue_colour(i)}});
-    const std::vector<std::size_t> drawn = rows_to_draw(rows, most_rows_drawn);
+    const std::vector<TickRow> drawn = run.plotted();
 
     const Json data{{"tissues", std::move(tissues)},
-                    {"rows", rows_json(rows, drawn)},
-                    {"signals", signals_json(summary.signals, rows, drawn)},
-                    {"events", events_json(events)},
-                    {"mesh", mesh_json(bone_after, direction_of_view(rows))}};
-    const std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+                    {"rows", rows_json(drawn)},
+                    {"signals", signals_json(summary.signals, drawn)},
+                    {"events", events_json(run.events())},
+                    {"mesh", mesh_json(run.bone(), direction_of_view(run.deepest()))}};
+    const std::string text = printable_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 
     // "</script>" or "<!--" in a name must not end the element: in JSON "<" can only stand within a string.
     std::string safe;
@@ -259,14 +213,13 @@ std::string report_data_json(const RunSummary& summary, const std::vector<TickRo
     return safe;
 }
 
-std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
-    const std::vector<std::size_t> drawn = rows_to_draw(rows, 1500);
+std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn) {
     constexpr double width = 720, height = 280, left = 56, right = 16, top = 28, bottom = 36;
 
     // Ranges in mm and N. Most of the way through air is left out, as on the screen.
     double shallow = 0.0, deep = 0.001, low = 0.0, high = 1.0;
-    for (const std::size_t i : drawn) {
-        const double depth = rows[i].depth * 1e3, thrust = rows[i].thrust;
+    for (const TickRow& row : drawn) {
+        const double depth = row.depth * 1e3, thrust = row.thrust;
         if (!std::isfinite(depth) || !std::isfinite(thrust)) continue;
         shallow = std::min(shallow, depth);
         deep = std::max(deep, depth);
@@ -305,8 +258,8 @@ std::string thrust_over_depth_svg(const std::vector<TickRow>& rows) {
             sensible_number(std::abs(tick) < 1e-9 ? 0.0 : tick).c_str());
     }
     svg += "<polyline fill=\"none\" stroke=\"#1f6f9f\" stroke-width=\"1.5\" stroke-linejoin=\"round\" points=\"";
-    for (const std::size_t i : drawn) {
-        const double depth = rows[i].depth * 1e3, thrust = rows[i].thrust;
+    for (const TickRow& row : drawn) {
+        const double depth = row.depth * 1e3, thrust = row.thrust;
         if (std::isfinite(depth) && std::isfinite(thrust) && depth >= shallow) add("%.1f,%.1f ", x(depth), y(thrust));
     }
     return svg + "\"/></svg>";

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/session/drawn_surface.h"
+#include "core/session/drawn_run.h"
 #include "core/session/recording.h"
 
 /// How numbers get into report.html.
@@ -17,7 +17,8 @@ namespace kerf {
 /// RFC 4648, with padding.   [any]
 [[nodiscard]] std::string base64(std::span<const unsigned char> bytes);
 
-/// Text for an element or a quoted attribute of HTML.   [any]
+/// Text for an element or a quoted attribute of HTML. Hidden characters are escaped
+/// (core/procedure/printable.h).   [any]
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
 /// As many digits as mean something: one or two of the uncertainty where it is known (> 0), else three of the value.
@@ -30,21 +31,13 @@ namespace kerf {
 /// A round number for the step of an axis: about a fifth of `range`.   [any]
 [[nodiscard]] double round_step(double range);
 
-/// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
-[[nodiscard]] double lateral_force(const TickRow& row) noexcept;
-
-/// Which rows to draw: all of them, or at most `most` that keep, in every stretch of time, the least and the greatest
-/// thrust, torque, lateral force and depth. Ascending; the first and the last row are among them.   [any]
-[[nodiscard]] std::vector<std::size_t> rows_to_draw(const std::vector<TickRow>& rows, std::size_t most);
-
 /// #rrggbb for a tissue by its index; −1 and beyond wrap around.   [any]
 [[nodiscard]] std::string_view tissue_colour(std::size_t tissue) noexcept;
 
 /// What the page's script reads, as JSON that is safe inside <script>.   [any]
-[[nodiscard]] std::string report_data_json(const RunSummary& summary, const std::vector<TickRow>& rows,
-                                           const std::vector<EventRow>& events, const DrawnSurface& bone_after);
+[[nodiscard]] std::string report_data_json(const RunSummary& summary, const DrawnRun& run);
 
 /// Thrust over depth as a picture that needs no script.   [any]
-[[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& rows);
+[[nodiscard]] std::string thrust_over_depth_svg(const std::vector<TickRow>& drawn);
 
 }  // namespace kerf

@@ -66,6 +66,8 @@ bool SessionQuery::next() {
     return true;
 }
 bool SessionQuery::has_failed() const noexcept { return code_ != SQLITE_DONE && code_ != SQLITE_OK; }
+int SessionQuery::columns() const { return sqlite3_column_count(statement_); }
+int SessionQuery::type(int column) const { return sqlite3_column_type(statement_, column); }
 bool SessionQuery::is_number(int column) const {
     const int type = sqlite3_column_type(statement_, column);
     return type == SQLITE_FLOAT || type == SQLITE_INTEGER;
@@ -85,6 +87,13 @@ std::vector<unsigned char> SessionQuery::bytes(int column) const {
                             : std::vector<unsigned char>();
 }
 
+std::string_view SessionQuery::bytes_in_place(int column) const {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+    return bytes != nullptr
+               ? std::string_view(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)))
+               : std::string_view();
+}
+
 // ---- a file ------------------------------------------------------------------------------------------------------
 
 SessionFile::~SessionFile() { sqlite3_close(database_); }
@@ -95,12 +104,12 @@ int SessionFile::is_over(void* self) {
     return left < 0 ? 1 : 0;
 }
 
-std::string SessionFile::open(const std::string& path, const std::vector<std::string>& tables) {
+std::string SessionFile::open(const std::string& path, const std::vector<std::string>& tables, bool is_own) {
     const std::string cannot = path + ": cannot be opened. Name a session.db that a run has written.";
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return cannot;
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (is_being_written(folder.empty() ? "." : folder.string()))
+    if (!is_own && is_being_written(folder.empty() ? "." : folder.string()))
         return path + ": a run is writing it. Wait until that has ended.";
 
     // A finished session is one file, and is read as one that nobody changes: without locks, so without files beside
@@ -119,9 +128,10 @@ std::string SessionFile::open(const std::string& path, const std::vector<std::st
 
     if (pragma(database_, "PRAGMA application_id") != session_application_id)
         return path + ": is not a Kerf session, or a damaged one. Name a session.db that a run has written.";
-    if (const auto version = pragma(database_, "PRAGMA user_version"); version != session_schema_version)
+    if (const auto version = pragma(database_, "PRAGMA user_version");
+        version < oldest_readable_schema_version || version > session_schema_version)
         return path + ": has session schema " + std::to_string(version) + ", need " +
-               std::to_string(session_schema_version) +
+               std::to_string(oldest_readable_schema_version) + " or " + std::to_string(session_schema_version) +
                ". Record it anew with this Kerf, or take the one that wrote it.";
     for (const std::string& table : tables)
         if (computes(database_, table))

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct sqlite3;
@@ -21,12 +22,15 @@ public:
 
     bool next();
     [[nodiscard]] bool has_failed() const noexcept;
+    [[nodiscard]] int columns() const;
+    [[nodiscard]] int type(int column) const;  ///< SQLITE_INTEGER, SQLITE_FLOAT …
     [[nodiscard]] bool is_number(int column) const;
     [[nodiscard]] bool is_null(int column) const;
     [[nodiscard]] double number(int column) const;
     [[nodiscard]] std::int64_t integer(int column) const;
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] std::vector<unsigned char> bytes(int column) const;
+    [[nodiscard]] std::string_view bytes_in_place(int column) const;  ///< until the next row
 
 private:
     sqlite3_stmt* statement_ = nullptr;
@@ -44,8 +48,9 @@ public:
     SessionFile& operator=(const SessionFile&) = delete;
 
     /// Returns why not, for people: no session, another schema, tables that compute their rows, a run that still writes
-    /// it.   [main]
-    [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables);
+    /// it. `is_own`: the run that wrote it reads it, and still holds its folder.   [main]
+    [[nodiscard]] std::string open(const std::string& path, const std::vector<std::string>& tables,
+                                   bool is_own = false);
 
     [[nodiscard]] sqlite3* handle() const noexcept { return database_; }
     [[nodiscard]] std::uint64_t bytes() const noexcept {

@@ -38,6 +38,14 @@ bool SqliteDatabase::run(const std::string& sql) {
     return check(sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
+bool SqliteDatabase::try_run(const std::string& sql) {
+    return is_good() && sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+}
+
+void SqliteDatabase::fail(const std::string& error) {
+    if (error_.empty()) error_ = error;
+}
+
 SqliteStatement::~SqliteStatement() { finalize(); }
 
 void SqliteStatement::prepare(SqliteDatabase& database, const std::string& sql) {

@@ -23,12 +23,16 @@ public:
     bool open(const std::string& path);
     void close() noexcept;
     bool run(const std::string& sql);
+    /// The same, for what may fail without harm: its error is not kept.
+    bool try_run(const std::string& sql);
 
     /// Undoes an open transaction and forgets the error, for one more try. Returns what the error was.
     std::string recover();
 
     [[nodiscard]] bool is_good() const noexcept { return handle_ != nullptr && error_.empty(); }
     [[nodiscard]] const std::string& error() const noexcept { return error_; }
+    [[nodiscard]] sqlite3* handle() const noexcept { return handle_; }
+    void fail(const std::string& error);  ///< as if a statement had
 
 private:
     friend class SqliteStatement;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/procedure/plain_numbers.h"
+#include "core/procedure/printable_lines.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
 
@@ -92,7 +93,7 @@ std::string summary_json(const RunSummary& summary) {
                         {"versions", std::move(versions)},
                         {"anatomy_notes", summary.anatomy_notes},
                         {"variant", summary.variant}};
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <iterator>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/field/present_bone.h"
@@ -38,7 +40,86 @@ bool is_session(const fs::path& file) {
     return id == static_cast<std::uint32_t>(session_application_id);
 }
 
+/// All files that a run writes, the session last: as long as one of the others is there, it says whose they are.
+std::vector<std::string> files_of_a_run() {
+    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl"}, all;
+    for (std::size_t body = 1; body < most_bodies; ++body) whole.push_back("bone-" + std::to_string(body) + ".stl");
+    for (const std::string& name : whole) all.insert(all.end(), {name, name + ".part"});
+    for (const char* suffix : {".part-journal", ".part", "-journal", "-shm", "-wal", ""})
+        all.push_back(std::string("session.db") + suffix);
+    return all;
+}
+
+/// Whether a folder holds nothing but what a run leaves that ends while its session is made: files beside a session
+/// that is missing or empty.
+bool is_trace_of_a_run(const fs::path& folder) {
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (entry->symlink_status(error).type() != fs::file_type::regular || error) return false;
+        const bool is_beside = name == "session.db.part" || name == "session.db.part-journal" ||
+                               name == "session.db-journal" || name == "session.db-wal" || name == "session.db-shm";
+        const bool is_empty_session = name == "session.db" && entry->file_size(error) == 0;
+        if (!is_beside && !is_empty_session) return false;
+    }
+    return !error;
+}
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.find_last_not_of('/') == std::string::npos
+                                  ? std::string::npos
+                                  : path.rfind('/', path.find_last_not_of('/'));
+    return slash == std::string::npos ? (path.starts_with('/') ? "/" : ".") : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+/// Stores an open file on disk. Returns 0, or errno.
+int stored(int file) {
+    int code = 0;
+    do code = fsync(file);
+    while (code != 0 && errno == EINTR);
+    const bool knows_no_order = code != 0 && (errno == EINVAL || errno == ENOTSUP || errno == EROFS);
+    return code == 0 || knows_no_order ? 0 : errno;
+}
+
+/// Opens an empty file that nobody else writes, or that a killed process has left. Links are not followed. Returns −1,
+/// and `error`: EBUSY where another process writes it.
+int open_alone(const std::string& path, int& error) {
+    for (int attempt = 0; attempt < 8; ++attempt) {
+        const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+        error = errno;
+        struct stat opened {
+        }, named{};
+        const bool is_plain = file >= 0 && fstat(file, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink == 1;
+        if (file < 0 && error != ELOOP && error != ENXIO) return -1;
+        if (is_plain && flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close(file);
+            error = EBUSY;
+            return -1;
+        }
+        const bool is_ours = is_plain && lstat(path.c_str(), &named) == 0 && named.st_ino == opened.st_ino;
+        if (is_ours && ftruncate(file, 0) == 0) return file;
+        error = errno;
+        if (file >= 0) close(file);
+        if (!is_plain && unlink(path.c_str()) != 0) return -1;  // a link or a pipe
+    }
+    error = EBUSY;
+    return -1;
+}
+
+/// SQLite takes paths of 512 bytes at most, with what it adds to them.
+std::string refusal_of_length(const std::string& folder) {
+    constexpr std::size_t longest = 480;
+    std::error_code error;
+    const std::size_t length = fs::absolute(folder, error).string().size();
+    if (error) return "the working folder is gone (" + error.message() + "). Change into another one.";
+    return length <= longest ? ""
+                             : folder.substr(0, 60) + "… could not be made: its path has " + std::to_string(length) +
+                                   " bytes, expected at most " + std::to_string(longest) + ". Give a shorter one.";
+}
+
 std::string reason(int error) {
+    if (error == EBUSY) return "another process is writing it";
     return error == ENOSPC || error == EDQUOT ? "the disk is full. Free some space, or give a folder on another disk"
                                               : std::strerror(error);
 }
@@ -70,41 +151,120 @@ bool is_being_written(const std::string& folder) {
     return is_taken;
 }
 
+// ---- files -------------------------------------------------------------------------------------------------------
+
+FileWriter::FileWriter(std::string path) : path_(std::move(path)), temporary_(path_ + ".part") {
+    int error = 0;
+    file_ = open_alone(temporary_, error);
+    if (file_ < 0) fail(error);
+}
+
+FileWriter::~FileWriter() {
+    if (file_ < 0) return;
+    close(file_);
+    unlink(temporary_.c_str());
+}
+
+void FileWriter::fail(int error) {
+    if (error_.empty()) error_ = path_ + " could not be written: " + reason(error) + ".";
+    if (file_ < 0) return;
+    close(std::exchange(file_, -1));
+    unlink(temporary_.c_str());
+}
+
+void FileWriter::write(std::span<const unsigned char> bytes) {
+    while (file_ >= 0 && !bytes.empty()) {
+        const ssize_t count = ::write(file_, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return fail(count < 0 ? errno : ENOSPC);
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+}
+
+void FileWriter::write(std::string_view text) {
+    write(std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
+}
+
+std::string FileWriter::finish() {
+    if (file_ < 0) return error_.empty() ? path_ + " is written already." : error_;
+    if (const int error = stored(file_); error != 0) {
+        fail(error);
+        return error_;
+    }
+    error_ = put_in_place(temporary_, path_);  // still locked, so that nobody else writes under that name
+    close(std::exchange(file_, -1));
+    return error_;
+}
+
+std::string put_in_place(const std::string& temporary, const std::string& path) {
+    if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+        const int error = errno;
+        unlink(temporary.c_str());
+        return path + " could not be written: " + reason(error) + ".";
+    }
+    const int error = store_on_disk(folder_of(path));
+    return error == 0 ? "" : path + " is written, but its folder could not be stored on disk: " + reason(error) + ".";
+}
+
 std::string write_file(const std::string& path, std::string_view contents) {
-    const fs::path target(path);
-    fs::path temporary = target;
-    temporary += ".part";
-    const auto failed = [&](const std::string& why) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        return path + " could not be written: " + why + ".";
-    };
-
-    errno = 0;
-    std::FILE* file = std::fopen(temporary.c_str(), "wb");
-    if (file == nullptr) return failed(reason(errno));
-    const bool is_whole = std::fwrite(contents.data(), 1, contents.size(), file) == contents.size();
-    const int write_error = errno;
-    if (std::fclose(file) != 0 || !is_whole) return failed(reason(is_whole ? errno : write_error));
-
-    std::error_code error;
-    fs::rename(temporary, target, error);
-    return error ? failed(error.message()) : std::string();
+    FileWriter file(path);
+    file.write(contents);
+    return file.finish();
 }
 
 std::string write_file(const std::string& path, std::span<const unsigned char> contents) {
-    return write_file(path, std::string_view(reinterpret_cast<const char*>(contents.data()), contents.size()));
+    FileWriter file(path);
+    file.write(contents);
+    return file.finish();
 }
 
-std::string prepare_output(const std::string& folder, OutputLock& lock) {
+int store_on_disk(const std::string& path) {
+    const int opened = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0) return errno == EACCES ? 0 : errno;  // who may not read a folder may still write into it
+    const int error = stored(opened);
+    close(opened);
+    return error;
+}
+
+// ---- folders -----------------------------------------------------------------------------------------------------
+
+MadeFolders::~MadeFolders() {
+    for (; !made_.empty(); made_.pop_back()) rmdir(made_.back().c_str());
+}
+
+std::string MadeFolders::make(const std::string& folder) {
+    const std::size_t before = made_.size();
+    const auto failed = [&](const std::string& why) {
+        for (; made_.size() > before; made_.pop_back()) rmdir(made_.back().c_str());
+        return folder + " could not be made: " + why + ". Give another folder.";
+    };
+    for (std::size_t end = 0; end != std::string::npos;) {
+        end = folder.find('/', end + 1);
+        const std::string part = folder.substr(0, end);
+        if (mkdir(part.c_str(), 0777) == 0) {
+            made_.push_back(part);
+            if (const int error = store_on_disk(folder_of(part)); error != 0) return failed(reason(error));
+            continue;
+        }
+        const int error = errno;
+        std::error_code ignored;
+        if (!fs::is_directory(part, ignored))
+            return failed(error == EEXIST ? "`" + part + "` is a file" : reason(error));
+    }
+    return {};
+}
+
+// ---- the folder of a run -------------------------------------------------------------------------------------------
+
+std::string prepare_output(const std::string& folder, OutputLock& lock, MadeFolders& made) {
     std::error_code error;
     const fs::path path(folder);
     const fs::file_status status = fs::status(path, error);
 
+    if (std::string why = refusal_of_length(folder); !why.empty()) return why;
     if (!fs::exists(status)) {
-        error.clear();
-        fs::create_directories(path, error);
-        return error ? folder + " could not be made: " + error.message() + "." : lock.take(folder);
+        const std::string why = made.make(folder);
+        return why.empty() ? lock.take(folder) : why;
     }
     if (!fs::is_directory(status)) return folder + " is a file; results need a folder. Give another one.";
 
@@ -113,14 +273,11 @@ std::string prepare_output(const std::string& folder, OutputLock& lock) {
     const bool is_empty = fs::is_empty(path, error);
     if (error) return folder + " could not be read: " + error.message();
     if (is_empty) return {};
-    if (!is_session(path / "session.db"))
+    if (!is_session(path / "session.db") && !is_trace_of_a_run(path))
         return folder + " holds other files and no Kerf session, so it was left alone. Give a new or empty folder.";
 
     // Only what a run writes is ours to take away; anything else stops it before the first file is gone.
-    std::vector<std::string> ours{"session.db", "session.db-wal", "session.db-shm", "session.db-journal"};
-    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl"};
-    for (std::size_t body = 1; body < most_bodies; ++body) whole.push_back("bone-" + std::to_string(body) + ".stl");
-    for (const std::string& name : whole) ours.insert(ours.end(), {name, name + ".part"});
+    const std::vector<std::string> ours = files_of_a_run();
     for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         const std::string name = entry->path().filename().string();

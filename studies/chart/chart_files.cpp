@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "core/session/recorder.h"
@@ -285,9 +283,8 @@ std::string chart_html(const Chart& chart) {
 }
 
 std::string write_chart(const std::string& folder, const Chart& chart) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`.";
+    MadeFolders made;
+    if (std::string error = made.make(folder); !error.empty()) return error;
     std::string wrong;
     const auto write = [&](const std::string& name, const std::string& text) {
         const std::string what = write_file(folder + "/" + name, text);
@@ -299,6 +296,7 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     write("physics.svg", published_svg(chart.law, chart.awl));
     write("physics.csv", published_csv(chart.law, chart.checks));
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
+    if (wrong.empty()) made.keep();
     return wrong;
 }
 

@@ -3,8 +3,6 @@
 #include "studies/stability/atlas.h"
 
 #include <cstddef>
-#include <filesystem>
-#include <system_error>
 
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
@@ -62,11 +60,11 @@ std::string atlas_csv(std::span<const Finding> findings) {
 }
 
 std::string write_atlas(const std::string& folder, std::span<const Finding> findings) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return folder + ": cannot be made (" + error.message() + "). Give another folder with `--out`.";
+    MadeFolders made;
+    if (std::string error = made.make(folder); !error.empty()) return error;
     const std::string csv = write_file(folder + "/stability.csv", atlas_csv(findings));
     const std::string svg = write_file(folder + "/stability.svg", atlas_svg(findings));
+    if (csv.empty()) made.keep();
     return csv.empty() || svg.empty() ? csv + svg : csv + "\n" + svg;
 }
 

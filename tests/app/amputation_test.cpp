@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "app/run_procedure.h"
 #include "core/import/surface/edges.h"
 #include "core/import/surface/read_surface.h"
 #include "core/import/surface/repair.h"
@@ -24,6 +23,7 @@
 #include "kerf/units.hpp"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
@@ -40,12 +40,12 @@ const Scene& knee() {
     return scene;
 }
 
-const RunOutcome& outcome_of(const std::string& rehearsal) {
-    static std::map<std::string, RunOutcome> outcomes;
+const test::WatchedRun& outcome_of(const std::string& rehearsal) {
+    static std::map<std::string, test::WatchedRun> outcomes;
     if (!outcomes.contains(rehearsal)) {
         RunRequest request;
         request.rehearsal = rehearsal;
-        outcomes.emplace(rehearsal, run_procedure(knee(), test::plugins(), request));
+        outcomes.emplace(rehearsal, test::watched_run(knee(), test::plugins(), request));
     }
     return outcomes.at(rehearsal);
 }
@@ -57,7 +57,7 @@ double metric(const RunSummary& summary, const std::string& id) {
 }
 
 TEST(Amputation, TheExpertPassesAndTheBoneIsInTwo) {
-    const RunOutcome& run = outcome_of("expert");
+    const test::WatchedRun& run = outcome_of("expert");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_TRUE(run.summary.reasons.empty());
     ASSERT_EQ(run.summary.pieces.size(), 2u);
@@ -75,7 +75,7 @@ TEST(Amputation, NoBoneIsLostOrMade) {
 
 TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
     for (const char* rehearsal : {"hasty", "tilted", "into-the-artery"}) {
-        const RunOutcome& run = outcome_of(rehearsal);
+        const test::WatchedRun& run = outcome_of(rehearsal);
         EXPECT_EQ(run.summary.verdict, Verdict::fail) << rehearsal;
         EXPECT_TRUE(run.is_as_expected) << rehearsal;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal;
@@ -90,7 +90,7 @@ TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
 }
 
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
-    const RunOutcome& run = outcome_of("expert");
+    const test::WatchedRun& run = outcome_of("expert");
     const auto apart = [](const EventRow& event) { return event.id == came_apart_event; };
     ASSERT_EQ(std::count_if(run.events.begin(), run.events.end(), apart), 1);
     const auto event = std::find_if(run.events.begin(), run.events.end(), apart);
@@ -106,7 +106,7 @@ TEST(Amputation, ACutTakenBackAndDoneAgainEndsAsIfNothingHadBeen) {
     for (const auto kind : {HandInput::Kind::undo, HandInput::Kind::redo}) away->inputs.push_back({kind});
     RunRequest request;
     request.rehearsal = "expert";
-    const RunOutcome run = run_procedure(scene, test::plugins(), request);
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     // Then it ends with the same pieces
@@ -125,7 +125,7 @@ TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
     away->inputs.push_back({HandInput::Kind::undo});
     RunRequest request;
     request.rehearsal = "expert";
-    const RunOutcome run = run_procedure(scene, test::plugins(), request);
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     EXPECT_EQ(run.summary.pieces.size(), 1u);
     const auto undone = std::find_if(run.events.begin(), run.events.end(),
@@ -144,7 +144,7 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
-    const RunOutcome recorded = run_procedure(knee(), test::plugins(), request);
+    const test::WatchedRun recorded = test::watched_run(knee(), test::plugins(), request);
     ASSERT_TRUE(recorded.error.empty()) << recorded.error;
     std::string error;
     auto inputs = read_session(request.out + "/session.db", error);
@@ -158,9 +158,9 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
     for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
-    const RunOutcome same = run_procedure(knee(), test::plugins(), again);
+    const test::WatchedRun same = test::watched_run(knee(), test::plugins(), again);
     again.adoptions = {inputs->adoptions[0] + 300};
-    const RunOutcome later = run_procedure(knee(), test::plugins(), again);
+    const test::WatchedRun later = test::watched_run(knee(), test::plugins(), again);
 
     // Then only the ticks that were recorded give the recorded run
     EXPECT_EQ(recorded.summary.hash, outcome_of("expert").summary.hash);
@@ -190,7 +190,7 @@ TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
     for (const Rehearsal& rehearsal : leg->procedure.rehearsals) {
         RunRequest request;
         request.rehearsal = rehearsal.id;
-        const RunOutcome run = run_procedure(*leg, test::plugins(), request);
+        const test::WatchedRun run = test::watched_run(*leg, test::plugins(), request);
         EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
         EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3) << rehearsal.id;
@@ -220,7 +220,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
-    const RunOutcome run = run_procedure(*scene, test::plugins(), request);
+    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), request);
 
     // Then it comes apart in the last cut, the piece is taken away, and no bone is lost or made
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
@@ -247,7 +247,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
     for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
-    EXPECT_EQ(run_procedure(*scene, test::plugins(), again).summary.hash, run.summary.hash);
+    EXPECT_EQ(test::watched_run(*scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -6,26 +6,26 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
 
-RunOutcome outcome_of(const char* rehearsal) {
+test::WatchedRun outcome_of(const char* rehearsal) {
     Diagnostics diagnostics;
     const auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml", "", test::plugins(), diagnostics);
     if (!scene) throw std::runtime_error(to_text(diagnostics));
     RunRequest request;
     request.rehearsal = rehearsal;
-    return run_procedure(*scene, test::plugins(), request);
+    return test::watched_run(*scene, test::plugins(), request);
 }
 
-auto told(const RunOutcome& run, const std::string& id) {
+auto told(const test::WatchedRun& run, const std::string& id) {
     return std::count_if(run.events.begin(), run.events.end(), [&](const EventRow& event) { return event.id == id; });
 }
 
-double most_thrust(const RunOutcome& run) {
+double most_thrust(const test::WatchedRun& run) {
     double most = 0.0;
     for (const TickRow& row : run.ticks)
         if (row.step == 1) most = std::max(most, row.thrust);
@@ -33,7 +33,7 @@ double most_thrust(const RunOutcome& run) {
 }
 
 TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
-    const RunOutcome run = outcome_of("expert");
+    const test::WatchedRun run = outcome_of("expert");
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_EQ(told(run, "drilling.crushing"), 1);
     EXPECT_EQ(told(run, "drilling.wall_broken"), 0);
@@ -41,7 +41,7 @@ TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
 }
 
 TEST(PedicleAwl, AimedAtTheCanalItIsResistedByThePediclesWallAndBreaksThat) {
-    const RunOutcome run = outcome_of("aimed-at-the-canal");
+    const test::WatchedRun run = outcome_of("aimed-at-the-canal");
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_EQ(told(run, "drilling.wall_broken"), 1);
     EXPECT_GT(most_thrust(run), 220.0);

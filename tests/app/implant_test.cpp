@@ -9,10 +9,10 @@
 #include <fstream>
 #include <string>
 
-#include "app/run_procedure.h"
 #include "core/session/recorder.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
@@ -72,7 +72,7 @@ TEST(Implant, StopsTheDrillWhereItLies) {
     ASSERT_TRUE(scene) << to_text(diagnostics);
     RunRequest request;
     request.out = with.folder / "run";
-    const RunOutcome run = run_procedure(*scene, test::plugins(), request);
+    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), request);
     ASSERT_EQ(run.error, "");
     // Then the drill meets metal and never bone, and that is told
     const auto happened = [&](const std::string& id) {

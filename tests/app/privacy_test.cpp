@@ -4,6 +4,7 @@
 #include "app/privacy.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/recorder.h"
 #include "core/session/report_data.h"
 #include "tests/support/dicom_writer.h"
 #include "tests/support/temporary_folder.h"
@@ -421,6 +423,35 @@ TEST(PrivacyReport, UnpacksWhatAPageHoldsAsBase64) {
         EXPECT_EQ(kinds_of(privacy_report(folder / "report.html")),
                   std::vector<std::string>{"a path, in base64=/home/jane/scans/1"})
             << shift;
+    }
+}
+
+void change_session(const std::string& path, const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+}
+
+TEST(PrivacyReport, PassesASessionsOwnStartAndNumber) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    SessionHeader header;
+    header.envelope.start = "2026-11-25T01:02:03Z";
+    header.envelope.uuid = "20240517-2024-4051-8240-202405172024";
+    Recorder::create(path, header).recorder.reset();
+    EXPECT_EQ(kinds_of(privacy_report(path)), std::vector<std::string>{});
+
+    // Any other text in their place, and the same text in any other place, is found
+    for (const char* sql :
+         {"UPDATE envelope SET value='1961-02-03' WHERE key='start'",
+          "UPDATE envelope SET value='2026-11-25T01:02:03Z of 1961-02-03' WHERE key='start'",
+          "UPDATE envelope SET key='consent' WHERE key='start'",
+          "UPDATE session SET value='2026-11-25T01:02:03Z' WHERE key='anatomy_notes'", "PRAGMA application_id=7"}) {
+        const std::string copy = folder / "copy.db";
+        fs::copy_file(path, copy, fs::copy_options::overwrite_existing);
+        change_session(copy, sql);
+        EXPECT_FALSE(privacy_report(copy).findings.empty()) << sql;
     }
 }
 

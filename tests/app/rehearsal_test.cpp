@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/run_procedure.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
@@ -44,10 +44,10 @@ std::optional<Scene> pedicle_with(const std::vector<std::string>& settings) {
     return made;
 }
 
-const RunOutcome& outcome_of(const std::string& rehearsal) {
-    static std::map<std::string, RunOutcome> outcomes;
+const test::WatchedRun& outcome_of(const std::string& rehearsal) {
+    static std::map<std::string, test::WatchedRun> outcomes;
     if (!outcomes.contains(rehearsal)) {
-        outcomes.emplace(rehearsal, run_procedure(pedicle(), test::plugins(), following(rehearsal)));
+        outcomes.emplace(rehearsal, test::watched_run(pedicle(), test::plugins(), following(rehearsal)));
     }
     return outcomes.at(rehearsal);
 }
@@ -59,7 +59,7 @@ double metric(const RunSummary& summary, const std::string& id) {
 }
 
 TEST(PedicleScrew, TheExpertPasses) {
-    const RunOutcome& run = outcome_of("expert");
+    const test::WatchedRun& run = outcome_of("expert");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_TRUE(run.is_as_expected);
     EXPECT_TRUE(run.summary.reasons.empty());
@@ -67,7 +67,7 @@ TEST(PedicleScrew, TheExpertPasses) {
 }
 
 TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
-    const RunOutcome& run = outcome_of("medial-breach");
+    const test::WatchedRun& run = outcome_of("medial-breach");
     EXPECT_EQ(run.summary.verdict, Verdict::fail);
     EXPECT_TRUE(run.is_as_expected);
     ASSERT_EQ(run.summary.reasons.size(), 1u);
@@ -81,12 +81,12 @@ TEST(PedicleScrew, TheHoleIsAsFarOffItsAxisOnACoarserGrid) {
     ASSERT_TRUE(coarse);
     const double off = metric(outcome_of("expert").summary, "pilot-hole.offset");
     EXPECT_GT(off, 0.5e-3);
-    EXPECT_NEAR(metric(run_procedure(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"), off,
-                0.03e-3);
+    EXPECT_NEAR(metric(test::watched_run(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"),
+                off, 0.03e-3);
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
-    const RunOutcome again = run_procedure(pedicle(), test::plugins(), following("expert"));
+    const test::WatchedRun again = test::watched_run(pedicle(), test::plugins(), following("expert"));
     EXPECT_EQ(again.summary.hash, outcome_of("expert").summary.hash);
     EXPECT_NE(again.summary.hash, outcome_of("medial-breach").summary.hash);
 }
@@ -131,7 +131,7 @@ protected:
 TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), following("expert"));
+    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("expert"));
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_GT(metric(run.summary, "pilot-hole.axis-in-bone"), 0.95);
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
@@ -140,7 +140,7 @@ TEST_P(RealScan, TheExpertPassesThroughBoneAllTheWay) {
 TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     const auto made = scene();
     ASSERT_TRUE(made);
-    const RunOutcome run = run_procedure(*made, test::plugins(), following("medial-breach"));
+    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("medial-breach"));
     EXPECT_TRUE(run.is_as_expected);
 }
 
@@ -155,7 +155,7 @@ TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {
     Diagnostics diagnostics;
     const auto made = make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins(), diagnostics);
     ASSERT_TRUE(made) << to_text(diagnostics);
-    const RunOutcome run = run_procedure(*made, test::plugins(), following("straight"));
+    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("straight"));
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     for (const auto& [tissue, volume] : run.summary.removed_by_tissue) EXPECT_GT(volume, 1e-9) << tissue;
 }

@@ -13,7 +13,7 @@ bool kerf::fuzz::reads(std::string_view input) {
     const std::string path = folder.hold("session.db", input);
     const auto run = read_run(path, error);
     require(run.has_value() == error.empty(), "a run comes, or else an error");
-    if (run) require(!report_html(run->summary, run->ticks, run->events, run->bone_after).empty(), "a run has a page");
+    if (run) require(!report_html(run->summary, run->drawn).empty(), "a run has a page");
     const auto inputs = read_session(path, error);
     require(inputs.has_value() == error.empty(), "inputs come, or else an error");
     if (!inputs) return run.has_value();

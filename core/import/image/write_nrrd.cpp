@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/image/write_nrrd.h"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,8 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "core/session/write_file.h"
 
 namespace kerf {
 namespace {
@@ -39,32 +42,24 @@ std::string header_of(const VoxelGrid& grid, const std::string& remark, bool as_
 }  // namespace
 
 struct NrrdWriter::Stream {
-    std::FILE* file = nullptr;
+    explicit Stream(const std::string& path) : file(path) {}
+    FileWriter file;
     z_stream packer{};
 };
 
 NrrdWriter::NrrdWriter(std::string path, const VoxelGrid& grid, const std::string& remark, bool as_short)
     : path_(std::move(path)),
-      draft_(path_ + "." + std::to_string(getpid()) + ".part"),
       as_short_(as_short),
       left_(grid.all().voxels()),
-      stream_(std::make_unique<Stream>()) {
+      stream_(std::make_unique<Stream>(path_)) {
     if (deflateInit2(&stream_->packer, 4, Z_DEFLATED, 31 /* gzip */, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
         error_ = "there is no memory to compress";
         return;
     }
-    stream_->file = std::fopen(draft_.c_str(), "wb");
-    const std::string header = header_of(grid, remark, as_short);
-    if (stream_->file == nullptr || std::fwrite(header.data(), 1, header.size(), stream_->file) != header.size())
-        error_ = "it cannot be written there";
+    stream_->file.write(header_of(grid, remark, as_short));
 }
 
-NrrdWriter::~NrrdWriter() {
-    deflateEnd(&stream_->packer);
-    if (stream_->file == nullptr) return;
-    std::fclose(stream_->file);
-    std::remove(draft_.c_str());
-}
+NrrdWriter::~NrrdWriter() { deflateEnd(&stream_->packer); }
 
 void NrrdWriter::pack(const void* bytes, std::size_t count, bool is_last) {
     if (!error_.empty()) return;
@@ -77,10 +72,7 @@ void NrrdWriter::pack(const void* bytes, std::size_t count, bool is_last) {
         packer.avail_out = static_cast<unsigned>(packed.size());
         deflate(&packer, is_last ? Z_FINISH : Z_NO_FLUSH);
         const std::size_t ready = packed.size() - packer.avail_out;
-        if (std::fwrite(packed.data(), 1, ready, stream_->file) != ready) {
-            error_ = "the disk is full, or the file cannot be written";
-            return;
-        }
+        stream_->file.write(std::span<const unsigned char>(packed.data(), ready));
     } while (packer.avail_out == 0);
 }
 
@@ -102,13 +94,7 @@ void NrrdWriter::add(std::span<const float> values) {
 std::string NrrdWriter::finish() {
     if (error_.empty() && left_ > 0) error_ = "voxels are missing";
     if (!error_.empty()) return path_ + ": " + error_ + ".";
-    const bool is_closed = std::fclose(stream_->file) == 0;
-    stream_->file = nullptr;
-    if (!is_closed || std::rename(draft_.c_str(), path_.c_str()) != 0) {
-        std::remove(draft_.c_str());
-        return path_ + ": it cannot be written there.";
-    }
-    return {};
+    return stream_->file.finish();
 }
 
 }  // namespace kerf

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,7 +30,7 @@ private:
     struct Stream;
     void pack(const void* bytes, std::size_t count, bool is_last);
 
-    std::string path_, draft_, error_;
+    std::string path_, error_;
     bool as_short_;
     std::size_t left_;  ///< voxels that must still come
     std::unique_ptr<Stream> stream_;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/procedure/document.h"
+#include "core/procedure/printable_lines.h"
 #include "core/procedure/read_procedure.h"
 #include "kerf/units.hpp"
 #include "tests/core/procedure/catalog.h"
@@ -238,6 +240,8 @@ TEST(Emitted, ReadsBackToTheSameTree) {
                             "a: [[1, 2], [], {}, [{b: [c]}]]",
                             "a: '~'",
                             "a: \"ä “ü”\"",
+                            "a: \"\\e]0;x\\a\\x9b2J\\u202eb\\x7f\\L\"",
+                            "\"\\e[2J\": c",
                             "'a: b': c",
                             "a: '\"'",
                             "a: '\\'",
@@ -256,6 +260,16 @@ TEST(Emitted, ReadsBackToTheSameTree) {
                             "a: '? x'",
                             "a: x,y"})
         expect_same_when_read_back(odd);
+}
+
+TEST(Emitted, EscapesControlCharacters) {
+    Diagnostics found;
+    const auto document = parse_document("a\033[2J.yaml", "a: \"\\e]0;x\\a\\x9b2J\\u202eb\"\n\"\\e[2J\": c\n", found);
+    ASSERT_TRUE(document) << to_text(found);
+    const std::string text = emitted(*document, true);
+    EXPECT_EQ(text, printable_lines(text));
+    EXPECT_NE(text.find("a: \"\\x1b]0;x\\x07\\x9b2J\\u202eb\""), std::string::npos) << text;
+    EXPECT_NE(text.find("# a\\x1b[2J.yaml:1"), std::string::npos) << text;
 }
 
 TEST(Emitted, SaysOfEveryValueWhereItComesFrom) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/session/read_session.h"
+#include "core/session/record_checksum.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/write_file.h"
@@ -78,7 +79,7 @@ std::string refusal_after(const std::string& sql) {
     return error;
 }
 
-std::string page_of(const RecordedRun& run) { return report_html(run.summary, run.ticks, run.events, run.bone_after); }
+std::string page_of(const RecordedRun& run) { return report_html(run.summary, run.drawn); }
 
 TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
     // Given a run with all that a database keeps otherwise than memory does
@@ -107,8 +108,8 @@ TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
     // Then
     ASSERT_TRUE(run) << error;
     EXPECT_EQ(run->missing, "");
-    EXPECT_EQ(run->bone_after, bone);
-    EXPECT_TRUE(page_of(*run) == report_html(summary, ticks, events, bone));
+    EXPECT_EQ(run->drawn.bone(), bone);
+    EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run(ticks, events, bone)));
 }
 
 TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
@@ -132,16 +133,17 @@ TEST(ReadRun, LostRowsAreSaid) {
     std::string error;
     const auto run = read_run(
         session_after(folder, "UPDATE session SET value='incomplete' WHERE key='state'; "
-                              "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9"),
+                              "UPDATE session SET value='17' WHERE key='lost_ticks'; DELETE FROM ticks WHERE tick=9; "
+                              "DELETE FROM session WHERE key='record_checksum'"),
         error);
     ASSERT_TRUE(run) << error;
-    EXPECT_EQ(run->ticks.size(), 49u);
+    EXPECT_EQ(run->drawn.ticks(), 49u);
     EXPECT_NE(page_of(*run).find("17 rows of it were lost"), std::string::npos);
 }
 
 TEST(ReadRun, WhatNoRunWritesIsRefused) {
     for (const auto& [sql, words] :
-         {std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2"},
+         {std::pair<const char*, const char*>{"PRAGMA user_version=1", "schema 1, need 2 or 3"},
           {"UPDATE ticks SET thrust='much' WHERE tick=7", "`ticks` has something else than a number"},
           {"UPDATE ticks SET tick=-1 WHERE tick=7", "tick -1"},
           {"UPDATE ticks SET tick=6 WHERE tick=7", "tick 6 is there twice"},
@@ -158,6 +160,69 @@ TEST(ReadRun, WhatNoRunWritesIsRefused) {
           {"ALTER TABLE metrics RENAME TO m; CREATE VIEW metrics AS SELECT * FROM m", "computes its table `metrics`"},
           {"ALTER TABLE events ADD COLUMN more AS (printf('%.*c', 9, 'x'))", "computes its table `events`"}})
         EXPECT_NE(refusal_after(sql).find(words), std::string::npos) << sql << ": " << refusal_after(sql);
+}
+
+TEST(RecordChecksum, FindsAChangeInEveryTable) {
+    for (const char* sql : {"UPDATE ticks SET thrust=1e6 WHERE tick=7",
+                            "UPDATE ticks SET removed=1e-9",
+                            "UPDATE events SET detail='x'",
+                            "UPDATE metrics SET value=0",
+                            "UPDATE metrics SET status='ok'",
+                            "DELETE FROM metrics WHERE rowid=1",
+                            "UPDATE session SET value='pass' WHERE key='result.verdict'",
+                            "UPDATE session SET value='100' WHERE key='result.score'",
+                            "UPDATE session SET value='novice' WHERE key='run.rehearsal'",
+                            "UPDATE envelope SET value='L18' WHERE key='learner'",
+                            "UPDATE reasons SET reason='none'",
+                            "DELETE FROM reasons",
+                            "UPDATE removed SET volume=0",
+                            "UPDATE steps SET done=1",
+                            "UPDATE signals SET per_unit=1",
+                            "UPDATE tissues SET id='x'",
+                            "UPDATE columns SET unit='mm' WHERE name='thrust'",
+                            "UPDATE notice SET text='For diagnosis'",
+                            "INSERT INTO cuts VALUES(1,1,1,1,0,0,0,1,0,0,0,0,0,0,1,0,0,0)",
+                            "INSERT INTO events VALUES(1,1.0,'x','y')",
+                            "UPDATE surface SET half_x=half_x*1.01",
+                            "UPDATE session SET value='2' WHERE key='result.late_ticks'",
+                            "INSERT INTO session VALUES('more','x')",
+                            "DELETE FROM session WHERE key='record_checksum'",
+                            "UPDATE session SET value='0000000000000000' WHERE key='record_checksum'",
+                            "UPDATE events SET detail=CAST(detail AS BLOB) WHERE rowid=1",
+                            "CREATE TABLE more (a)",
+                            "CREATE TRIGGER more AFTER INSERT ON ticks BEGIN DELETE FROM ticks; END"}) {
+        EXPECT_NE(refusal_after(sql).find("not those that the run wrote"), std::string::npos)
+            << sql << refusal_after(sql);
+        const TemporaryFolder folder;
+        std::string error;
+        const auto inputs = read_session(session_after(folder, sql), error);
+        ASSERT_TRUE(inputs) << sql << error;
+        EXPECT_EQ(inputs->rows, RecordCheck::changed) << sql;
+    }
+}
+
+TEST(RecordChecksum, HoldsForACopyAndAfterVacuum) {
+    for (const char* sql : {"", "VACUUM", "PRAGMA journal_mode=WAL; PRAGMA journal_mode=DELETE"}) {
+        const TemporaryFolder folder;
+        std::string error;
+        const auto inputs = read_session(session_after(folder, sql), error);
+        ASSERT_TRUE(inputs) << error;
+        EXPECT_EQ(inputs->rows, RecordCheck::same) << sql;
+        EXPECT_EQ(inputs->rehearsal, "too-deep");
+    }
+}
+
+TEST(RecordChecksum, OfAnOlderSessionIsUnknown) {
+    const TemporaryFolder folder;
+    const std::string path =
+        session_after(folder, "DELETE FROM session WHERE key='record_checksum'; PRAGMA user_version=2");
+    std::string error;
+    const auto run = read_run(path, error);
+    EXPECT_TRUE(run) << error;
+    const auto inputs = read_session(path, error);
+    ASSERT_TRUE(inputs) << error;
+    EXPECT_EQ(inputs->rows, RecordCheck::unknown);
+    EXPECT_TRUE(inputs->is_old);
 }
 
 TEST(ReadRun, ASessionThatIsBeingWrittenIsLeftAlone) {
@@ -216,7 +281,7 @@ void leave_as_killed(const std::string& folder) {
             fs::copy_file(living / name, folder + "/" + name, fs::copy_options::overwrite_existing, not_yet);
         }
         if (const auto run = read_run(folder + "/session.db", error);
-            run && run->ticks.size() == 300 && run->events.size() == 5)
+            run && run->drawn.ticks() == 300 && run->drawn.event_count() == 5)
             return;
         usleep(10'000);
     }
@@ -228,7 +293,7 @@ bool both_read(const std::string& path, std::size_t ticks) {
     const auto run = read_run(path, error);
     if (run) page_of(*run);
     const auto inputs = read_session(path, error);
-    return run && run->ticks.size() == ticks && inputs && inputs->device_from_handle.size() == ticks;
+    return run && run->drawn.ticks() == ticks && inputs && inputs->device_from_handle.size() == ticks;
 }
 
 TEST(ReadingASession, NeedsNoRightToWriteAndLeavesEverythingAsItWas) {
@@ -257,7 +322,7 @@ TEST(ReadingASession, WithoutTheWalOfAKilledRunReadsWhatTheFileHoldsAndAddsNothi
     std::string error;
     const auto run = read_run(folder / "session.db", error);
     ASSERT_TRUE(run) << error;
-    EXPECT_EQ(run->ticks.size(), 0u);
+    EXPECT_EQ(run->drawn.ticks(), 0u);
     EXPECT_NE(run->missing, "");
     EXPECT_TRUE(all_in(folder.path()) == before);
 }

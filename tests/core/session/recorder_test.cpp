@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +20,14 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
 #include "core/session/content_hash.h"
+#include "core/session/drawn_run.h"
+#include "core/session/read_run.h"
+#include "core/session/write_file.h"
 #include "synthetic_run.h"
 #include "tests/support/loop_guard.h"
 #include "tests/support/temporary_folder.h"
@@ -77,6 +82,18 @@ TickRow numbered_tick(std::uint64_t tick) {
     row.time = 1e-3 * static_cast<double>(tick);
     row.thrust = 0.5 * static_cast<double>(tick);
     row.signals[0] = 2e-6;
+    return row;
+}
+
+/// A tick without zeros, which SQLite keeps in no space: 600 bytes in a file.
+TickRow full_tick(std::uint64_t tick) {
+    TickRow row = numbered_tick(tick);
+    const double value = 0.1 + 1e-3 * static_cast<double>(tick);
+    for (Vec6* wrench : {&row.modelled, &row.coupled, &row.limited, &row.commanded}) wrench->fill(value);
+    row.device_from_handle = row.world_from_tool = {{value, value, value}, {0.5, 0.1, 0.2, 0.3}};
+    for (double* number :
+         {&row.thrust, &row.torque, &row.depth, &row.feed_rate, &row.power_hand, &row.power_drive, &row.removed})
+        *number = value;
     return row;
 }
 
@@ -284,6 +301,115 @@ TEST(Recorder, AFullDiskIsSaidAndTheSessionIsIncompleteAndWhole) {
     EXPECT_TRUE(answer.starts_with((folder / "session.db") + " is incomplete: the disk is full. Free some space"))
         << answer;
     EXPECT_TRUE(answer.ends_with("|incomplete|ok|1")) << answer;
+}
+
+TEST(Recorder, ThatCannotBeMadeLeavesNothing) {
+    const TemporaryFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{0, 0};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
+        _exit(Recorder::create(folder / "session.db", header()).error.empty() ? 1 : 0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Recorder, ThatIsKilledWhileItIsMadeLeavesAFolderForTheNext) {
+    // Given a child that makes sessions one after the other, killed at odd moments
+    for (int delay = 0; delay < 40; ++delay) {
+        const TemporaryFolder folder;
+        const pid_t child = fork();
+        if (child == 0)
+            for (;;) {
+                OutputLock lock;
+                MadeFolders made;
+                if (!prepare_output(folder.path(), lock, made).empty()) _exit(1);
+                auto recorder = Recorder::create(folder / "session.db", header()).recorder;
+            }
+        usleep(static_cast<useconds_t>(3000 + 577 * delay));
+        kill(child, SIGKILL);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "its own folder was refused";
+
+        // Then the next run takes the folder, and what is there is a session or nothing
+        EXPECT_TRUE(!std::filesystem::exists(folder / "session.db") ||
+                    ask(folder / "session.db", "PRAGMA application_id") == std::to_string(session_application_id));
+        OutputLock lock;
+        MadeFolders made;
+        EXPECT_EQ(prepare_output(folder.path(), lock, made), "");
+    }
+}
+
+TEST(Recorder, KeepsItsWalShort) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+    std::uintmax_t longest = 0;
+    for (std::uint64_t tick = 0; tick < 120'000; ++tick) {  // 70 MB
+        recorder->push(full_tick(tick));
+        ASSERT_TRUE(recorder->wait_for_room());
+        std::error_code not_there;
+        if (tick % 1000 == 0)
+            if (const auto bytes = std::filesystem::file_size(path + "-wal", not_there); !not_there)
+                longest = std::max(longest, bytes);
+    }
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+    EXPECT_LT(longest, 40u << 20);
+    EXPECT_GT(std::filesystem::file_size(path), 60u << 20);
+}
+
+TEST(Recorder, SaysThatACompleteSessionCouldNotBeFolded) {
+    // Given a file that may grow to 20 MB, and 24 MB of rows, of which the last 8 MB are in the -wal
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    const pid_t child = fork();
+    if (child == 0) {
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{20 << 20, 20 << 20};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
+        auto recorder = new_recorder(path);
+        std::uint64_t tick = 0;
+        for (; std::filesystem::file_size(path) < 14u << 20 && tick < 100'000; ++tick) {
+            recorder->push(full_tick(tick));
+            if (!recorder->wait_for_room()) _exit(3);
+        }
+        for (const std::uint64_t end = tick + 13'000; tick < end; ++tick) {
+            recorder->push(full_tick(tick));
+            if (!recorder->wait_for_room()) _exit(4);
+        }
+        const std::string said = recorder->finish(test::synthetic_summary());
+        _exit(said.find("is complete together with session.db-wal") != std::string::npos ? 0 : said.empty() ? 5 : 6);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+
+    // Then it is read with its -wal, whole
+    std::string error;
+    const auto run = read_run(path, error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->missing, "");
+}
+
+TEST(DrawnRun, TakesNoMoreMemoryForMoreTicks) {
+    const pid_t child = fork();
+    if (child == 0) {
+        DrawnRun run(1'000'000);  // 650 MB, if they were kept
+        rusage usage{};
+        for (std::uint64_t tick = 0; tick < 1'000'000; ++tick) run.add(numbered_tick(tick));
+        for (std::uint64_t tick = 0; tick < 1'000'000; ++tick) run.add(EventRow{tick, 0.0, "event", "detail"});
+        getrusage(RUSAGE_SELF, &usage);
+        _exit(usage.ru_maxrss < 150'000 /* kB */ && run.plotted().size() > 1'000 && run.event_count() == 1'000'000 ? 0
+                                                                                                                   : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 /// In a child process: pushes at 1 kHz, tells the parent after each push, until it is killed.

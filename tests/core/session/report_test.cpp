@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/procedure/printable_lines.h"
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
 #include "synthetic_run.h"
@@ -26,8 +28,8 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string synthetic_report() {
-    return report_html(test::synthetic_summary(), test::synthetic_ticks(), test::synthetic_events(),
-                       drawn_surface(test::synthetic_bone(16)));
+    return report_html(test::synthetic_summary(), test::drawn_run(test::synthetic_ticks(), test::synthetic_events(),
+                                                                  drawn_surface(test::synthetic_bone(16))));
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -69,22 +71,50 @@ TEST(LateralForce, IsWhatActsAcrossTheShaft) {
     EXPECT_DOUBLE_EQ(lateral_force(row), 5.0);
 }
 
-TEST(RowsToDraw, AreAllOfThemWhenTheyAreFew) { EXPECT_EQ(rows_to_draw(test::synthetic_ticks(100), 100).size(), 100u); }
+std::vector<TickRow> thinned(const std::vector<TickRow>& rows, std::size_t most, std::size_t expected) {
+    Thinning thinning(expected, most);
+    for (const TickRow& row : rows) thinning.add(row);
+    return thinning.rows();
+}
 
-TEST(RowsToDraw, KeepASpikeOfOneTick) {
+TEST(Thinning, KeepsAllRowsWhenTheyAreFew) { EXPECT_EQ(thinned(test::synthetic_ticks(100), 100, 100).size(), 100u); }
+
+TEST(Thinning, KeepsASpikeOfOneTick) {
     // Given three minutes with one tick that stands out
     auto rows = test::synthetic_ticks(180'000);
     rows[123'457].thrust = 500.0;
 
     // When they are thinned
-    const auto drawn = rows_to_draw(rows, 20'000);
+    const auto drawn = thinned(rows, 20'000, rows.size());
 
     // Then it is still there, in order
+    const auto by_tick = [](const TickRow& a, const TickRow& b) { return a.tick < b.tick; };
     EXPECT_LE(drawn.size(), 20'000u);
-    EXPECT_TRUE(std::ranges::binary_search(drawn, std::size_t{123'457}));
-    EXPECT_TRUE(std::ranges::is_sorted(drawn));
-    EXPECT_EQ(drawn.front(), 0u);
-    EXPECT_EQ(drawn.back(), 179'999u);
+    EXPECT_TRUE(std::ranges::binary_search(drawn, rows[123'457], by_tick));
+    EXPECT_TRUE(std::ranges::is_sorted(drawn, by_tick));
+    EXPECT_EQ(drawn.front().tick, 0u);
+    EXPECT_EQ(drawn.back().tick, 179'999u);
+}
+
+TEST(Thinning, KeepsTheExtremesOfEveryStretch) {
+    const auto rows = test::synthetic_ticks(30'000);
+    const auto drawn = thinned(rows, 1'002, rows.size());  // 125 stretches of 240 rows
+    for (std::size_t from = 0; from < rows.size(); from += 240) {
+        const auto is_here = [&](const TickRow& row) { return row.tick >= from && row.tick < from + 240; };
+        double highest = -1.0, kept = -1.0;
+        for (std::size_t i = from; i < from + 240; ++i) highest = std::max(highest, rows[i].thrust);
+        for (const TickRow& row : drawn)
+            if (is_here(row)) kept = std::max(kept, row.thrust);
+        ASSERT_EQ(kept, highest) << from;
+    }
+}
+
+TEST(Thinning, TakesFewerRowsThanExpected) {
+    const auto rows = test::synthetic_ticks(25'000);
+    const auto drawn = thinned(rows, 20'000, 180'000);
+    EXPECT_EQ(drawn.front().tick, 0u);
+    EXPECT_EQ(drawn.back().tick, 24'999u);
+    EXPECT_EQ(thinned(rows, 20'000, 24'000).back().tick, 23'999u);
 }
 
 TEST(Report, IsOnePageThatFetchesNothing) {
@@ -118,7 +148,8 @@ TEST(Report, AHostileNameStaysText) {
     summary.versions = {{hostile, hostile}};
 
     // When the page is made
-    const std::string html = report_html(summary, test::synthetic_ticks(50), {{1, 0.0, hostile, hostile}}, {});
+    const std::string html =
+        report_html(summary, test::drawn_run(test::synthetic_ticks(50), {{1, 0.0, hostile, hostile}}));
 
     // Then the page has the two scripts it should have, and no element of theirs
     EXPECT_EQ(count_of(html, "<script"), 2u);
@@ -127,8 +158,9 @@ TEST(Report, AHostileNameStaysText) {
 }
 
 TEST(Report, TheDataInItIsJsonWithAllRows) {
-    const std::string json = report_data_json(test::synthetic_summary(), test::synthetic_ticks(),
-                                              test::synthetic_events(), drawn_surface(test::synthetic_bone(16)));
+    const std::string json = report_data_json(
+        test::synthetic_summary(),
+        test::drawn_run(test::synthetic_ticks(), test::synthetic_events(), drawn_surface(test::synthetic_bone(16))));
     const auto data = nlohmann::json::parse(json);
     EXPECT_EQ(data["rows"]["count"], 14'000);
     EXPECT_EQ(data["rows"]["time"].get<std::string>().size(), (14'000u * 4 + 2) / 3 * 4);
@@ -139,24 +171,33 @@ TEST(Report, TheDataInItIsJsonWithAllRows) {
 
 TEST(Report, AZoneThatWasEnteredIsBadNewsAndBoneThatWasEnteredIsNot) {
     const std::vector<EventRow> events{{1, 0.0, "entered_bone", "pilot-hole"}, {2, 0.0, "zone_entered", "canal"}};
-    const auto data = nlohmann::json::parse(report_data_json({}, {}, events, {}));
+    const auto data = nlohmann::json::parse(report_data_json({}, test::drawn_run({}, events)));
     EXPECT_EQ(data["events"][0]["isBad"], false);
     EXPECT_EQ(data["events"][1]["isBad"], true);
 }
 
 TEST(Report, BothPlotsWithColoursSayWhatTheyStandFor) {
-    const std::string html = report_html(test::synthetic_summary(), test::synthetic_ticks(50), {}, {});
+    const std::string html = report_html(test::synthetic_summary(), test::drawn_run(test::synthetic_ticks(50)));
     EXPECT_TRUE(holds(html, "Tissue first met at each depth:"));
     EXPECT_TRUE(holds(html, "Tissue under the tip:"));
     EXPECT_EQ(count_of(html, "</i>cortical</span>"), 2u);
 }
 
 TEST(Report, AForceScaleIsAFraction) {
-    EXPECT_TRUE(holds(report_html(test::synthetic_summary(), {}, {}, {}), ">1/20 device newton per bone newton<"));
+    EXPECT_TRUE(holds(report_html(test::synthetic_summary(), DrawnRun()), ">1/20 device newton per bone newton<"));
+}
+
+TEST(Report, ShowsControlCharactersAsCodePoints) {
+    RunSummary summary = test::synthetic_summary();
+    summary.procedure = summary.reasons[0] = "a\033]0;b\a\u009b2J\u202ec";
+    const std::string html = report_html(summary, test::drawn_run({}, {{1, 0.0, "x", "\u202ed\x7f"}}));
+    EXPECT_EQ(printable_lines(html), html);
+    EXPECT_TRUE(holds(html, "a\\x1b]0;b\\x07\\x9b2J\\u202ec")) << html.substr(0, 2000);
+    EXPECT_TRUE(holds(html, "\"\\u202ed\\u007f\""));
 }
 
 TEST(Report, ARunOfNothingStillHasAPage) {
-    const std::string html = report_html({}, {}, {}, {});
+    const std::string html = report_html({}, DrawnRun());
     EXPECT_TRUE(holds(html, "No ticks were recorded."));
     EXPECT_TRUE(holds(html, "… Incomplete"));
 }
@@ -164,8 +205,9 @@ TEST(Report, ARunOfNothingStillHasAPage) {
 TEST(Report, AMeshWithNumbersOutOfRangeDoesNotHarm) {
     Mesh mesh = test::synthetic_bone(4);
     mesh.triangles.push_back({0, 1, 99'999});
-    const auto data = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(mesh)));
-    const auto whole = nlohmann::json::parse(report_data_json({}, {}, {}, drawn_surface(test::synthetic_bone(4))));
+    const auto data = nlohmann::json::parse(report_data_json({}, test::drawn_run({}, {}, drawn_surface(mesh))));
+    const auto whole =
+        nlohmann::json::parse(report_data_json({}, test::drawn_run({}, {}, drawn_surface(test::synthetic_bone(4)))));
     EXPECT_EQ(data["mesh"], whole["mesh"]);
 }
 

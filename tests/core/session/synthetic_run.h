@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/drawn_run.h"
 #include "core/session/recording.h"
 
 /// A made-up run, with the shape of a real one: through cortex into spongy bone and out again.
@@ -77,6 +78,16 @@ inline std::vector<TickRow> synthetic_ticks(std::size_t count = 14000) {
         row.signals[1] = is_cutting ? 3e-6 : 0.0;
     }
     return rows;
+}
+
+/// What a page shows of rows that are in memory.
+inline DrawnRun drawn_run(const std::vector<TickRow>& rows, const std::vector<EventRow>& events = {},
+                          DrawnSurface bone = {}) {
+    DrawnRun run(rows.size());
+    for (const TickRow& row : rows) run.add(row);
+    for (const EventRow& event : events) run.add(event);
+    run.set_bone(std::move(bone));
+    return run;
 }
 
 inline std::vector<EventRow> synthetic_events() {

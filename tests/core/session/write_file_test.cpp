@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "core/session/recorder.h"
 #include "tests/support/temporary_folder.h"
@@ -23,7 +26,10 @@ using test::TemporaryFolder;
 /// As a run does it, except that nothing follows.
 std::string prepared(const std::string& folder) {
     OutputLock lock;
-    return prepare_output(folder, lock);
+    MadeFolders made;
+    std::string error = prepare_output(folder, lock, made);
+    made.keep();
+    return error;
 }
 
 TEST(WriteFile, ReplacesTheWholeFileAndLeavesNothingElse) {
@@ -38,6 +44,73 @@ TEST(WriteFile, SaysWhichFileCouldNotBeWritten) {
     const TemporaryFolder folder;
     const std::string error = write_file(folder / "missing/a.txt", "text");
     EXPECT_NE(error.find("a.txt could not be written"), std::string::npos) << error;
+}
+
+TEST(WriteFile, FollowsNoLinkThatStandsInItsWay) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(write_file(folder / "mine.txt", "years of work"), "");
+    fs::create_symlink(folder / "mine.txt", folder / "a.txt.part");
+    fs::create_symlink(folder / "mine.txt", folder / "a.txt");
+    ASSERT_EQ(write_file(folder / "a.txt", "text"), "");
+    fs::create_hard_link(folder / "mine.txt", folder / "b.txt.part");
+    ASSERT_EQ(write_file(folder / "b.txt", "text"), "");
+    ASSERT_EQ(mkfifo((folder / "c.txt.part").c_str(), 0600), 0);
+    ASSERT_EQ(write_file(folder / "c.txt", "text"), "");
+
+    EXPECT_EQ(contents_of(folder / "mine.txt"), "years of work");
+    for (const char* name : {"a.txt", "b.txt", "c.txt"}) EXPECT_EQ(contents_of(folder / name), "text") << name;
+    EXPECT_FALSE(fs::is_symlink(folder / "a.txt"));
+}
+
+TEST(WriteFile, KeepsTheOldFileWhenTheNewDoesNotFit) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(write_file(folder / "a.txt", "old"), "");
+    const pid_t child = fork();
+    if (child == 0) {
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{1000, 1000};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
+        _exit(write_file(folder / "a.txt", std::string(2000, 'x')).empty() ? 1 : 0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+    EXPECT_EQ(contents_of(folder / "a.txt"), "old");
+    EXPECT_FALSE(fs::exists(folder / "a.txt.part"));
+}
+
+TEST(FileWriter, LetsNobodyElseWriteTheSameFile) {
+    const TemporaryFolder folder;
+    FileWriter first(folder / "a.txt");
+    first.write("first");
+    EXPECT_NE(write_file(folder / "a.txt", "second").find("another process is writing it"), std::string::npos);
+    EXPECT_EQ(first.finish(), "");
+    EXPECT_EQ(contents_of(folder / "a.txt"), "first");
+    EXPECT_EQ(write_file(folder / "a.txt", "second"), "");
+    EXPECT_EQ(contents_of(folder / "a.txt"), "second");
+}
+
+TEST(FileWriter, LeavesNothingWhenItIsNotFinished) {
+    const TemporaryFolder folder;
+    { FileWriter(folder / "a.txt").write("half"); }
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(MadeFolders, GoAgainUnlessTheyAreKept) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "mine");
+    {
+        MadeFolders made;
+        ASSERT_EQ(made.make(folder / "mine/a/b"), "");
+        EXPECT_TRUE(fs::is_directory(folder / "mine/a/b"));
+    }
+    EXPECT_TRUE(fs::is_empty(folder / "mine"));
+    MadeFolders made;
+    EXPECT_NE(made.make((folder / "mine/a/") + std::string(300, 'b') + "/c"), "");
+    EXPECT_TRUE(fs::is_empty(folder / "mine"));
+    ASSERT_EQ(made.make(folder / "mine//a/./b/"), "");
+    made.keep();
+    EXPECT_TRUE(fs::is_directory(folder / "mine/a/b"));
 }
 
 TEST(PrepareOutput, MakesAFolderThatIsNotThere) {
@@ -101,13 +174,52 @@ TEST(PrepareOutput, TakesAwayWhatAKilledRunLeftHalfWritten) {
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(PrepareOutput, TakesAwayTheTracesOfARunThatHardlyBegan) {
+    for (const std::vector<std::string>& left :
+         std::vector<std::vector<std::string>>{{"session.db.part"},
+                                               {"session.db.part", "session.db.part-journal"},
+                                               {"session.db-journal"},
+                                               {"session.db-wal", "session.db-shm"}}) {
+        const TemporaryFolder folder;
+        for (const std::string& name : left) ASSERT_EQ(write_file(folder / name, "half"), "");
+        EXPECT_EQ(prepared(folder.path()), "") << left.front();
+        EXPECT_TRUE(fs::is_empty(folder.path())) << left.front();
+    }
+    const TemporaryFolder folder;
+    for (const char* name : {"session.db", "session.db-journal"}) ASSERT_EQ(write_file(folder / name, ""), "");
+    EXPECT_EQ(prepared(folder.path()), "");
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(PrepareOutput, LeavesWhatOnlyLooksLikeATraceAlone) {
+    const TemporaryFolder folder, another;
+    ASSERT_EQ(write_file(another / "mine.txt", ""), "");
+    fs::create_symlink(another / "mine.txt", folder / "session.db");
+    EXPECT_NE(prepared(folder.path()), "");
+    fs::remove(folder / "session.db");
+    ASSERT_EQ(write_file(folder / "session.db", ""), "");
+    ASSERT_EQ(write_file(folder / "thesis.txt", "years of work"), "");
+    EXPECT_NE(prepared(folder.path()), "");
+    EXPECT_EQ(contents_of(folder / "thesis.txt"), "years of work");
+}
+
+TEST(PrepareOutput, RefusesAPathThatIsTooLong) {
+    const TemporaryFolder folder;
+    std::string deep = folder / "a";
+    while (deep.size() < 600) deep += "/aaaaaaaaa";
+    EXPECT_NE(prepared(deep).find("bytes, expected at most"), std::string::npos) << prepared(deep);
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
 TEST(PrepareOutput, RefusesAFolderThatAnotherRunWrites) {
     const TemporaryFolder folder;
     Recorder::create(folder / "session.db", {}).recorder.reset();
     {
         OutputLock first, second;
-        ASSERT_EQ(prepare_output(folder / "run", first), "");
-        EXPECT_NE(prepare_output(folder / "run", second).find("is being written by another run"), std::string::npos);
+        MadeFolders made;
+        ASSERT_EQ(prepare_output(folder / "run", first, made), "");
+        EXPECT_NE(prepare_output(folder / "run", second, made).find("is being written by another run"),
+                  std::string::npos);
     }
     EXPECT_EQ(prepared(folder / "run"), "");
 }
@@ -121,7 +233,8 @@ TEST(PrepareOutput, ALockOfAKilledRunBlocksNobody) {
     ASSERT_GE(child, 0);
     if (child == 0) {
         OutputLock lock;
-        const char is_ours = prepare_output(folder.path(), lock).empty() ? 'y' : 'n';
+        MadeFolders made;
+        const char is_ours = prepare_output(folder.path(), lock, made).empty() ? 'y' : 'n';
         if (write(ends[1], &is_ours, 1) == 1) pause();
         _exit(1);
     }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/last_resort.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "app/standard_streams.h"
+
+namespace kerf {
+
+namespace {
+
+// Written without the heap: there may be no memory left.
+constexpr const char* out_of_memory = "\nkerf: out of memory: a request for more was refused. Free some, raise the "
+                                      "limit (`ulimit -v`), or take a coarser "
+                                      "`accuracy.spacing`.\n";
+constexpr rlim_t least_stack = 512 * 1024;
+
+void write_plain(const char* text) {
+    for (std::size_t left = std::strlen(text); left > 0;) {
+        const ssize_t count = write(STDERR_FILENO, text, left);
+        if (count <= 0) return;
+        text += count;
+        left -= static_cast<std::size_t>(count);
+    }
+}
+
+/// The exception that is being handled. False: it is not one of memory or of the system.
+bool is_said() {
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        write_plain(out_of_memory);
+    } catch (const std::length_error&) {
+        write_plain(out_of_memory);
+    } catch (const std::system_error& error) {
+        const bool is_thread = error.code() == std::errc::resource_unavailable_try_again;
+        write_plain("\nkerf: the system refused ");
+        write_plain(is_thread ? "a thread" : "a request");
+        write_plain(": ");
+        write_plain(error.what());
+        write_plain(is_thread ? ". End other programs, or raise the limit (`ulimit -u`).\n" : ".\n");
+    } catch (...) {
+        return false;
+    }
+    return true;
+}
+
+[[noreturn]] void end() {
+    if (std::current_exception() != nullptr && is_said()) _exit(exit_fault);
+    std::abort();
+}
+
+}  // namespace
+
+ExitCode do_or_say_why_not(const std::function<ExitCode()>& work) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        if (!is_said()) print_error(std::string("\nkerf: this should not have happened: ") + error.what() + ".\n");
+        return exit_fault;
+    }
+}
+
+void say_why_not_on_terminate() { std::set_terminate(&end); }
+
+bool is_stack_large_enough() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= least_stack)
+        return true;
+    // Up to the hard limit a process may raise its own.
+    limit.rlim_cur =
+        limit.rlim_max == RLIM_INFINITY || limit.rlim_max > 8 * 1024 * 1024 ? 8 * 1024 * 1024 : limit.rlim_max;
+    if (limit.rlim_cur >= least_stack && setrlimit(RLIMIT_STACK, &limit) == 0) return true;
+    std::fprintf(stderr, "kerf: the stack is limited to %lu kB, expected at least %lu kB. Write `ulimit -s 8192`.\n",
+                 static_cast<unsigned long>(limit.rlim_cur / 1024), static_cast<unsigned long>(least_stack / 1024));
+    return false;
+}
+
+}  // namespace kerf

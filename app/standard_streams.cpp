@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/standard_streams.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+
+#include "core/procedure/printable_lines.h"
+
+namespace kerf {
+
+namespace {
+
+void write_to(std::FILE* stream, std::string_view text) {
+    const std::string safe = printable_lines(text);
+    std::fwrite(safe.data(), 1, safe.size(), stream);
+}
+
+int first_error = 0;  // of stdout; the stream itself remembers only that there was one
+
+}  // namespace
+
+void print(std::string_view text) {
+    errno = 0;
+    write_to(stdout, text);
+    if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
+}
+
+void print_error(std::string_view text) {
+    std::fflush(stdout);  // so that both are in order where they go to one place
+    if (std::ferror(stdout) != 0 && first_error == 0) first_error = errno;
+    write_to(stderr, text);
+}
+
+std::string formatted(const char* format, ...) {
+    std::va_list values, again;
+    va_start(values, format);
+    va_copy(again, values);
+    const int size = std::vsnprintf(nullptr, 0, format, values);
+    std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+    std::vsnprintf(text.data(), text.size() + 1, format, again);
+    va_end(again);
+    va_end(values);
+    return text;
+}
+
+void occupy_closed_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+        // The lowest free number is this one. The wrong direction: reading or writing it fails.
+        (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
+ExitCode close_stdout(ExitCode code) {
+    errno = 0;
+    const bool has_failed = std::ferror(stdout) != 0;
+    if (std::fclose(stdout) == 0 && !has_failed) return code;
+    if (first_error == 0) first_error = errno;
+    const char* why = first_error == EBADF ? "it is closed" : first_error != 0 ? std::strerror(first_error) : "unknown";
+    std::fprintf(stderr,
+                 "kerf: stdout could not be written: %s. What was printed is incomplete; print it to another place.\n",
+                 why);
+    return exit_fault;
+}
+
+}  // namespace kerf
