@@ -367,8 +367,13 @@ ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
 // ---- what is given ------------------------------------------------------------------------------------------------
 
 ExitCode import(const CommandLine& line) {
-    const ImportOutcome outcome =
-        import_source({line.source, line.out, line.series, line.may_resample, line.unit, line.frame});
+    const ImportOutcome outcome = import_source({.source = line.source,
+                                                 .out = line.out,
+                                                 .series = line.series,
+                                                 .acquisition = line.acquisition,
+                                                 .may_resample = line.may_resample,
+                                                 .unit = line.unit,
+                                                 .frame = line.frame});
     std::fputs(outcome.text.c_str(), stdout);
     std::fputs(to_text(outcome.diagnostics).c_str(), stderr);
     if (has_error(outcome.diagnostics)) return exit_bad_input;
