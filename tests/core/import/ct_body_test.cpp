@@ -321,8 +321,7 @@ TEST(CtBody, KeepsTheOneStructureThatIsMeantOrNone) {
         const auto made = make_ct_bone(bone, diagnostics);
         ASSERT_EQ(made.has_value(), one.code.empty()) << to_text(diagnostics);
         if (!made) {
-            ASSERT_EQ(diagnostics.size(), 1u);
-            EXPECT_EQ(diagnostics[0].code, one.code) << to_text(diagnostics);
+            EXPECT_EQ(diagnostics.back().code, one.code) << to_text(diagnostics);
             continue;
         }
         EXPECT_LT(made->distance.sample_trilinear({}, 1.0), -5.0_mm);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -172,8 +173,17 @@ TEST_F(Markups, ReadQuotedCells) {
 
 // Pasted as it stands, the advice must pass.
 TEST_F(Markups, GiveAdviceThatPasses) {
-    for (const std::string label : {"entry \"left\" \\ back", "line, middle", "a: b # c", "\x1b[2J\x1b[31m", "Hüfte",
-                                    std::string(100, 'x').c_str(), " blank", "- 1", "{a}", "it's"}) {
+    const std::vector<std::string> labels{"entry \"left\" \\ back",
+                                          "line, middle",
+                                          "a: b # c",
+                                          "\x1b[2J\x1b[31m",
+                                          "Hüfte",
+                                          " blank",
+                                          "- 1",
+                                          "{a}",
+                                          "it's",
+                                          std::string(100, 'x')};
+    for (const std::string& label : labels) {
         SCOPED_TRACE(label);
         std::string escaped;
         for (const char c : label)
