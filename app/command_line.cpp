@@ -168,10 +168,14 @@ void describe_to(CLI::App& app, CommandLine& line) {
                not_empty("a file, as in `--out bone.nrrd`"));
     add_option(import, "--series", line.series, "SERIES", "Which series of a folder with several",
                not_empty("a name that import offers"));
+    add_option(import, "--acquisition", line.acquisition, "ACQUISITION",
+               "Which acquisition of a series that shows the same part several times",
+               not_empty("a name that import offers"));
     import->add_flag("--allow-resample", line.may_resample, "Fill gaps between slices from their neighbours");
     add_option(import, "--unit", line.unit, "UNIT", "What a 1 in a surface's file is: mm (if not given), cm, m or um",
                one_of({"mm", "cm", "m", "um"}));
-    add_option(import, "--frame", line.frame, "FRAME", "Which way a surface's axes point: LPS (if not given) or RAS",
+    add_option(import, "--frame", line.frame, "FRAME",
+               "Which way a surface's axes point: LPS or RAS; if not given as the file says, or else LPS",
                one_of({"LPS", "RAS"}));
     import->footer("Exit code: 0 if it can be used, 2 if it was refused.\n" + std::string(notice_line) + ".");
 

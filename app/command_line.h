@@ -34,10 +34,10 @@ struct CommandLine {
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all
     std::string source;                    ///< of import: a scan, a folder or a surface; of report: a session
-    std::string series;                    ///< of import
+    std::string series, acquisition;       ///< of import
     bool may_resample = false;             ///< of import
     bool shows_values = false;             ///< of privacy
-    std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: LPS is supposed
+    std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: as the file says, or LPS
     std::string action;                    ///< of anatomy: "check"
     std::string mode = "practice";         ///< practice | exam | demo
     bool is_headless = false;              ///< so is every run for now

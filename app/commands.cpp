@@ -401,8 +401,13 @@ ExitCode print_schema(const CommandLine& line, const PluginRegistry& plugins) {
 // ---- what is given ------------------------------------------------------------------------------------------------
 
 ExitCode import(const CommandLine& line) {
-    const ImportOutcome outcome =
-        import_source({line.source, line.out, line.series, line.may_resample, line.unit, line.frame});
+    const ImportOutcome outcome = import_source({.source = line.source,
+                                                 .out = line.out,
+                                                 .series = line.series,
+                                                 .acquisition = line.acquisition,
+                                                 .may_resample = line.may_resample,
+                                                 .unit = line.unit,
+                                                 .frame = line.frame});
     print(outcome.text);
     print_error(to_text(outcome.diagnostics));
     if (has_error(outcome.diagnostics)) return exit_bad_input;

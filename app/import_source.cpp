@@ -12,6 +12,7 @@
 #include "core/import/image/write_nrrd.h"
 #include "core/import/import_report.h"
 #include "core/import/mesh_body.h"
+#include "core/procedure/printable.h"
 #include "core/session/recorder.h"
 #include "core/session/stl.h"
 #include "core/session/write_file.h"
@@ -100,7 +101,8 @@ std::string direction_text(const VoxelGrid& grid) {
 
 void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     const Progress progress = [](double share, const std::string& what) { show_progress(share, what); };
-    const auto scan = open_scan(request.source, {request.series, request.may_resample}, progress, outcome.diagnostics);
+    const auto scan = open_scan(request.source, {request.series, request.acquisition, request.may_resample}, progress,
+                                outcome.diagnostics);
     if (!scan) return;
     for (const std::string& note : scan->notes()) add_line(outcome.text, "found", note);
     const VoxelGrid& grid = scan->grid();
@@ -110,7 +112,7 @@ void import_scan(const ImportRequest& request, ImportOutcome& outcome) {
     add_line(outcome.text, "", "Slices as they lie: " + direction_text(grid) + ".");
     for (const Segment& segment : scan->segments())
         add_line(outcome.text, "",
-                 "Structure `" + segment.name + "`: label " + std::to_string(segment.label) +
+                 "Structure `" + excerpt(segment.name) + "`: label " + std::to_string(segment.label) +
                      (segment.layer > 0 ? " in layer " + std::to_string(segment.layer) : "") + ".");
     Values values;
     const bool is_read =

@@ -12,9 +12,10 @@ struct ImportRequest {
     std::string source;         ///< a scan's file, a folder with DICOM, or a surface
     std::string out;            ///< .nrrd for a scan, .stl for a surface; empty: nothing is written
     std::string series;         ///< of a folder with several
+    std::string acquisition;    ///< of a series with several
     bool may_resample = false;  ///< across missing slices
     std::string unit = "mm";    ///< of a surface: mm, cm, m or um
-    std::string frame;          ///< of a surface: LPS or RAS; empty: LPS is supposed
+    std::string frame;          ///< of a surface: LPS or RAS; empty: as the file says, or else LPS
 };
 
 struct ImportOutcome {

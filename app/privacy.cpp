@@ -530,10 +530,7 @@ void look_at_nifti(const std::string& file, PrivacyReport& report) {
     look_at_voxels(bytes, report);  // and the header's extensions before them
 }
 
-bool is_dicom(const std::string& file) {
-    char head[132] = {};
-    return std::ifstream(file, std::ios::binary).read(head, sizeof head) && std::string_view(head + 128, 4) == "DICM";
-}
+bool is_dicom(const std::string& file) { return read_dicom_elements(file).is_dicom; }
 
 /// The value of a header's line, as in `encoding: gzip` or `CompressedData = True`, in lower case.
 std::string header_value(const std::string& header, std::string_view key) {
@@ -591,7 +588,8 @@ PrivacyReport privacy_report(const std::string& file) {
                                          : "The database is damaged, and was not looked at to its end.");
         return report;
     }
-    const bool is_nrrd = ends_in(file, ".nrrd"), is_stl = ends_in(file, ".stl"), is_meta = ends_in(file, ".mha");
+    const bool is_nrrd = ends_in(file, ".nrrd") || ends_in(file, ".nhdr"), is_stl = ends_in(file, ".stl"),
+               is_meta = ends_in(file, ".mha");
     std::ifstream in(file, std::ios::binary);
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     const std::uintmax_t wanted = is_stl ? 84 : is_nrrd || is_meta ? 65'536 : most_bytes;

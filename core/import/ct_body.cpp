@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <set>
@@ -14,13 +15,18 @@
 #include "core/import/bone_mask.h"
 #include "core/import/data_file.h"
 #include "core/import/fields_memory.h"
+#include "core/import/image/segments.h"
 #include "core/import/planned_region.h"
 #include "core/import/voxel_density.h"
 #include "core/import/voxel_distance.h"
+#include "core/procedure/printable.h"
 #include "core/procedure/read_anatomy.h"
 
 namespace kerf {
 namespace {
+
+using header::list_of;
+using header::name_to_write;
 
 constexpr double hounsfield_step = 50.0;  // [HU] by which a border's threshold is doubted
 constexpr double grey_step = 0.05;        // [–] the same, of the threshold
@@ -49,31 +55,50 @@ struct Sources {
 
 // ---- labels ---------------------------------------------------------------------------------------------------------
 
+/// The segmentation's own names of what it holds.
+std::string known_segments(const std::vector<Segment>& segments) {
+    return segments.empty() ? "It names none: write the label's number." : "It has " + list_of(segments) + ".";
+}
+
+/// The one structure that `asked` means; refuses none, several, and one whose voxels are another's, too.
+template <class IsMeant>
+Segment only_segment(const std::vector<Segment>& segments, const std::string& asked, const IsMeant& is_meant) {
+    const auto refuse = [](const char* code, const std::string& message) {
+        throw Refusal{code, {"ct", "labels", "keep"}, message};
+    };
+    std::vector<Segment> found, alike;
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(found), is_meant);
+    if (found.empty()) refuse("E0635", "the segmentation has no structure " + asked + ". " + known_segments(segments));
+    if (found.size() > 1)
+        refuse("E0636", "the segmentation has " + std::to_string(found.size()) + " structures " + asked + ": " +
+                            list_of(found) +
+                            ". Keep one by its name or its number, whichever no other has, or rename them in 3D "
+                            "Slicer.");
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(alike),
+                 [&](const Segment& s) { return s.layer == found[0].layer && s.label == found[0].label; });
+    if (alike.size() > 1)
+        refuse("E0636", "the voxels of " + asked + " cannot be told from those of others: " + list_of(alike) +
+                            ". Export the segmentation from 3D Slicer again.");
+    return found[0];
+}
+
 /// Which labels of which layers are the bone.
 std::vector<Segment> kept_segments(const CtSource& ct, const std::vector<Segment>& segments) {
     std::vector<Segment> kept;
     for (const int label : ct.keep) {
-        bool is_named = false;
-        for (const Segment& segment : segments)
-            if (segment.label == label) {
-                kept.push_back(segment);
-                is_named = true;
-            }
-        if (!is_named) kept.push_back({"", label, 0});
+        const bool is_named =
+            std::any_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.label == label; });
+        const bool has_layers =
+            std::any_of(segments.begin(), segments.end(), [](const Segment& s) { return s.layer > 0; });
+        if (is_named || has_layers)
+            kept.push_back(only_segment(segments, "with the label " + std::to_string(label),
+                                        [&](const Segment& s) { return s.label == label; }));
+        else
+            kept.push_back({"", label, 0});
     }
-    for (const std::string& name : ct.keep_named) {
-        const auto found =
-            std::find_if(segments.begin(), segments.end(), [&](const Segment& s) { return s.name == name; });
-        if (found == segments.end()) {
-            std::string known;
-            for (const Segment& segment : segments) known += (known.empty() ? "`" : ", `") + segment.name + "`";
-            throw Refusal{"E0635",
-                          {"ct", "labels", "keep"},
-                          "the segmentation has no structure `" + name + "`. " +
-                              (known.empty() ? "It names none: write the label's number." : "It has " + known + ".")};
-        }
-        kept.push_back(*found);
-    }
+    for (const std::string& name : ct.keep_named)
+        kept.push_back(
+            only_segment(segments, "`" + name_to_write(name) + "`", [&](const Segment& s) { return s.name == name; }));
     return kept;
 }
 
@@ -179,7 +204,7 @@ BoneMask mask_at(double threshold, BoneMask mask, const Anatomy& anatomy, std::v
                        (has_labels ? std::string("by label") : "of " + rounded(threshold, 0) + " and more");
     if (has_labels) {
         for (const int one : ct.keep) note += " " + std::to_string(one);
-        for (const std::string& one : ct.keep_named) note += " " + one;
+        for (const std::string& one : ct.keep_named) note += " " + excerpt(one);
     }
     note += keep_piece(mask, anatomy, has_labels);
 
@@ -379,13 +404,22 @@ std::optional<CtBone> make_ct_bone(const Anatomy& anatomy, Diagnostics& diagnost
     const auto opened = [&](const std::string& written, const SeriesChoice& choice,
                             const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
-        auto scan = open_scan(found_data_file(written, anatomy.file), choice, options.progress, diagnostics);
+        const std::string file = found_data_file(written, anatomy.file);
+        std::optional<Scan> scan;
+        if (is_data_file_inside(file, anatomy.file, diagnostics))
+            scan = open_scan(file, choice, options.progress, diagnostics);
         if (diagnostics.size() > first)
             because_of(in_anatomy(anatomy, keys, "the scan is named here."), diagnostics, first);
         return scan;
     };
-    const auto scan = opened(ct.image, {ct.series, ct.may_resample}, {"ct", "image"});
+    const auto scan = opened(ct.image, {ct.series, ct.acquisition, ct.may_resample}, {"ct", "image"});
     if (!scan) return std::nullopt;
+    if (!scan->segments().empty()) {
+        diagnostics.push_back(error_at(in_anatomy(anatomy, {"ct", "image"}), "E0623",
+                                       "the image is a segmentation: it holds labels, no values. Name the scan that "
+                                       "it was made on, and the segmentation under `ct.labels`."));
+        return std::nullopt;
+    }
     std::optional<Scan> labels;
     if (!ct.labels.empty() && !(labels = opened(ct.labels, {}, {"ct", "labels", "file"}))) return std::nullopt;
     if (labels && labels->is_resampled()) {

@@ -18,7 +18,9 @@
 ///     E0632  the image is sheared within its slices
 ///     E0633  no voxel is bone
 ///     E0634  no bone near the landmark that names the piece
+///     E0619  a link leads out of the document's folder
 ///     E0635  the segmentation has no structure of that name
+///     E0636  several structures of that name or number, or with the same voxels
 ///     W0675  values that are no HU, or metal
 namespace kerf {
 

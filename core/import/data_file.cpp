@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/procedure/inside_folder.h"
+
 namespace kerf {
 
 std::string found_data_file(const std::string& written, const std::string& document) {
@@ -14,6 +16,17 @@ std::string found_data_file(const std::string& written, const std::string& docum
     if (!std::filesystem::exists(beside, ignored) && data && *data)
         return (std::filesystem::path(data) / written).string();
     return beside.string();
+}
+
+bool is_data_file_inside(const std::string& path, const std::string& document, Diagnostics& diagnostics) {
+    const char* data = std::getenv("KERF_DATA");
+    if (is_inside_folder(path, std::filesystem::path(document).parent_path().string()) ||
+        (data && *data && is_inside_folder(path, data)))
+        return true;
+    diagnostics.push_back(error_about(path, "E0619",
+                                      "a link leads out of the document's folder and of KERF_DATA. "
+                                      "Put the file itself there."));
+    return false;
 }
 
 }  // namespace kerf

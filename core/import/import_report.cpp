@@ -6,11 +6,12 @@
 #include <fstream>
 
 #include "core/field/fnv1a.h"
+#include "core/procedure/regular_file.h"
 
 namespace kerf {
 
 bool hash_of_file(const std::string& file, std::uint64_t& hash) {
-    std::ifstream in(file, std::ios::binary);
+    std::ifstream in = open_regular_file(file);
     Fnv1a sum;
     std::vector<char> buffer(1 << 16);
     while (in) {

@@ -21,9 +21,43 @@ constexpr double coarse = 20e-6;     // [m] a step of the file's numbers that is
 constexpr double fineness = 0.5e-3;  // [m] between places where walls are measured
 
 /// Metres and LPS.
-void place(SurfaceMesh& mesh, const MeshSource& source) {
-    const double across = source.is_ras ? -source.unit : source.unit;
-    for (Vec3& v : mesh.vertices) v = {across * v.x, across * v.y, source.unit * v.z};
+void place(SurfaceMesh& mesh, double unit, bool is_ras) {
+    const double across = is_ras ? -unit : unit;
+    for (Vec3& v : mesh.vertices) v = {across * v.x, across * v.y, unit * v.z};
+}
+
+/// What the file's header says of its coordinates must be what the document says.
+std::optional<SurfaceError> contradiction(const SurfaceFile& file, const MeshSource& source) {
+    const auto frame = [](bool is_ras) { return std::string(is_ras ? "RAS" : "LPS"); };
+    const auto unit = [](double metres) {
+        return std::string(metres == 1e-2 ? "cm" : metres == 1.0 ? "m" : metres == 1e-6 ? "um" : "mm");
+    };
+    if (source.names_frame && file.is_ras && *file.is_ras != source.is_ras)
+        return SurfaceError{"E0654",
+                            "the file's header says SPACE=" + frame(*file.is_ras) + ", `frame` says " +
+                                frame(source.is_ras) + "; the two must agree.",
+                            "Remove `mesh.frame` or `--frame` if the header is right; otherwise correct the header."};
+    if (file.unit && *file.unit != source.unit)
+        return SurfaceError{"E0654",
+                            "the file's header says UNITS=" + unit(*file.unit) + ", `unit` is " + unit(source.unit) +
+                                "; the two must agree.",
+                            "Write `unit: " + unit(*file.unit) + "` or `--unit " + unit(*file.unit) +
+                                "` if the header is right; otherwise correct the header."};
+    return std::nullopt;
+}
+
+/// The frame of a file: what it says itself, or the document, or the other file of the same bone; otherwise LPS.
+bool is_in_ras(const SurfaceFile& file, const SurfaceFile* other, const MeshSource& source) {
+    if (source.names_frame) return source.is_ras;
+    return file.is_ras.value_or(other != nullptr && other->is_ras.value_or(false));
+}
+
+std::string frame_note(const SurfaceFile& file, const SurfaceFile* other, const MeshSource& source) {
+    const std::string frame = is_in_ras(file, other, source) ? "RAS, turned to LPS" : "LPS";
+    if (file.is_ras) return "Frame: " + frame + ", as the file's header says.";
+    if (source.names_frame) return "Frame: " + frame + ", as `mesh.frame` says.";
+    if (other != nullptr && other->is_ras) return "Frame: " + frame + ", as the header of the other file says.";
+    return "Frame: " + frame + ", supposed: the file does not say, nor does `mesh.frame`.";
 }
 
 bool is_within(const Box& box, Vec3 p) noexcept {
@@ -34,13 +68,17 @@ bool is_within(const Box& box, Vec3 p) noexcept {
 std::string millimetres(double metres, int digits = 1) { return rounded(metres * 1e3, digits) + " mm"; }
 
 /// What the surface is, what is doubted, and what is mended; false, with an error, if it cannot be.
-bool make_sound(SurfaceFile& file, const Anatomy& anatomy, const std::string& name, std::vector<std::string>& notes,
-                Diagnostics& diagnostics) {
+bool make_sound(SurfaceFile& file, const SurfaceFile* other, const Anatomy& anatomy, const std::string& name,
+                std::vector<std::string>& notes, Diagnostics& diagnostics) {
     const MeshSource& source = *anatomy.mesh;
     const auto warn = [&](const char* code, const std::string& message, const std::string& advice) {
         diagnostics.push_back(warning_about(name, code, message + " " + advice));
     };
-    place(file.mesh, source);
+    if (const auto error = contradiction(file, source)) {
+        diagnostics.push_back(error_about(name, error->code, error->message + " " + error->advice));
+        return false;
+    }
+    place(file.mesh, source.unit, is_in_ras(file, other, source));
     if (!file.has_topology) weld(file.mesh);  // STL repeats every vertex in each of its faces
     const SurfaceDiagnosis found = diagnose(file.mesh, source.unit);
     for (std::string& note : to_notes(found)) notes.push_back(std::move(note));
@@ -122,28 +160,31 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
     const MeshSource& source = *anatomy.mesh;
     MeshBone bone;
     std::vector<std::string>& notes = bone.report.notes;
-    notes.push_back(
-        std::string("Frame: ") + (source.is_ras ? "RAS, turned to LPS" : "LPS") +
-        (source.names_frame ? ", as `mesh.frame` says." : ", supposed: the file does not say, nor does `mesh.frame`."));
-    const auto is_sound = [&](SurfaceFile& file, const std::string& written, const std::vector<std::string>& keys) {
+    const std::optional<bool> frame_of_surface = surface.is_ras;
+    notes.push_back(frame_note(surface, canal, source));
+    const auto is_sound = [&](SurfaceFile& file, const SurfaceFile* other, const std::string& written,
+                              const std::vector<std::string>& keys) {
         const std::size_t first = diagnostics.size();
         const std::string name = written.empty()
                                      ? anatomy.file
                                      : found_data_file(written, anatomy.file);  // without a document the surface itself
-        const bool is_made = make_sound(file, anatomy, name, notes, diagnostics);
+        const bool is_made = make_sound(file, other, anatomy, name, notes, diagnostics);
         if (diagnostics.size() > first)
             because_of(in_anatomy(anatomy, keys, "the file is named here."), diagnostics, first);
         return is_made;
     };
-    if (!is_sound(surface, source.file, {"mesh", "file"})) return std::nullopt;
+    if (!is_sound(surface, canal, source.file, {"mesh", "file"})) return std::nullopt;
     bone.surface = std::move(surface.mesh);
     if (SurfaceMesh cavities = taken_cavities(bone.surface); !cavities.triangles.empty())
         bone.rooms.push_back(std::move(cavities));
     const Box bounds = bone.region = bounds_of(bone.surface);
     if (canal) {
         notes.push_back("The canal, a surface of its own:");
-        SurfaceFile room = *canal;
-        if (!is_sound(room, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
+        SurfaceFile room = *canal, outside;
+        outside.is_ras = frame_of_surface;
+        if (is_in_ras(room, &outside, source) != is_in_ras(outside, canal, source))
+            notes.push_back(frame_note(room, &outside, source));
+        if (!is_sound(room, &outside, source.canal_file, {"mesh", "canal", "file"})) return std::nullopt;
         bone.rooms.push_back(std::move(room.mesh));
     } else if (source.canal) {
         notes.push_back("Canal: a tube of " + millimetres(2.0 * source.canal->radius) + " diameter, " +
@@ -182,7 +223,8 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, Diagnostics& diag
     const auto read = [&](const std::string& written, const std::vector<std::string>& keys) {
         const std::string file = found_data_file(written, anatomy.file);
         const std::size_t first = diagnostics.size();
-        auto surface = read_surface(file, diagnostics);
+        std::optional<SurfaceFile> surface;
+        if (is_data_file_inside(file, anatomy.file, diagnostics)) surface = read_surface(file, diagnostics);
         if (surface && !hash_of_file(file, files.file_hashes.emplace_back())) {
             diagnostics.push_back(error_about(file, "E0640", "the file could be read once, but not again. Try again."));
             surface.reset();

@@ -93,6 +93,7 @@ struct CtSource {
     enum class Intensity { hounsfield, grey };
     std::string image;                            ///< a file, or a folder with a DICOM series
     std::string series;                           ///< which one, as import offers it; empty: the only one
+    std::string acquisition;                      ///< which one of the series, the same way
     bool may_resample = false;                    ///< across missing slices
     Intensity intensity = Intensity::hounsfield;  ///< what the values are: cone-beam CT and others give grey levels
     std::string labels;                           ///< a label map or segmentation; empty: by threshold alone

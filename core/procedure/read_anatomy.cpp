@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/procedure/printable.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
 #include "kerf/abi.h"
@@ -115,6 +116,7 @@ CtSource read_ct(const Node& node, Report& report) {
     CtSource ct;
     ct.image = read_data_path(map.find("image"), "ct.image", report);
     ct.series = map.text("series");
+    ct.acquisition = map.text("acquisition");
     ct.may_resample = map.yes_no("resample");
     if (map.word("intensity") == "grey") ct.intensity = CtSource::Intensity::grey;
     if (const Node* found = map.find("labels")) {
@@ -204,8 +206,10 @@ std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
         if (const Node* names = map.find("names"))
             for (const Node& one : read_list(*names, "markups.names", report)) {
                 MapReader name(one, shapes::markup_name, "markups.names", report);
-                const std::string label = name.text("label");
-                markups.names[label] = name.id("id");
+                const std::string label = name.text("label"), id = name.id("id");
+                if (!markups.names.emplace(label, id).second)
+                    report.error(Code::duplicate_id, one.span,
+                                 "The label " + yaml_quoted(label) + " stands twice under `names`. Remove one.");
                 name.finish();
             }
         map.finish();

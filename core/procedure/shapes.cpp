@@ -409,6 +409,8 @@ const Shape ct{
          "A file, or a folder with a DICOM series; in this document's folder or in KERF_DATA.", "scans/bone.nii.gz"},
         {optional, "series", text(),
          "Which series of the folder, as `kerf import` offers them; needed if there are several.", "4"},
+        {optional, "acquisition", text(),
+         "Which acquisition of the series, as `kerf import` offers them; needed if several show the same part.", "1"},
         {optional, "resample", yes_no(), "Gaps between slices may be filled from their neighbours.", "true"},
         {optional, "intensity", word({"HU", "grey"}),
          "What the values are: HU if not given; grey levels of a cone-beam CT are none.", "grey"},

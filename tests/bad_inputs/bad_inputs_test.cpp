@@ -141,7 +141,7 @@ Ending as_scan(const Input& input, const std::string& folder) {
     const bool may_resample = option_of(input.how, "resample") == "true";
     const std::string out = folder + "/imported.nrrd";
     const ImportOutcome imported =
-        import_source({folder + "/" + input.source, out, option_of(input.how, "series"), may_resample, "mm", ""});
+        import_source({folder + "/" + input.source, out, option_of(input.how, "series"), "", may_resample, "mm", ""});
     std::string wrong = imported.error;
     std::string kept;
     if (!has_error(imported.diagnostics) && input.how.find("labels") == std::string::npos) wrong += misread(out);
@@ -155,8 +155,8 @@ Ending as_surface(const Input& input, const std::string& folder) {
     const std::string unit = option_of(input.how, "unit"), frame = option_of(input.how, "frame");
     const std::string out = folder + "/imported.stl";
     const ImportOutcome imported =
-        import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "", false,
-                       unit.empty() ? "mm" : unit, frame});
+        import_source({folder + "/" + input.source, input.how.find("repair") == std::string::npos ? out : "", "", "",
+                       false, unit.empty() ? "mm" : unit, frame});
     std::string wrong = imported.error;
     const std::string how = (unit.empty() ? "unit: mm" + std::string(input.how.empty() ? "" : ", ") : "") + input.how;
     const Diagnostics made = make_bone(folder, "mesh: {file: " + input.source + ", " + how + "}", wrong);

@@ -219,7 +219,7 @@ std::vector<Input> nifti_inputs() {
                standard().flipped(2)),
          "loaded", ""},
         {"NIfTI, neither form", Way::scan, "a.nii", nifti([](Nifti& n) { n.without_sform(); }), "E0627",
-         "left from right"},
+         "left and right cannot be told apart"},
         {"NIfTI, axes in another order", Way::scan, "a.nii", nifti(nothing, standard().ordered(2, 0, 1)), "loaded", ""},
         {"NIfTI, left-handed axes", Way::scan, "a.nii", nifti(nothing, standard().flipped(0)), "loaded", ""},
         {"NIfTI, all axes backwards and in another order", Way::scan, "a.nii",
@@ -238,7 +238,7 @@ std::vector<Input> nifti_inputs() {
          }),
          "loaded", ""},
         {"NIfTI, a scale of 0, which means none", Way::scan, "a.nii",
-         nifti([](Nifti& n) { n.real(112, 0).real(116, 77); }), "loaded", ""},
+         nifti([](Nifti& n) { n.real(112, 0).real(116, 77); }), "loaded W0673", "`scl_inter` is 77"},
         {"NIfTI, a scale that is no number", Way::scan, "a.nii", nifti([=](Nifti& n) { n.with(112, nan); }), "E0622",
          "`scl_slope` or `scl_inter`"},
         {"NIfTI, doubles", Way::scan, "a.nii", nifti([](Nifti& n) { n.of<double>(64); }), "loaded", ""},
@@ -269,7 +269,7 @@ std::vector<Input> nifti_inputs() {
          },
          "E0621", "no format that can be read"},
         {"NIfTI, the header of a pair under another name", Way::scan, "a.nii", nifti([](Nifti& n) { n.magic("ni1"); }),
-         "E0622", "with its voxels in it"},
+         "E0622", "the header of a pair"},
         {"NIfTI, metres", Way::scan, "a.nii", nifti([](Nifti& n) {
              n.with<char>(123, 1).sform(n.layout, 1e-3).real(80, 1e-3).real(84, 1.5e-3).real(88, 2e-3);
          }),
@@ -304,7 +304,8 @@ std::vector<Input> nifti_inputs() {
         {"NIfTI, plain under the name of gzip", Way::scan, "a.nii.gz", file("a.nii.gz", [] { return Nifti().bytes(); }),
          "E0622", "no gzip file"},
         {"NIfTI, gzip of 0.4 MB that unpacks to 400 MB", Way::scan, "a.nii.gz",
-         file("a.nii.gz", [] { return gzipped(Nifti().bytes() + std::string(400u << 20, '\0')); }), "loaded", ""},
+         file("a.nii.gz", [] { return gzipped(Nifti().bytes() + std::string(400u << 20, '\0')); }), "loaded W0673",
+         "more than the"},
         {"NIfTI, cut short", Way::scan, "a.nii", file("a.nii", [] { return cut(Nifti().bytes(), 1); }), "E0626",
          "the header promises"},
         {"NIfTI, empty", Way::scan, "a.nii", file("a.nii", [] { return std::string(); }), "E0626", "0 bytes"},
@@ -312,7 +313,7 @@ std::vector<Input> nifti_inputs() {
          nifti([](Nifti& n) { n.word(42, 4000).word(44, 4000).word(46, 4000); }), "E0624", "512 million"},
         {"NIfTI, a negative size", Way::scan, "a.nii", nifti([](Nifti& n) { n.word(44, -20); }), "E0624", "2 … 4096"},
         {"NIfTI, colours", Way::scan, "a.nii", nifti([](Nifti& n) { n.word(70, 128).word(72, 24); }), "E0625",
-         "voxel type 128"},
+         "is 128: colours"},
         {"NIfTI, bits that do not fit the type", Way::scan, "a.nii", nifti([](Nifti& n) { n.word(72, 32); }), "E0622",
          "`bitpix` is 32"},
         {"NIfTI, voxels that begin in the header", Way::scan, "a.nii", nifti([](Nifti& n) { n.real(108, 0); }), "E0622",
@@ -323,7 +324,8 @@ std::vector<Input> nifti_inputs() {
          }),
          "loaded", ""},
         {"NIfTI, more bytes than voxels", Way::scan, "a.nii",
-         nifti([](Nifti& n) { n.data = voxels<std::int16_t>({}) + std::string(5000, 'x'); }), "loaded", ""},
+         nifti([](Nifti& n) { n.data = voxels<std::int16_t>({}) + std::string(5000, 'x'); }), "loaded W0673",
+         "5000 bytes more"},
         {"NIfTI, a capital ending", Way::scan, "A.NII", file("A.NII", [] { return Nifti().bytes(); }), "loaded", ""},
         {"NIfTI, a name with blanks and letters of many sorts", Way::scan, "ein Wirbel – ärztlich 骨.nii",
          file("ein Wirbel – ärztlich 骨.nii", [] { return Nifti().bytes(); }), "loaded", ""},
@@ -385,6 +387,18 @@ Make nrrd(const std::function<void(Nrrd&)>& change, const Nrrd& from = Nrrd(), c
     };
 }
 
+/// A header without an empty line at its end, its voxels and some more bytes beside it.
+Make detached(const std::string& more) {
+    return [=](const std::string& folder) {
+        Nrrd n;
+        write_file_of(folder + "/a.raw", n.data + more);
+        n.data.clear();
+        n.set("data file", "a.raw");
+        const std::string header = n.bytes();
+        write_file_of(folder + "/a.nhdr", header.substr(0, header.size() - 1));
+    };
+}
+
 /// What 3D Slicer calls a segmentation: labels of the bone in one layer, something else in another.
 Make segmentation(const std::function<void(Nrrd&)>& change) {
     return [=](const std::string& folder) {
@@ -424,7 +438,7 @@ std::vector<Input> nrrd_inputs() {
         {"NRRD, LAS by its short name", Way::scan, "a.nrrd", nrrd(nothing, Nrrd({}, "LAS", 1, -1)), "loaded", ""},
         {"NRRD, no space", Way::scan, "a.nrrd", set("space", ""), "E0622", "no `space`"},
         {"NRRD, a space without a patient", Way::scan, "a.nrrd", set("space", "scanner-xyz"), "E0627",
-         "left from right"},
+         "left and right cannot be told apart"},
         {"NRRD, left-handed and in another order", Way::scan, "a.nrrd",
          nrrd(nothing, Nrrd(standard().flipped(1).ordered(0, 2, 1))), "loaded", ""},
         {"NRRD, sheared", Way::scan, "a.nrrd",
@@ -445,14 +459,16 @@ std::vector<Input> nrrd_inputs() {
          "E0626", "does not end"},
         {"NRRD, voxels cut short", Way::scan, "a.nrrd", file("a.nrrd", [] { return cut(Nrrd().bytes(), 1); }), "E0626",
          "promises"},
-        {"NRRD, voxels in another file", Way::scan, "a.nrrd", nrrd([](Nrrd& n) { n.set("data file", "a.raw"); }),
-         "E0622", "another file"},
-        {"NRRD, a detached header", Way::scan, "a.nhdr",
-         nrrd([](Nrrd& n) { n.set("data file", "a.raw"); }, Nrrd(), "a.nhdr"), "E0621", ".nrrd"},
+        {"NRRD, voxels in another file that is missing", Way::scan, "a.nrrd",
+         nrrd([](Nrrd& n) { n.set("data file", "a.raw"); }), "E0620", "no such file"},
+        {"NRRD, a detached header", Way::scan, "a.nhdr", detached(""), "loaded", ""},
+        {"NRRD, a detached header, more bytes than voxels", Way::scan, "a.nhdr", detached("x"), "E0626",
+         "1 bytes more"},
         {"NRRD, voxels in a file outside the folder", Way::scan, "a.nrrd",
-         nrrd([](Nrrd& n) { n.set("datafile", "../../../../etc/passwd"); }), "E0622", "another file"},
+         nrrd([](Nrrd& n) { n.set("datafile", "../../../../etc/passwd"); }), "E0622", "beside the header"},
         {"NRRD, a byte skip", Way::scan, "a.nrrd",
-         nrrd([](Nrrd& n) { n.set("byte skip", "-1").data = std::string(64, 'x') + n.data; }), "E0622", "byte skip"},
+         nrrd([](Nrrd& n) { n.set("byte skip", "-1").data = std::string(64, 'x') + n.data; }), "loaded", ""},
+        {"NRRD, a line skip", Way::scan, "a.nrrd", set("line skip", "1"), "E0622", "line skip"},
         {"NRRD, fewer sizes than dimensions", Way::scan, "a.nrrd", set("sizes", "24 20"), "E0622", "`dimension`"},
         {"NRRD, a size of words", Way::scan, "a.nrrd", set("sizes", "24 20 sixteen"), "E0622", "sizes"},
         {"NRRD, a size that no number holds", Way::scan, "a.nrrd", set("sizes", "24 20 99999999999999999999"), "E0622",
@@ -460,8 +476,7 @@ std::vector<Input> nrrd_inputs() {
         {"NRRD, four dimensions of points in time", Way::scan, "a.nrrd",
          nrrd([](Nrrd& n) { n.set("dimension", "4").set("sizes", "24 20 16 2").data += n.data; }), "E0623",
          "must have 3"},
-        {"NRRD, micrometres", Way::scan, "a.nrrd", set("space units", "\"um\" \"um\" \"um\""), "E0627",
-         "`space units`"},
+        {"NRRD, inches", Way::scan, "a.nrrd", set("space units", "\"in\" \"in\" \"in\""), "E0627", "`space units`"},
         {"NRRD, a decimal comma", Way::scan, "a.nrrd", set("space origin", "(-11,5,-14,0,-15,0)"), "E0627", "one"},
         {"NRRD, a direction that is no number", Way::scan, "a.nrrd",
          set("space directions", "(nan,0,0) (0,1.5,0) (0,0,2)"), "E0627", "must be 0.001 mm"},
@@ -557,7 +572,7 @@ std::vector<Input> meta_inputs() {
              m.data = deflated(m.data);
              m.set("CompressedData", "True").set("CompressedDataSize", "99999999999");
          }),
-         "loaded", ""},
+         "loaded W0673", "`CompressedDataSize` is 99999999999"},
         {"MetaImage, compressed and cut short", Way::scan, "a.mha", meta([](Meta& m) {
              m.data = cut(deflated(m.data), 600);
              m.set("CompressedData", "True");
@@ -576,8 +591,8 @@ std::vector<Input> meta_inputs() {
          "`TransformMatrix`"},
         {"MetaImage, no spacing", Way::scan, "a.mha", set("ElementSpacing", ""), "E0622", "no `elementspacing`"},
         {"MetaImage, a spacing of 0", Way::scan, "a.mha", set("ElementSpacing", "1 0 2"), "E0627", "above 0 mm"},
-        {"MetaImage, directions in one plane", Way::scan, "a.mha", set("TransformMatrix", "1 0 0 0 1 0 1 1 0"), "E0627",
-         "one plane"},
+        {"MetaImage, directions in one plane", Way::scan, "a.mha", set("TransformMatrix", "1 0 0 0 1 0 0.6 0.8 0"),
+         "E0627", "one plane"},
         {"MetaImage, two dimensions", Way::scan, "a.mha",
          meta([](Meta& m) { m.set("NDims", "2").set("DimSize", "24 20"); }), "E0623", "must have 3"},
         {"MetaImage, colours", Way::scan, "a.mha", set("ElementNumberOfChannels", "3"), "E0623", "3 numbers per voxel"},

@@ -242,6 +242,10 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              procedure.replace(procedure.find("{depth: 12 mm}"), 14, "{depth: 12 mm, medial: 2 mm}");
              write(folder + "/E0505.yaml", procedure);
          }},
+        {619, [](const std::string& folder) {
+             write_anatomy(folder, 619, "{image: scan.mha, threshold: 0}");
+             std::filesystem::create_symlink("/dev/null", folder + "/scan.mha");
+         }},
         {621, [](const std::string& folder) {
              write(folder + "/scan.jpg", "no image");
              write_anatomy(folder, 621, "{image: scan.jpg, threshold: 0}");
@@ -271,7 +275,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              write_anatomy(folder, 630, "{image: scan.mha, threshold: 0, labels: {file: labels.mha, keep: [1000]}}");
          }},
         {631, scan_with(631, "Offset", "400 400 400")},
-        {632, scan_with(632, "TransformMatrix", "1 0 0 0.5 1 0 0.5 0.5 1")},
+        {632, scan_with(632, "TransformMatrix", "1 0 0 0.6 0.8 0 0.48 0.64 0.6")},
         {633, scan_with(633, "Offset", "-12 -12 -16", "{image: scan.mha, threshold: 3000}")},
         {634, [](const std::string& folder) {
              Scan().write_to(folder + "/scan.mha");
@@ -281,6 +285,16 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              Scan().write_to(folder + "/scan.mha");
              Scan().write_to(folder + "/labels.mha");
              write_anatomy(folder, 635, "{image: scan.mha, threshold: 0, labels: {file: labels.mha, keep: [L3]}}");
+         }},
+        {636, [](const std::string& folder) {
+             Scan().write_to(folder + "/scan.mha");
+             std::string header = "NRRD0005\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\n"
+                                  "sizes: 24 24 32\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n"
+                                  "space origin: (-12,-12,-16)\n";
+             for (const char* n : {"0", "1"})
+                 header += std::string("Segment") + n + "_Name:=bone\nSegment" + n + "_LabelValue:=" + (*n == '0' ? "3" : "4") + "\nSegment" + n + "_Layer:=0\n";
+             write(folder + "/labels.seg.nrrd", header + "\n" + std::string(24 * 24 * 32, '\3'));
+             write_anatomy(folder, 636, "{image: scan.mha, threshold: 0, labels: {file: labels.seg.nrrd, keep: [bone]}}");
          }},
         {640, [](const std::string& folder) {
              surface(640, "")(folder);
@@ -303,6 +317,7 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
         {651, surface(651, moebius_strip())},
         {652, surface(652, Surface().cube(20, 500, 0, 0).text)},
         {653, surface(653, Surface().cube(20, 0, 0, 0).cube(5, 5, 5, 5).text)},
+        {654, surface(654, "# SPACE=RAS\n" + Surface().cube(20, 0, 0, 0).text)},
         {655, surface(655, Surface().cube(20, 0, 0, 0).box(12, 1, 0, 0, 12).text)},
         {658, surface(658, Surface().cube(20, 0, 0, 0).box(0.6, 0.4, 0, 0, 12).text)},
         {707, [](const std::string& folder) {
@@ -365,6 +380,10 @@ const std::map<int, std::function<void(const std::string&)>>& makers_of_input() 
              all.write_to(folder + "/scan");
              write_anatomy(folder, 675, "{image: scan, threshold: 1024}");
          }},
+        {676, slices(676, [](Slices& all) {
+             for (std::size_t n = 0; n < all.files.size(); ++n) all.files[n].text(tag::acquisition, "IS", n % 2 == 0 ? "1" : "2");
+         })},
+        {677, slices(677, [](Slices& all) { for (DicomWriter& file : all.files) file.text(tag::acquisition, "IS", "1"); }, ", acquisition: 2")},
         {680, markups(680, "{}")},
         {681, markups(681, R"({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "entry", "position": [0, 0, 10]}]}]})")},
         {682, markups(682, R"({"markups": [{"type": "Angle", "coordinateSystem": "LPS", "controlPoints": []}]})")},

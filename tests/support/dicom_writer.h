@@ -140,13 +140,13 @@ namespace tag {
 inline constexpr DicomWriter::Tag image_type = 0x00080008, sop_class = 0x00080016, sop_instance = 0x00080018,
                                   modality = 0x00080060, patient_name = 0x00100010, gantry_tilt = 0x00181120,
                                   study = 0x0020000d, series = 0x0020000e, series_number = 0x00200011,
-                                  instance = 0x00200013, position = 0x00200032, orientation = 0x00200037,
-                                  frame_of_reference = 0x00200052, samples = 0x00280002, photometric = 0x00280004,
-                                  frames = 0x00280008, rows = 0x00280010, columns = 0x00280011,
-                                  pixel_spacing = 0x00280030, bits_allocated = 0x00280100, bits_stored = 0x00280101,
-                                  high_bit = 0x00280102, representation = 0x00280103, padding = 0x00280120,
-                                  intercept = 0x00281052, slope = 0x00281053, lossy = 0x00282110,
-                                  pixel_data = 0x7fe00010;
+                                  acquisition = 0x00200012, instance = 0x00200013, position = 0x00200032,
+                                  orientation = 0x00200037, frame_of_reference = 0x00200052, samples = 0x00280002,
+                                  photometric = 0x00280004, frames = 0x00280008, rows = 0x00280010,
+                                  columns = 0x00280011, pixel_spacing = 0x00280030, bits_allocated = 0x00280100,
+                                  bits_stored = 0x00280101, high_bit = 0x00280102, representation = 0x00280103,
+                                  padding = 0x00280120, padding_limit = 0x00280121, intercept = 0x00281052,
+                                  slope = 0x00281053, lossy = 0x00282110, pixel_data = 0x7fe00010;
 }  // namespace tag
 
 /// A CT slice with everything that a reader needs: `values` are HU, stored as HU + 1024.

@@ -9,6 +9,9 @@
 #include <exception>
 #include <fstream>
 #include <system_error>
+#include <vector>
+
+#include "core/procedure/regular_file.h"
 
 namespace kerf {
 namespace {
@@ -19,6 +22,7 @@ constexpr int most_nested = 16;
 constexpr int most_elements = 100'000;
 constexpr std::uint32_t most_kept = 1024;  // [bytes] of a value that may be asked for
 constexpr std::uint32_t item = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd;
+constexpr const char *implicit_little = "1.2.840.10008.1.2", *explicit_little = "1.2.840.10008.1.2.1";
 constexpr std::uint32_t transfer_syntax = 0x00020010, pixel_data = 0x7fe00010;
 
 struct Fault {
@@ -28,7 +32,7 @@ struct Fault {
 /// The file as bytes that must be there.
 class Bytes {
 public:
-    explicit Bytes(const std::string& file) : in_(file, std::ios::binary) {
+    explicit Bytes(const std::string& file) : in_(open_regular_file(file)) {
         in_.seekg(0, std::ios::end);
         const auto end = in_.tellg();
         size_ = in_ && end > 0 ? static_cast<std::uint64_t>(end) : 0;
@@ -119,6 +123,7 @@ Element next_element(Bytes& bytes, Encoding encoding) {
 /// What a walk finds.
 struct Found {
     std::map<std::uint32_t, std::string>& values;
+    std::vector<std::uint32_t>& tags;
     DicomElements& file;
 };
 
@@ -133,6 +138,7 @@ public:
             const Element e = counted(encoding);
             if (e.tag <= last) throw Fault{"its elements are out of order"};
             last = e.tag;
+            found_.tags.push_back(e.tag);
             if (e.tag == pixel_data) return voxels(e, encoding);
             if ((e.tag >> 16) % 2 != 0) ++found_.file.private_elements;
             const bool is_sequence =
@@ -255,33 +261,58 @@ std::string transfer_syntax_of(Bytes& bytes) {
     return syntax;
 }
 
+/// How a file without a preamble is encoded: those begin with their first group of elements. Empty: this is none.
+std::string encoding_without_preamble(Bytes& bytes) {
+    if (bytes.left() < 8) return {};
+    const auto head = bytes.peek<8>();
+    const std::uint32_t group = bits(head.data(), 2, false), element = bits(head.data() + 2, 2, false);
+    const auto is_capital = [](unsigned char c) { return c >= 'A' && c <= 'Z'; };
+    const bool names_its_sort = is_capital(head[4]) && is_capital(head[5]);
+    if (group == 2 && names_its_sort) return transfer_syntax_of(bytes);
+    if (group != 8 || element > 0x60) return {};
+    if (!names_its_sort && bits(head.data() + 4, 4, false) > bytes.left() - 8) return {};
+    return names_its_sort ? explicit_little : implicit_little;
+}
+
+bool begins_with_preamble(Bytes& bytes) {
+    if (bytes.left() < preamble + 4) return false;
+    return std::memcmp(bytes.peek<preamble + 4>().data() + preamble, "DICM", 4) == 0;
+}
+
 }  // namespace
 
 DicomElements read_dicom_elements(const std::string& file, const NestedDicomElement& nested) {
     DicomElements elements;
+    bool has_preamble = false;
     try {
         Bytes bytes(file);
-        if (bytes.left() < preamble + 4) return elements;
-        bytes.skip(preamble);
-        const auto word = bytes.take<4>();
-        if (std::memcmp(word.data(), "DICM", 4) != 0) return elements;
-        elements.is_dicom = true;
-        elements.encoding = transfer_syntax_of(bytes);
-        constexpr const char *implicit = "1.2.840.10008.1.2", *big = "1.2.840.10008.1.2.2",
-                             *deflated = "1.2.840.10008.1.2.1.99";
+        has_preamble = elements.is_dicom = begins_with_preamble(bytes);
+        if (has_preamble) bytes.skip(preamble + 4);
+        elements.encoding = has_preamble ? transfer_syntax_of(bytes) : encoding_without_preamble(bytes);
+        if (elements.encoding.empty()) return elements;
+        constexpr const char *big = "1.2.840.10008.1.2.2", *deflated = "1.2.840.10008.1.2.1.99";
         if (elements.encoding == deflated) {
+            elements.is_dicom = true;
             elements.has_voxels = true;  // somewhere in there
             return elements;
         }
         elements.is_big_endian = elements.encoding == big;
-        Walk(bytes, {elements.values_, elements}, nested)
-            .dataset({.is_big = elements.is_big_endian, .is_explicit = elements.encoding != implicit});
+        Walk(bytes, {elements.values_, elements.tags_, elements}, nested)
+            .dataset({.is_big = elements.is_big_endian, .is_explicit = elements.encoding != implicit_little});
     } catch (const Fault& fault) {
         elements.fault = fault.what;
     } catch (const std::exception&) {
         elements.fault = "it cannot be read";
     }
-    return elements;
+    if (has_preamble) return elements;
+    // Without a preamble other files may begin alike: what makes a slice must be there.
+    elements.is_dicom = elements.text(0x0008, 0x0016).starts_with("1.2.840.10008.") ||
+                        (elements.has_voxels && elements.has(0x0028, 0x0010));
+    return elements.is_dicom ? elements : DicomElements();
+}
+
+bool DicomElements::has(std::uint16_t group, std::uint16_t element) const {
+    return std::binary_search(tags_.begin(), tags_.end(), std::uint32_t{group} << 16 | element);
 }
 
 std::string DicomElements::text(std::uint16_t group, std::uint16_t element) const {

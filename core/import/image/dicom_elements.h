@@ -19,7 +19,7 @@ public:
         std::uint64_t offset = 0, size = 0;  ///< [bytes] in the file
     };
 
-    bool is_dicom = false;  ///< the word DICM stands where it should
+    bool is_dicom = false;  ///< by the word DICM; or, in a file without a preamble, by its first group and its class
     std::string fault;      ///< why the elements cannot be as they say; empty: they can
     std::string encoding;   ///< UID of the transfer syntax
     bool is_big_endian = false;
@@ -28,6 +28,9 @@ public:
     std::vector<Piece> voxels;         ///< one, or all fragments
     std::size_t private_elements = 0;  ///< of manufacturers: nobody else knows what they hold
     std::size_t sequences = 0;  ///< elements with elements in them, which are passed over unless somebody asks for them
+
+    /// Whether the element is there at all, whatever it holds.
+    [[nodiscard]] bool has(std::uint16_t group, std::uint16_t element) const;
 
     /// Without the blanks around it; empty if it is not there.
     [[nodiscard]] std::string text(std::uint16_t group, std::uint16_t element) const;
@@ -45,6 +48,7 @@ private:
     friend DicomElements read_dicom_elements(const std::string& file,
                                              const std::function<void(std::uint32_t, const std::string*)>& nested);
     std::map<std::uint32_t, std::string> values_;
+    std::vector<std::uint32_t> tags_;  ///< of all elements, in their order
 };
 
 /// What is to be done with an element within a sequence: its group and number, and its bytes; none if they are too many

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/import/image/dicom_codec.h"
 #include "core/import/image/dicom_elements.h"
+#include "core/procedure/regular_file.h"
 
 namespace kerf {
 namespace {
@@ -59,7 +61,19 @@ void read_place(const DicomElements& of, DicomSlice& slice) {
     if (length(slice.origin) > 100.0) throw Trouble{"its position is more than 100 m away"};
     for (const double s : {slice.between_rows, slice.between_columns})
         if (!(s >= least_spacing && s <= most_spacing)) throw Trouble{"its pixel spacing is outside 0.001 mm … 100 mm"};
+    if (const auto ratio = of.numbers(0x0028, 0x0034);
+        ratio.size() == 2 &&
+        std::abs(ratio[0] * spacing[1] - ratio[1] * spacing[0]) > 1e-2 * std::abs(ratio[0] * spacing[1]))
+        throw Trouble{"its pixel spacing (0028,0030) and aspect ratio (0028,0034) differ"};
+    if (const auto step = of.number(0x0018, 0x0088)) slice.between_slices = 1e-3 * std::abs(*step);
     if (const auto tilt = of.number(0x0018, 0x1120)) slice.tilt = *tilt * 3.14159265358979323846 / 180.0;
+}
+
+/// One value (0028,0120), or all from it to another one (0028,0121), whichever is the smaller.
+void read_padding(const DicomElements& of, DicomSlice& slice) {
+    const auto one = of.word(0x0028, 0x0120, slice.is_signed), other = of.word(0x0028, 0x0121, slice.is_signed);
+    if (other && !one) throw Trouble{"it has a limit of padding (0028,0121) without its value (0028,0120)"};
+    if (one) slice.padding = {std::min(*one, other.value_or(*one)), std::max(*one, other.value_or(*one))};
 }
 
 void read_values(const DicomElements& of, DicomSlice& slice) {
@@ -85,7 +99,8 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     if (!has_bits) throw Trouble{"its bits per pixel are not 8, 16 or 32, or do not fit together"};
     const std::uint64_t need = static_cast<std::uint64_t>(slice.rows) * static_cast<std::uint64_t>(slice.columns) *
                                static_cast<std::uint64_t>(slice.bits_allocated / 8);
-    if (!of.is_encapsulated && of.voxels.front().size < need)
+    const std::uint64_t odd = need % 2;  // a value has an even length
+    if (!of.is_encapsulated && (of.voxels.front().size < need || of.voxels.front().size > need + odd))
         throw Trouble{"it has " + std::to_string(of.voxels.front().size) + " bytes of pixels, its size needs " +
                       std::to_string(need)};
     slice.encoding = of.encoding;
@@ -103,7 +118,9 @@ void read_values(const DicomElements& of, DicomSlice& slice) {
     if (slice.slope == 0.0) throw Trouble{"its rescale slope (0028,1053) is 0"};
     if (std::abs(slice.slope) > most_scale || std::abs(slice.intercept) > most_scale)
         throw Trouble{"its rescale slope (0028,1053) or intercept (0028,1052) is beyond 1000000000"};
-    slice.padding = of.word(0x0028, 0x0120, slice.is_signed);
+    read_padding(of, slice);
+    // Values through a table are no line of the stored ones.
+    if (of.has(0x0028, 0x3000)) throw Trouble{"its values come out of a table (0028,3000), which is not read"};
 }
 
 void read_sort(const DicomElements& of, DicomSlice& slice) {
@@ -111,6 +128,18 @@ void read_sort(const DicomElements& of, DicomSlice& slice) {
     slice.frame_of_reference = of.text(0x0020, 0x0052);
     slice.series_number = whole(of.number(0x0020, 0x0011));
     slice.instance = whole(of.number(0x0020, 0x0013));
+    slice.acquisition = whole(of.number(0x0020, 0x0012));
+    // Temporal position, echo, voltage, kernel; a blank between them, as none holds two.
+    for (const auto& [group, element] :
+         {std::pair{0x0020, 0x0100}, {0x0018, 0x0086}, {0x0018, 0x0060}, {0x0018, 0x1210}})
+        slice.pass += of.text(static_cast<std::uint16_t>(group), static_cast<std::uint16_t>(element)) + "  ";
+    for (const auto& [group, element] : {std::pair{0x0008, 0x0022}, {0x0008, 0x0032}, {0x0008, 0x002a}})
+        slice.acquired_at += of.text(static_cast<std::uint16_t>(group), static_cast<std::uint16_t>(element)) + "  ";
+    const std::string values = of.text(0x0028, 0x1054);
+    if (values.size() <= 16 && std::all_of(values.begin(), values.end(), [&](char c) {
+            return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        }))
+        slice.values = values;
     const std::string modality = of.text(0x0008, 0x0060);
     const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
     if (modality.size() == 2 && std::all_of(modality.begin(), modality.end(), is_capital)) slice.modality = modality;
@@ -138,7 +167,7 @@ std::string bytes_of(std::ifstream& in, const DicomElements::Piece& piece, std::
 
 /// Pixels as rows × columns × bits_allocated / 8 bytes, least significant first.
 std::vector<char> raw_pixels(const DicomSlice& slice) {
-    std::ifstream in(slice.file, std::ios::binary);
+    std::ifstream in = open_regular_file(slice.file);
     if (slice.is_compressed) {
         std::vector<std::string> fragments;
         for (std::size_t n = 1; n < slice.voxels.size(); ++n)
@@ -170,7 +199,9 @@ std::vector<float> decoded(const DicomSlice& slice) {
         const double scaled = slice.slope * (slice.is_signed ? static_cast<double>(value)
                                                              : static_cast<double>(static_cast<std::uint32_t>(value))) +
                               slice.intercept;
-        values[at] = slice.padding == value ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(scaled);
+        // Unsigned values of 32 bits may look negative here; padding has 16 at most.
+        const bool is_padding = slice.padding && value >= slice.padding->least && value <= slice.padding->most;
+        values[at] = is_padding ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(scaled);
     }
     return values;
 }

@@ -6,8 +6,13 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "core/import/image/acquisitions.h"
 #include "core/import/import_report.h"
+#include "core/procedure/printable.h"
 
 namespace kerf {
 namespace {
@@ -65,18 +70,38 @@ std::string offer_of(const Group& group) {
     return text;
 }
 
+/// The first few of a list, and how many are left out.
+std::string listed(const std::vector<std::string>& all, const char* others) {
+    constexpr std::size_t most = 6;
+    std::string text;
+    for (std::size_t n = 0; n < std::min(most, all.size()); ++n) text += (n > 0 ? "; " : "") + all[n];
+    if (all.size() > most) text += "; and " + std::to_string(all.size() - most) + " more " + others;
+    return text;
+}
+
+/// The largest first; without a volume in any of them no choice helps.
 const Group& chosen(const std::vector<Group>& groups, const std::string& name) {
-    std::string offers;
-    for (const Group& group : groups) offers += (offers.empty() ? "" : "; ") + offer_of(group);
-    if (name.empty()) {
-        if (groups.size() == 1) return groups.front();
-        throw Refusal{"E0661", "the folder holds " + std::to_string(groups.size()) + " series: " + offers +
-                                   ". Choose one: write `ct.series: " + groups.front().name + "`, or `--series " +
-                                   groups.front().name + "`."};
-    }
+    if (name.empty() && groups.size() == 1) return groups.front();
+    std::vector<const Group*> sorted;
+    for (const Group& group : groups) sorted.push_back(&group);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Group* a, const Group* b) { return a->headers.size() > b->headers.size(); });
+    std::vector<std::string> offers;
+    for (const Group* group : sorted) offers.push_back(offer_of(*group));
+    const std::string series = counted(groups.size(), "series", "series");
+    if (name.empty() && sorted.front()->headers.size() < 2)
+        throw Refusal{"E0661", "the folder holds " + series +
+                                   " of one slice each, and a volume needs at least 2: " + listed(offers, "series") +
+                                   ". Export the slices of a volume as one series; careless anonymising gives each "
+                                   "file a series UID (0020,000e) of its own."};
+    if (name.empty())
+        throw Refusal{"E0661", "the folder holds " + series + ": " + listed(offers, "series") +
+                                   ". Choose one: write `ct.series: " + sorted.front()->name + "`, or `--series " +
+                                   sorted.front()->name + "`."};
     for (const Group& group : groups)
         if (group.name == name) return group;
-    throw Refusal{"E0662", "the folder has no series `" + name + "`. Choose one that it holds: " + offers + "."};
+    throw Refusal{"E0662", "the folder has no series `" + excerpt(name) +
+                               "`. Choose one that it holds: " + listed(offers, "series") + "."};
 }
 
 /// A frame of reference of its own in every slice, as some anonymisers leave it: it tells nothing.
@@ -135,6 +160,45 @@ std::string place_of(const SliceStack& stack, std::size_t slice) {
     return x >= y ? "x " + millimetres(at.x) + " mm" : "y " + millimetres(at.y) + " mm";
 }
 
+std::string offer_of(const Acquisition& one) {
+    return "`" + one.name + "`: " + counted(one.slices.size(), "slice", "slices") + ", " + millimetres(one.low) +
+           " … " + millimetres(one.high) + " mm along their normal";
+}
+
+/// Leaves the slices of one acquisition. Several are one volume only where each has a part of the patient of its own.
+void choose_acquisition(DicomSeries& series, const std::string& name, const std::string& folder,
+                        Diagnostics& diagnostics) {
+    const std::vector<Acquisition> all = acquisitions_of(series.slices);
+    std::vector<std::string> offers;
+    for (const Acquisition& one : all) offers.push_back(offer_of(one));
+    if (!name.empty()) {
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Acquisition& a) { return a.name == name; });
+        if (found == all.end())
+            throw Refusal{"E0677", "the series has no acquisition `" + excerpt(name) +
+                                       "`. Choose one that it holds: " + listed(offers, "acquisitions") + "."};
+        std::vector<DicomSlice> kept;
+        for (const std::size_t n : found->slices) kept.push_back(series.slices[n]);
+        series.slices = std::move(kept);
+        series.notes.push_back("Of " + counted(all.size(), "acquisition", "acquisitions") + " in the series `" + name +
+                               "` was taken.");
+        return;
+    }
+    if (all.size() == 1) return;
+    const Acquisition& largest = *std::max_element(
+        all.begin(), all.end(), [](const auto& a, const auto& b) { return a.slices.size() < b.slices.size(); });
+    if (do_overlap(all))
+        throw Refusal{"E0676", "the series holds " + std::to_string(all.size()) +
+                                   " acquisitions of the same part of the patient: " + listed(offers, "acquisitions") +
+                                   ". Choose one: write `ct.acquisition: " + largest.name + "`, or `--acquisition " +
+                                   largest.name + "`."};
+    const std::string message = "The slices are of " + std::to_string(all.size()) +
+                                " acquisitions one behind the other: " + listed(offers, "acquisitions") +
+                                ". They were joined; the patient may have moved between them.";
+    series.notes.push_back(message);
+    // A scanner that stops for every slice, or every few, numbers each stop.
+    if (largest.slices.size() > 1) diagnostics.push_back(warning_about(folder, "W0673", message));
+}
+
 void check_places(const DicomSeries& series, bool may_resample) {
     const StackShape& shape = series.shape;
     if (shape.repeated > 0) {
@@ -153,7 +217,7 @@ void check_places(const DicomSeries& series, bool may_resample) {
         for (std::size_t g = 0; g < std::min<std::size_t>(3, shape.gaps.size()); ++g)
             where += (g > 0 ? ", " : "") + millimetres(shape.gaps[g].width) + " mm behind " +
                      place_of(series.stack, shape.gaps[g].behind);
-        if (shape.gaps.size() > 3) where += " …";
+        if (shape.gaps.size() > 3) where += " and " + std::to_string(shape.gaps.size() - 3) + " more";
         throw Refusal{"E0665", "slices are missing: they lie " + millimetres(shape.distance) + " mm apart, but " +
                                    counted(shape.gaps.size(), "gap is", "gaps are") + " wider: " + where +
                                    ". Export them all; or, to fill gaps between their neighbours, write "
@@ -192,6 +256,14 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
         tell("W0673", "The header tells of a gantry tilt of " + rounded(*first.tilt / degree, 1) +
                           " deg, the positions of the slices of " + rounded(shape.tilt / degree, 1) +
                           " deg. The positions were believed.");
+    if (first.between_slices && *first.between_slices > 0.0 &&
+        std::abs(*first.between_slices - shape.distance) > 0.05 * shape.distance)
+        tell("W0673", "The header tells of " + millimetres(*first.between_slices) +
+                          " mm between slices (0018,0088), their positions of " + millimetres(shape.distance) +
+                          " mm. The positions were believed.");
+    if (first.modality == "CT" && !first.values.empty() && first.values != "HU")
+        tell("W0673", "The header tells that the values are `" + first.values +
+                          "` (0028,1054), not HU. Give a threshold in them, and `ct.intensity: grey`.");
     if (first.modality != "CT")
         tell("W0673", "The series is no CT" + (first.modality.empty() ? "" : " but " + first.modality) +
                           ": its values are no HU. Give a threshold in its own values, and `ct.intensity: grey`.");
@@ -213,20 +285,24 @@ void note_shape(DicomSeries& series, const std::string& folder, Diagnostics& dia
 DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& choice, const std::string& folder,
                    Diagnostics& diagnostics) {
     std::vector<const DicomHeader*> slices;
-    std::size_t damaged = 0, others = 0;
+    std::size_t damaged = 0, others = 0, no_dicom = 0;
     const DicomHeader* first_damaged = nullptr;
     for (const DicomHeader& header : headers) {
         if (header.kind == DicomHeader::Kind::slice) slices.push_back(&header);
         if (header.kind == DicomHeader::Kind::other || header.kind == DicomHeader::Kind::no_slice) ++others;
+        if (header.kind == DicomHeader::Kind::other) ++no_dicom;
         if (header.kind == DicomHeader::Kind::damaged && ++damaged == 1) first_damaged = &header;
     }
     if (damaged > 0)
         throw Refusal{"E0668", counted(damaged, "file is", "files are") +
                                    " damaged; of the first: " + first_damaged->trouble + ". Copy the folder again."};
+    if (slices.empty() && headers.empty())
+        throw Refusal{"E0660", "the folder is empty. Name the folder with the DICOM files."};
     if (slices.empty())
-        throw Refusal{"E0660", headers.empty() ? "the folder is empty. Name the folder with the DICOM files."
-                                               : "none of the folder's " + counted(headers.size(), "file", "files") +
-                                                     " is a DICOM slice. Name the folder with the DICOM files."};
+        throw Refusal{"E0660", "none of the folder's " + counted(headers.size(), "file", "files") +
+                                   " is a DICOM slice: " + counted(no_dicom, "is no DICOM file", "are no DICOM files") +
+                                   ", " + counted(headers.size() - no_dicom, "holds no image", "hold no image") +
+                                   ". Name the folder with the DICOM files."};
     const std::vector<Group> groups = groups_of(slices);
     const Group& group = chosen(groups, choice.name);
 
@@ -245,6 +321,9 @@ DicomSeries judged(const std::vector<DicomHeader>& headers, const SeriesChoice& 
         throw Refusal{"E0669",
                       "the series has one slice, a volume needs at least 2. Name the folder with all of them."};
     check_alike(series.slices);
+    choose_acquisition(series, choice.acquisition, folder, diagnostics);
+    if (series.slices.size() < 2)
+        throw Refusal{"E0669", "the acquisition has one slice, a volume needs at least 2. Choose another one."};
     series.stack = stack_of(series.slices);
     series.shape = shape_of(series.stack);
     check_places(series, choice.may_resample);

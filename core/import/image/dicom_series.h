@@ -22,9 +22,12 @@
 ///     E0667  a slice that cannot be used: its header lacks something, or its pixels are no grey values
 ///     E0668  a damaged file
 ///     E0669  too few slices, or too many voxels
+///     E0676  several acquisitions of the same part of the patient, and none was chosen
+///     E0677  no acquisition of that name
 ///     W0671  a tilted gantry: the slices are put straight by resampling
 ///     W0672  uneven distances: resampled
-///     W0673  something to be doubted: no CT, lossy compression, a written tilt that the positions do not have
+///     W0673  something to be doubted: no CT, lossy compression, a written tilt or distance that the positions do not
+///            have, several acquisitions one behind the other
 namespace kerf {
 
 /// One volume, ready to be read.
@@ -37,8 +40,9 @@ struct DicomSeries {
 
 /// What is wanted of a folder that leaves a choice.
 struct SeriesChoice {
-    std::string name;           ///< as E0661 offers it; empty: the only one
-    bool may_resample = false;  ///< across missing slices, or slices that lie beside each other
+    std::string name;              ///< as E0661 offers it; empty: the only one
+    std::string acquisition = {};  ///< as E0676 offers it; empty: the only one
+    bool may_resample = false;     ///< across missing slices, or slices that lie beside each other
 };
 
 /// Sorts by place along the normal, and checks every distance, one orientation, one frame of reference.

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <vector>
 
+#include "core/procedure/regular_file.h"
+
 namespace kerf {
 
 struct PackedBytes::Stream {
@@ -31,7 +33,7 @@ PackedBytes::PackedBytes(const std::string& file, std::uint64_t offset, Packing 
     : stream_(std::make_unique<Stream>()) {
     Stream& s = *stream_;
     s.packing = packing;
-    s.in.open(file, std::ios::binary);
+    s.in = open_regular_file(file);
     s.is_open = static_cast<bool>(s.in) && inflateInit2(&s.unpacker, 15 + 32 /* zlib or gzip */) == Z_OK;
     s.in.seekg(static_cast<std::streamoff>(offset));
 }
@@ -40,6 +42,15 @@ PackedBytes::~PackedBytes() { inflateEnd(&stream_->unpacker); }
 
 bool PackedBytes::is_open() const noexcept { return stream_->is_open; }
 bool PackedBytes::is_damaged() const noexcept { return stream_->is_damaged; }
+
+PackedBytes::End PackedBytes::end() {
+    Stream& s = *stream_;
+    if (s.packing == Packing::none) return s.in.peek() == std::ifstream::traits_type::eof() ? End::sound : End::more;
+    // zlib compares check sum and length when it comes to the end of a piece.
+    char next = 0;
+    const std::uint64_t count = take(&next, 1);
+    return s.is_damaged ? End::damaged : count > 0 ? End::more : s.is_over ? End::sound : End::cut;
+}
 
 std::uint64_t PackedBytes::take(char* into, std::uint64_t count) {
     Stream& s = *stream_;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,10 @@ void append(std::vector<float>& values, const std::vector<char>& bytes, std::siz
         if (header.is_big_endian) std::reverse(std::begin(one), std::end(one));
         Stored stored;
         std::memcpy(&stored, one, sizeof stored);
+        if constexpr (sizeof(Stored) == 8 && std::is_integral_v<Stored>)
+            if (!std::in_range<std::int32_t>(stored) && !std::in_range<std::uint32_t>(stored))
+                throw Refusal{"E0629", "a voxel is " + std::to_string(stored) +
+                                           ", whole numbers must be -2147483648 … 4294967295."};
         values.push_back(static_cast<float>(header.slope * static_cast<double>(stored) + header.intercept));
     }
 }
@@ -64,6 +69,10 @@ void append_row(std::vector<float>& values, const std::vector<char>& bytes, std:
             return as(std::int32_t{});
         case Number::uint32:
             return as(std::uint32_t{});
+        case Number::int64:
+            return as(std::int64_t{});
+        case Number::uint64:
+            return as(std::uint64_t{});
         case Number::float32:
             return as(float{});
         case Number::float64:

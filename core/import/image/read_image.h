@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-/// Reads NIfTI-1 (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd): three dimensions, one number per voxel.
-/// The file is checked by `check_image_file()` first, so that a small file that lies costs no memory.
-/// Error (E062x, codes in core/import/image/image_file.h): nothing is left half-read. Never throws.   [main]
+/// Reads NIfTI-1 (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd): three dimensions, one number per
+/// voxel. The file is checked by `check_image_file()` first, so that a small file that lies costs no memory. Error
+/// (E062x, codes in core/import/image/image_file.h): nothing is left half-read. Never throws.   [main]
 [[nodiscard]] std::optional<VoxelImage> read_image(const std::string& file, Diagnostics& diagnostics);
 
 /// The same of a file whose header is known, and of it only some voxels of one layer. Pre: the range lies in the image.

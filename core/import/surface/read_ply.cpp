@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/import/surface/header_claims.h"
 #include "core/import/surface/polygon.h"
 #include "core/import/surface/read_surface.h"
 #include "core/import/surface/text_lines.h"
@@ -63,6 +64,7 @@ struct Element {
 };
 enum class Form { text, little_endian, big_endian };
 struct Header {
+    SurfaceFile claims;  ///< what its remarks say of the coordinates
     Form form = Form::text;
     std::vector<Element> elements;
     std::string_view data;
@@ -161,7 +163,9 @@ std::optional<Header> read_header(std::string_view bytes, SurfaceError& error) {
             if (!known || property.name.empty()) return refuse("has no known type and name behind `property`.");
             property.type = *known;
             header.elements.back().properties.push_back(std::move(property));
-        } else if (word != "comment" && word != "obj_info" && !word.empty()) {
+        } else if (word == "comment" || word == "obj_info") {
+            if (!read_claims(lines.whole_line(), header.claims, error)) return std::nullopt;
+        } else if (!word.empty()) {
             return refuse("begins with none of PLY's words.");
         }
     }
@@ -186,10 +190,12 @@ std::size_t index_of(const Element& element, std::string_view name) noexcept {
 }  // namespace
 
 std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error) {
-    const std::optional<Header> header = read_header(bytes, error);
+    const auto text = utf8_of(bytes, error);
+    if (!text) return std::nullopt;
+    const std::optional<Header> header = read_header(*text, error);
     if (!header) return std::nullopt;
 
-    SurfaceFile file;
+    SurfaceFile file = header->claims;
     file.has_topology = true;
     Values values(header->form, header->data);
     std::vector<std::uint32_t> corners;
@@ -206,6 +212,10 @@ std::optional<SurfaceFile> read_ply(std::string_view bytes, SurfaceError& error)
     };
 
     for (const Element& element : header->elements) {
+        if (element.name == "tristrips" && element.count > 0) {
+            error = malformed("the file has strips of triangles, which are not read.");
+            return std::nullopt;
+        }
         if (element.properties.empty()) continue;
         if (element.count > header->data.size() / least_size(element, header->form)) return truncated(element);
         const bool is_vertex = element.name == "vertex", is_face = element.name == "face";

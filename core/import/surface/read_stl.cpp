@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/import/surface/header_claims.h"
 #include "core/import/surface/read_surface.h"
 #include "core/import/surface/text_lines.h"
 
@@ -42,6 +43,7 @@ SurfaceError not_finite(std::size_t face) {
 
 std::optional<SurfaceFile> read_binary(std::string_view bytes, std::size_t count, SurfaceError& error) {
     SurfaceFile file;
+    if (!read_claims(bytes.substr(0, 80), file, error)) return std::nullopt;
     file.holds_floats = true;
     file.mesh.vertices.reserve(3 * count);
     file.mesh.triangles.reserve(count);
@@ -99,7 +101,10 @@ std::optional<SurfaceFile> read_text(std::string_view bytes, SurfaceError& error
             add_face(file.mesh, corners);
         } else if (is_word(word, "endsolid")) {
             is_ended = true;
-        } else if (is_word(word, "solid") || is_word(word, "facet")) {
+        } else if (is_word(word, "solid")) {
+            if (!read_claims(lines.whole_line(), file, error)) return std::nullopt;
+            is_ended = false;
+        } else if (is_word(word, "facet")) {
             is_ended = false;
         } else if (!word.empty() && !is_word(word, "outer") && !is_word(word, "endfacet")) {
             return malformed("begins with none of STL's words.");
@@ -121,6 +126,11 @@ std::optional<SurfaceFile> read_stl(std::string_view bytes, SurfaceError& error)
     const std::size_t count = bytes.size() >= header_size ? uint32_at(bytes, 80) : 0;
     const std::size_t promised = header_size + count * face_size;
     const bool is_binary = bytes.size() >= header_size && bytes.size() == promised;
+    if (!is_binary) {
+        const auto text = utf8_of(bytes, error);
+        if (!text) return std::nullopt;
+        bytes = *text;
+    }
     const std::string_view start = bytes.substr(0, 2000);
     const bool is_text = !is_binary && start.find_first_not_of(" \t\r\n") != std::string_view::npos &&
                          is_word(start.substr(start.find_first_not_of(" \t\r\n"), 5), "solid") &&

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <utility>
+
+#include "core/procedure/regular_file.h"
 
 namespace kerf {
 namespace {
@@ -29,11 +32,8 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
     if (!is_stl && !is_obj && !is_ply)
         return refuse({"E0641", "the name ends in none of .stl, .obj and .ply.", "Export the surface as one of them."});
 
+    if (auto fault = fault_of_file(file)) return refuse({"E0640", std::move(fault->problem), std::move(fault->advice)});
     std::error_code wrong;
-    if (!std::filesystem::exists(file, wrong))
-        return refuse({"E0640", "there is no such file.", "Check the name, and the folder it is in."});
-    if (!std::filesystem::is_regular_file(file, wrong))
-        return refuse({"E0640", "this is no regular file.", "Name the file that holds the surface."});
     const std::uintmax_t size = std::filesystem::file_size(file, wrong);
     if (wrong) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
     if (size > most_bytes)
@@ -41,7 +41,7 @@ std::optional<SurfaceFile> read_surface(const std::string& file, Diagnostics& di
             {"E0642", "the file has more than 1 GB.", "Export the surface with fewer faces, or cut out the bone."});
     try {
         std::string bytes(size, '\0');
-        std::ifstream in(file, std::ios::binary);
+        std::ifstream in = open_regular_file(file);
         in.read(bytes.data(), static_cast<std::streamsize>(size));
         if (!in) return refuse({"E0640", "the file cannot be read.", "Check who may read it."});
         SurfaceError error;

@@ -19,13 +19,16 @@
 ///     E0645  a coordinate that is no finite number
 ///     E0646  a face names a vertex that does not exist
 ///     E0647  no face at all, or none is left
+///     E0654  what the header says of frame or unit is not understood, or contradicts itself or the document
 namespace kerf {
 
 /// What a file holds, in its own unit and frame.
 struct SurfaceFile {
     SurfaceMesh mesh;
-    bool holds_floats = false;  ///< coordinates were stored with 24 bits
-    bool has_topology = false;  ///< faces share vertices by number; STL repeats them
+    bool holds_floats = false;   ///< coordinates were stored with 24 bits
+    std::optional<bool> is_ras;  ///< by the header's `SPACE=`: RAS, else LPS; none: it does not say
+    std::optional<double> unit;  ///< [m] by the header's `UNITS=`; none: it does not say
+    bool has_topology = false;   ///< faces share vertices by number; STL repeats them
 };
 
 struct SurfaceError {

@@ -16,12 +16,13 @@ class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text) {}
 
-    /// Goes to the next line; false behind the last.
+    /// Goes to the next line; false behind the last. Lines end with LF, CR LF or CR.
     bool next() {
         if (rest_.empty()) return false;
-        const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-        line_ = rest_.substr(0, end);
-        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+        line_ = whole_ = rest_.substr(0, end);
+        const bool is_pair = rest_.substr(end, 2) == "\r\n";
+        rest_.remove_prefix(std::min(end + (is_pair ? 2 : 1), rest_.size()));
         ++number_;
         return true;
     }
@@ -40,11 +41,18 @@ public:
             if (!found.empty() || !next()) return found;
         }
     }
+    /// Passes over the words that are left on the line.
+    void drop_line() noexcept { line_ = {}; }
+    /// Whether no word is left on the line.
+    [[nodiscard]] bool is_at_end() const noexcept {
+        return line_.find_first_not_of(" \t\r\f\v") == std::string_view::npos;
+    }
+    [[nodiscard]] std::string_view whole_line() const noexcept { return whole_; }
     [[nodiscard]] std::size_t number() const noexcept { return number_; }  ///< of the line, from 1
     [[nodiscard]] std::string_view rest_of_text() const noexcept { return rest_; }
 
 private:
-    std::string_view rest_, line_;
+    std::string_view rest_, line_, whole_;
     std::size_t number_ = 0;
 };
 

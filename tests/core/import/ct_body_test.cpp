@@ -266,6 +266,96 @@ void write_image(const test::TemporaryFolder& folder, const std::string& name, c
                static_cast<std::streamsize>(image.values.size() * sizeof(float)));
 }
 
+/// One layer of labels for the ball: 3 in it, 4 around it, with some keys.
+void write_segments(const test::TemporaryFolder& folder, const std::string& keys, int layers = 1) {
+    std::ofstream file(folder / "labels.seg.nrrd", std::ios::binary);
+    file
+        << "NRRD0005\ntype: unsigned char\nspace: left-posterior-superior\nencoding: raw\nspace origin: (-18,-18,-18)\n"
+        << (layers > 1 ? "dimension: 4\nkinds: list domain domain domain\nsizes: 2 25 25 25\nspace directions: none "
+                       : "dimension: 3\nsizes: 25 25 25\nspace directions: ")
+        << "(1.5,0,0) (0,1.5,0) (0,0,1.5)\n"
+        << keys << "\n";
+    for (const float in : image_of([](Vec3 p) { return length(p) < radius ? 1.0 : 0.0; }).values) {
+        if (layers > 1) file << (in > 0.0f ? '\0' : '\1');
+        file << (in > 0.0f ? (layers > 1 ? '\1' : '\3') : (layers > 1 ? '\0' : '\4'));
+    }
+}
+
+std::string name_and_label(int n, const std::string& name, int label) {
+    const std::string key = "Segment" + std::to_string(n) + "_";
+    return key + "Name:=" + name + "\n" + key + "LabelValue:=" + std::to_string(label) + "\n" + key + "Layer:=0\n";
+}
+
+TEST(CtBody, KeepsTheOneStructureThatIsMeantOrNone) {
+    struct Case {
+        std::string keys;
+        std::vector<int> keep;
+        std::vector<std::string> named;
+        std::string code;  ///< empty: it is the ball
+        int layers = 1;
+    };
+    const std::vector<Case> cases{
+        {name_and_label(0, "skin", 4) + name_and_label(1, "bone", 3), {}, {"bone"}, ""},
+        {name_and_label(0, "bone", 3) + name_and_label(1, "bone", 4), {}, {"bone"}, "E0636"},
+        {name_and_label(0, "bone", 3) + name_and_label(1, "bone", 4), {3}, {}, ""},
+        {name_and_label(0, "skin", 3) + name_and_label(1, "bone", 3), {}, {"bone"}, "E0636"},
+        {name_and_label(0, "skin", 3) + name_and_label(1, "bone", 3), {3}, {}, "E0636"},
+        {name_and_label(0, "skin", 4), {}, {"bone"}, "E0635"},
+        {name_and_label(0, "skin", 4), {3}, {}, ""},  // a label without a name
+        {"Segment0_Name:=skin\nSegment1_Name:=bone\n", {}, {"bone"}, "", 2},
+        {"Segment0_Name:=skin\nSegment1_Name:=bone\n", {1}, {}, "E0636", 2},  // the label 1 is in both layers
+        {"Segment0_Name:=skin\nSegment1_Name:=bone\n", {3}, {}, "E0635", 2},
+    };
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.keys);
+        const test::TemporaryFolder folder;
+        write_image(folder, "ball.mha", ball());
+        write_segments(folder, one.keys, one.layers);
+        Anatomy bone = anatomy();
+        bone.file = folder / "bone.yaml";
+        bone.ct->image = "ball.mha";
+        bone.ct->labels = "labels.seg.nrrd";
+        bone.ct->keep = one.keep;
+        bone.ct->keep_named = one.named;
+        Diagnostics diagnostics;
+        const auto made = make_ct_bone(bone, diagnostics);
+        ASSERT_EQ(made.has_value(), one.code.empty()) << to_text(diagnostics);
+        if (!made) {
+            EXPECT_EQ(diagnostics.back().code, one.code) << to_text(diagnostics);
+            continue;
+        }
+        EXPECT_LT(made->distance.sample_trilinear({}, 1.0), -5.0_mm);
+    }
+}
+
+TEST(CtBody, RefusesASegmentationAsTheScan) {
+    const test::TemporaryFolder folder;
+    write_segments(folder, name_and_label(0, "bone", 3));
+    Anatomy bone = anatomy();
+    bone.file = folder / "bone.yaml";
+    bone.ct->image = "labels.seg.nrrd";
+    Diagnostics diagnostics;
+    EXPECT_FALSE(make_ct_bone(bone, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0623") << to_text(diagnostics);
+}
+
+TEST(CtBody, NeverFollowsALinkOutOfTheFolder) {
+    const test::TemporaryFolder folder, other;
+    write_image(other, "ball.mha", ball());
+    std::filesystem::create_symlink(other / "ball.mha", folder / "link.mha");
+    std::filesystem::create_directory_symlink(other.path(), folder / "away");
+    for (const char* name : {"link.mha", "away/ball.mha"}) {
+        Anatomy bone = anatomy();
+        bone.file = folder / "bone.yaml";
+        bone.ct->image = name;
+        Diagnostics diagnostics;
+        EXPECT_FALSE(make_ct_bone(bone, diagnostics));
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, "E0619") << to_text(diagnostics);
+    }
+}
+
 /// The ball as a file, and a document beside it.
 std::string write_ball(const test::TemporaryFolder& folder) {
     write_image(folder, "ball.mha", ball());

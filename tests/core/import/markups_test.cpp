@@ -8,7 +8,9 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
@@ -117,6 +119,126 @@ TEST_F(Markups, NeverGuessAndNeverRepeat) {
     expect_refused("E0680", "no list `markups`", "a.mrk.json", "{}");
     expect_refused("E0680", "no list `markups`", "a.mrk.json", "{\"markups\": ");
     expect_refused("E0680", "ending", "a.txt", "{}");
+}
+
+TEST_F(Markups, TellAbsentFromNotUnderstood) {
+    const std::string sound = json("Fiducial", "LPS", point("a", "1, 2, 3"));
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string text = sound;
+        EXPECT_NE(text.find(from), std::string::npos) << from;
+        return text.replace(text.find(from), from.size(), to);
+    };
+    // A unit as code, scheme and meaning
+    EXPECT_EQ(read("a.mrk.json", with("\"mm\"", R"(["mm", "UCUM", "millimeter"])")).points.size(), 1u);
+    EXPECT_EQ(read("a.mrk.json", with("\"coordinateUnits\": \"mm\", ", "")).points.size(), 1u);
+    expect_refused("E0681", "`um`, must be mm", "a.mrk.json", with("\"mm\"", R"(["um", "UCUM", "micrometer"])"));
+    expect_refused("E0681", "must be mm", "a.mrk.json", with("\"mm\"", R"(["mm", "other", "millimeter"])"));
+    for (const char* unit : {"1", "null", "[\"mm\"]", "{\"code\": \"mm\"}", "[1, 2, 3]"})
+        expect_refused("E0680", "`coordinateUnits`", "a.mrk.json", with("\"mm\"", unit));
+    for (const char* frame : {"1", "null", "[\"LPS\"]"})
+        expect_refused("E0680", "`coordinateSystem`", "a.mrk.json", with("\"LPS\"", frame));
+    for (const char* place : {"\"1 2 3\"", "[1, 2]", "[1, 2, \"3\"]", "null", "{\"x\": 1}"})
+        expect_refused("E0680", "`position`", "a.mrk.json", with("[1, 2, 3]", place));
+    expect_refused("E0680", "`label`", "a.mrk.json", with("\"label\": \"a\"", "\"label\": 7"));
+    expect_refused("E0680", "`positionStatus`", "a.mrk.json", with("\"defined\"", "true"));
+    expect_refused("E0680", "`type`", "a.mrk.json", with("\"Fiducial\"", "3"));
+    expect_refused("E0682", "its `type`", "a.mrk.json", with("\"type\": \"Fiducial\", ", ""));
+    expect_refused("E0680", "`controlPoints`", "a.mrk.json",
+                   R"({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": {}}]})");
+    expect_refused("E0682", "no `controlPoints`", "a.mrk.json",
+                   R"({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS"}]})");
+    // Points of a plane would be taken for a normal that is not understood
+    for (const char* key : {"normal", "center"})
+        expect_refused(
+            "E0680", std::string("`") + key + "`", "a.mrk.json",
+            json("Plane", "LPS", point("p", "0, 0, 5") + "," + point("q", "9, 0, 5") + "," + point("r", "0, 9, 5"),
+                 std::string("\"") + key + "\": \"0 0 1\", "));
+    expect_refused("E0680", "`coordinateSystem` stands twice", "a.mrk.json",
+                   with("\"LPS\"", "\"RAS\", \"coordinateSystem\": \"LPS\""));
+    expect_refused("E0680", "larger than 1 MB", "a.mrk.json", sound + std::string(1 << 20, ' '));
+}
+
+TEST_F(Markups, ReadQuotedCells) {
+    const std::string head = "\xef\xbb\xbf# CoordinateSystem = LPS\n# columns = id,x,y,z,label,desc\n";
+    names = {{"line, middle", "a"}, {"the \"left\" one", "b"}};
+    const Anatomy anatomy =
+        read("a.fcsv", head + "1,+9,\"1\",0,\"line, middle\",\n2, 8 ,0,0,\"the \"\"left\"\" one\",\"x,y\"\n");
+    ASSERT_EQ(anatomy.points.size(), 2u) << to_text(diagnostics);
+    EXPECT_EQ(anatomy.points[0].id, "a");
+    EXPECT_EQ(anatomy.points[1].id, "b");
+    EXPECT_NEAR(anatomy.points[0].at.x, 9.0_mm, 1e-12);
+    expect_refused("E0680", "not closed", "a.fcsv", head + "1,9,0,0,\"line\n");
+    expect_refused("E0680", "behind a quoted cell", "a.fcsv", head + "1,9,0,0,\"line\" x,\n");
+}
+
+// Pasted as it stands, the advice must pass.
+TEST_F(Markups, GiveAdviceThatPasses) {
+    const std::vector<std::string> labels{"entry \"left\" \\ back",
+                                          "line, middle",
+                                          "a: b # c",
+                                          "\x1b[2J\x1b[31m",
+                                          "Hüfte",
+                                          " blank",
+                                          "- 1",
+                                          "{a}",
+                                          "it's",
+                                          std::string(100, 'x')};
+    for (const std::string& label : labels) {
+        SCOPED_TRACE(label);
+        std::string escaped;
+        for (const char c : label)
+            escaped += c == '"' || c == '\\' ? std::string("\\") + c : c == '\x1b' ? "\\u001b" : std::string(1, c);
+        const std::string file = json("Fiducial", "LPS", point(escaped, "1, 2, 3") + "," + point("x y", "2, 2, 3"));
+        names = {};
+        (void)read("a.mrk.json", file);
+        ASSERT_EQ(diagnostics.size(), 1u);
+        const std::string& message = diagnostics[0].message;
+        EXPECT_EQ(message.find('\x1b'), std::string::npos);
+        const std::size_t from = message.find("`names: ") + 1, to = message.rfind('`');
+        ASSERT_NE(from, std::string::npos + 1) << message;
+        const std::string document =
+            "apiVersion: kerf/v1\nkind: Anatomy\nmetadata: {id: a, title: A}\nphantom: {parts: [{id: b, box: {centre: "
+            "0 0 0 "
+            "mm, size: 20 20 20 mm}}]}\ntissues: [{id: bone, density: 1.5 g/cm3}]\nlandmarks:\n  markups: [{file: "
+            "a.mrk.json, tolerance: 1 mm, " +
+            message.substr(from, to - from) + "}]\n";
+        diagnostics.clear();
+        auto anatomy = read_anatomy_text(folder / "bone.yaml", document, diagnostics);
+        ASSERT_TRUE(anatomy) << document << to_text(diagnostics);
+        add_markups(*anatomy, diagnostics);
+        EXPECT_TRUE(diagnostics.empty()) << document << to_text(diagnostics);
+        EXPECT_EQ(anatomy->points.size(), 2u);
+    }
+}
+
+TEST_F(Markups, SayWhichLabelToRename) {
+    // Two of one label cannot be renamed in a document; one that another landmark has can.
+    (void)read("a.mrk.json", json("Fiducial", "LPS", point("a", "1, 2, 3") + "," + point("a", "1, 2, 4")));
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_NE(diagnostics[0].message.find("rename one in 3D Slicer"), std::string::npos) << to_text(diagnostics);
+
+    std::ofstream(folder / "a.mrk.json") << json("Fiducial", "LPS", point("L entry", "1, 2, 3"));
+    Anatomy anatomy;
+    anatomy.file = folder / "bone.yaml";
+    anatomy.points.push_back({"entry", {}, 1.0_mm, LandmarkPoint::Lies::anywhere});
+    anatomy.markups = {{"a.mrk.json", 1.5_mm, {{"L entry", "entry"}}}};
+    diagnostics.clear();
+    add_markups(anatomy, diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_NE(diagnostics[0].message.find("another id for `L entry`"), std::string::npos) << to_text(diagnostics);
+    expect_refused("E0683", "no label", "a.mrk.json", json("Fiducial", "LPS", point("", "1, 2, 3")));
+}
+
+TEST_F(Markups, StayInTheFolder) {
+    const test::TemporaryFolder other;
+    std::ofstream(other / "a.fcsv") << "# CoordinateSystem = LPS\n";
+    std::filesystem::create_symlink(other / "a.fcsv", folder / "link.fcsv");
+    Anatomy anatomy;
+    anatomy.file = folder / "bone.yaml";
+    anatomy.markups = {{"link.fcsv", 1.5_mm, {}}};
+    add_markups(anatomy, diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0619") << to_text(diagnostics);
 }
 
 TEST_F(Markups, TakeOtherNames) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <optional>
@@ -43,6 +44,10 @@ public:
         std::ofstream(folder_ / "canal.stl", std::ios::binary) << test::binary_stl(canal);
         anatomy.mesh->canal_file = "canal.stl";
     }
+    void write(const std::string& name, const std::string& bytes) {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    }
+    void link(const std::string& name, const std::string& to) { std::filesystem::create_symlink(to, folder_ / name); }
     [[nodiscard]] bool says(const std::string& words) const {
         return std::any_of(report.notes.begin(), report.notes.end(),
                            [&](const std::string& note) { return note.find(words) != std::string::npos; });
@@ -135,6 +140,59 @@ TEST(MeshBody, TurnsRasToLpsAndSaysWhichFrameItTook) {
     EXPECT_LT(distance_at(*as_ras, {-(30.0_mm), 0, 0}), 0.0);
     EXPECT_TRUE(lps.says("LPS, supposed"));
     EXPECT_TRUE(ras.says("RAS, turned to LPS"));
+}
+
+TEST(MeshBody, BelievesTheFramesOfItsFiles) {
+    MeshAnatomy bone(cube(20.0, {30, 0, 0}));
+    bone.write("bone.stl", test::binary_stl(cube(20.0, {30, 0, 0}), "3D Slicer output. SPACE=RAS"));
+    bone.write("canal.stl", test::binary_stl(cube(8.0, {30, 0, 0})));
+    bone.anatomy.mesh->canal_file = "canal.stl";  // says nothing: it is in the bone's frame
+    const auto body = bone.body(1.0_mm);
+    ASSERT_TRUE(body) << to_text(bone.diagnostics);
+    EXPECT_LT(distance_at(*body, {-(38.0_mm), 0, 0}), 0.0);
+    EXPECT_GT(distance_at(*body, {-(30.0_mm), 0, 0}), 0.0);
+    EXPECT_TRUE(bone.says("RAS, turned to LPS, as the file's header says"));
+
+    bone.write("canal.stl", test::binary_stl(cube(8.0, {-30, 0, 0}), "SPACE=LPS"));
+    const auto mixed = bone.body(1.0_mm);
+    ASSERT_TRUE(mixed) << to_text(bone.diagnostics);
+    EXPECT_GT(distance_at(*mixed, {-(30.0_mm), 0, 0}), 0.0);
+}
+
+TEST(MeshBody, RefusesAFileThatContradictsTheDocument) {
+    struct Case {
+        const char* header;
+        bool names_frame, is_ras;
+        double unit;
+        const char* words;  ///< of the refusal; empty: none
+    };
+    for (const Case& one : {Case{"SPACE=LPS", true, true, 1e-3, "SPACE=LPS, `frame` says RAS"},
+                            {"SPACE=RAS", true, false, 1e-3, "SPACE=RAS, `frame` says LPS"},
+                            {"SPACE=RAS", true, true, 1e-3, ""},
+                            {"UNITS=cm", false, false, 1e-3, "UNITS=cm, `unit` is mm"},
+                            {"UNITS=cm", false, false, 1e-2, ""}}) {
+        SCOPED_TRACE(one.header);
+        MeshAnatomy bone(cube(2.0));
+        bone.write("bone.stl", test::binary_stl(cube(one.unit == 1e-3 ? 20.0 : 2.0), one.header));
+        bone.anatomy.mesh->names_frame = one.names_frame;
+        bone.anatomy.mesh->is_ras = one.is_ras;
+        bone.anatomy.mesh->unit = one.unit;
+        const bool is_made = make_mesh_bone(bone.anatomy, bone.diagnostics).has_value();
+        EXPECT_EQ(is_made, one.words[0] == '\0') << to_text(bone.diagnostics);
+        if (is_made) continue;
+        ASSERT_EQ(bone.diagnostics.size(), 1u);
+        EXPECT_EQ(bone.diagnostics[0].code, "E0654");
+        EXPECT_NE(bone.diagnostics[0].message.find(one.words), std::string::npos) << to_text(bone.diagnostics);
+    }
+}
+
+TEST(MeshBody, NeverFollowsALinkOutOfTheFolder) {
+    MeshAnatomy bone(cube(20.0)), other(cube(20.0));
+    bone.link("link.stl", other.anatomy.file.substr(0, other.anatomy.file.rfind('/')) + "/bone.stl");
+    bone.anatomy.mesh->file = "link.stl";
+    EXPECT_FALSE(make_mesh_bone(bone.anatomy, bone.diagnostics));
+    ASSERT_EQ(bone.diagnostics.size(), 1u);
+    EXPECT_EQ(bone.diagnostics[0].code, "E0619") << to_text(bone.diagnostics);
 }
 
 TEST(MeshBody, CountsInTheUnitThatWasSaid) {

@@ -482,6 +482,129 @@ TEST_F(Dicom, SaysNothingOfWhoseItIs) {
         EXPECT_EQ(all.find(planted), std::string::npos) << planted;
 }
 
+TEST_F(Dicom, ReadsFilesWithoutAPreamble) {
+    for (const char* syntax : {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1"})
+        for (const bool keeps_first_group : {false, true}) {
+            if (keeps_first_group && syntax == std::string("1.2.840.10008.1.2")) continue;
+            SCOPED_TRACE(syntax);
+            Series series = Series::straight();
+            for (std::size_t n = 0; n < series.files.size(); ++n) {
+                series.files[n].syntax = syntax;
+                const std::string whole = series.files[n].bytes();
+                const std::size_t dataset = whole.find(std::string("\x08\x00\x08\x00", 4));
+                std::ofstream(folder / ("IM" + std::to_string(n)), std::ios::binary)
+                    << whole.substr(keeps_first_group ? 132 : dataset);
+            }
+            diagnostics.clear();
+            const auto image = read();
+            ASSERT_TRUE(image) << to_text(diagnostics);
+            EXPECT_EQ(image->at(2, 4, 3), 1356.0f);
+        }
+    // One of them cut short is damaged; a text is none.
+    const std::string bytes = test::contents_of(folder / "IM1");
+    std::ofstream(folder / "IM1", std::ios::binary) << bytes.substr(0, bytes.size() - 10);
+    std::ofstream(folder / "text", std::ios::binary) << std::string("\x08\x00\x05\x00 is no tag", 14);
+    diagnostics.clear();
+    expect_refused("E0668", "1 file is damaged");
+}
+
+// ---- acquisitions
+
+/// Slices of two passes in turn, each told from the other by one element.
+Series in_turn(DicomWriter::Tag what, const char* sort, const char* first, const char* second) {
+    Series series = Series::of({0, 2, 4, 6, 8, 10});
+    for (std::size_t n = 0; n < series.files.size(); ++n) series.files[n].text(what, sort, n % 2 == 0 ? first : second);
+    return series;
+}
+
+TEST_F(Dicom, RefusesTwoAcquisitionsInOneSeries) {
+    write(in_turn(tag::acquisition, "IS", "1", "2"));
+    expect_refused("E0676", "`1`: 3 slices, 30.00 … 38.00 mm along their normal; `2`: 3 slices");
+    EXPECT_NE(diagnostics[0].message.find("`--acquisition 1`"), std::string::npos) << diagnostics[0].message;
+    diagnostics.clear();
+    expect_refused("E0677", "no acquisition `3`", {.name = "", .acquisition = "3"});
+    diagnostics.clear();
+
+    const auto image = read({.name = "", .acquisition = "2"});
+    ASSERT_TRUE(image) << to_text(diagnostics);
+    EXPECT_EQ(image->size[2], 3);
+    EXPECT_NEAR(image->spacing(2), 4.0_mm, 1e-9);
+    EXPECT_NEAR(image->origin().z, 32.0_mm, 1e-9);
+}
+
+TEST_F(Dicom, TellsAcquisitionsApartByMoreThanTheirNumber) {
+    // Place in time, echo, voltage, kernel, time of acquisition
+    for (const auto& [what, sort] : {std::pair<DicomWriter::Tag, const char*>{0x00200100, "IS"},
+                                     {0x00180086, "IS"},
+                                     {0x00180060, "DS"},
+                                     {0x00181210, "SH"},
+                                     {0x00080032, "TM"}}) {
+        diagnostics.clear();
+        write(in_turn(what, sort, "80", "140"));
+        expect_refused("E0676", "2 acquisitions");
+        EXPECT_NE(diagnostics[0].message.find("`a`"), std::string::npos) << diagnostics[0].message;
+        diagnostics.clear();
+        EXPECT_TRUE(read({.name = "", .acquisition = "b"})) << to_text(diagnostics);
+    }
+}
+
+TEST_F(Dicom, RefusesTwoAcquisitionsInOnePlace) {
+    Series twice = Series::straight();
+    for (DicomWriter file : Series::straight().files)
+        twice.files.push_back(file.text(tag::acquisition, "IS", "5").text(tag::instance, "IS", "17"));
+    write(twice);
+    expect_refused("E0676", "`5`: 4 slices");
+}
+
+TEST_F(Dicom, JoinsAcquisitionsOneBehindTheOtherAndSaysSo) {
+    // A scanner that stops for a new pass half way; then one that stops for every slice, as is usual
+    for (const bool stops_each_time : {false, true}) {
+        Series series = Series::of({0, 2, 4, 6});
+        for (std::size_t n = 0; n < series.files.size(); ++n)
+            series.files[n]
+                .text(tag::acquisition, "IS", std::to_string(stops_each_time ? n + 1 : n / 2 + 1))
+                .text(0x00080032, "TM", "10070" + std::to_string(n));
+        write(series);
+        diagnostics.clear();
+        const auto scan = open_scan(folder.path(), {}, {}, diagnostics);
+        ASSERT_TRUE(scan) << to_text(diagnostics);
+        EXPECT_EQ(scan->grid().size[2], 4);
+        EXPECT_EQ(diagnostics.size(), stops_each_time ? 0u : 1u) << to_text(diagnostics);
+        std::string all;
+        for (const std::string& note : scan->notes()) all += note;
+        EXPECT_NE(all.find("acquisitions one behind the other"), std::string::npos) << all;
+        EXPECT_EQ(all.find("1007"), std::string::npos) << all;
+    }
+}
+
+TEST_F(Dicom, CutsALongListOfSeries) {
+    Series each = Series::of({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+    for (std::size_t n = 0; n < each.files.size(); ++n)
+        each.files[n].uid(tag::series, "1.2." + std::to_string(100 + n));
+    write(each);
+    expect_refused("E0661", "12 series of one slice each");
+    EXPECT_NE(diagnostics[0].message.find("and 6 more series"), std::string::npos) << diagnostics[0].message;
+    EXPECT_EQ(diagnostics[0].message.find("--series"), std::string::npos) << "no choice helps";
+    diagnostics.clear();
+
+    // Where one is a volume, it is offered first
+    for (std::size_t n = 9; n < 12; ++n) each.files[n].uid(tag::series, "1.2.900");
+    write(each);
+    expect_refused("E0661", "and 4 more series");
+    const std::string& message = diagnostics[0].message;
+    const std::size_t at = message.find("--series ") + 9;
+    const std::string name = message.substr(at, message.find('`', at) - at);
+    diagnostics.clear();
+    EXPECT_TRUE(read({.name = name})) << name << to_text(diagnostics);
+}
+
+TEST_F(Dicom, SaysWhyNoFileIsASlice) {
+    std::ofstream(folder / "README.txt") << "for the reader";
+    DicomWriter report = Series::straight().files[0];
+    report.without(tag::pixel_data).write(folder / "report");
+    expect_refused("E0660", "1 is no DICOM file, 1 holds no image");
+}
+
 // ---- real ones
 // --------------------------------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 #include "core/import/image/read_image.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <array>
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include "core/import/image/image_file.h"
+#include "core/import/image/scan.h"
 #include "kerf/units.hpp"
 #include "tests/support/temporary_folder.h"
 
@@ -95,6 +97,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+/// The header alone, which names another file.
+std::string detached(const std::string& line) {
+    const std::string header = replaced(nrrd_header, "encoding", line + "\nencoding");
+    return header.substr(0, header.size() - 1);  // without the empty line
+}
+
 struct ReadImage : testing::Test {
     test::TemporaryFolder folder;
 
@@ -134,6 +142,62 @@ TEST_F(ReadImage, GivesTheSameVolumeFromEveryFormat) {
                                    bytes);
     write("g.raw", voxels());
     expect_the_volume("g.mhd", replaced(meta_header, "LOCAL", "g.raw"));
+    expect_the_volume("g.nhdr", detached("data file: g.raw"));
+    write("h.raw.gz", packed(voxels(), true));
+    expect_the_volume("h.nhdr", replaced(detached("datafile: ./h.raw.gz"), "encoding: raw", "encoding: gzip"));
+    write("i.raw", "header of another program" + voxels());
+    expect_the_volume("i.nhdr", detached("data file: i.raw\nbyte skip: 25"));
+    expect_the_volume("j.nhdr", detached("data file: i.raw\nbyte skip: -1"));
+    write("with blanks.raw", voxels());
+    expect_the_volume("k.mhd", replaced(meta_header, "LOCAL", "with blanks.raw"));
+}
+
+TEST_F(ReadImage, ReadsWholeNumbersOf64Bits) {
+    std::string wide;
+    for (std::size_t at = 0; at < voxels().size(); at += 2) wide += voxels().substr(at, 2) + std::string(6, '\0');
+    for (const std::int16_t type : {std::int16_t{1024}, std::int16_t{1280}})
+        expect_the_volume("a.nii", Nifti().with<std::int16_t>(70, type).with<std::int16_t>(72, 64).header + wide);
+    for (const char* type : {"int64", "unsigned long long"})
+        expect_the_volume("b.nrrd", replaced(nrrd_header, "type: short", std::string("type: ") + type) + wide);
+    expect_the_volume("c.mha", replaced(meta_header, "MET_SHORT", "MET_LONG_LONG") + wide);
+    wide[7] = '\x7f';  // of the first voxel
+    expect_refused("E0629", "d.mha", replaced(meta_header, "MET_SHORT", "MET_ULONG_LONG") + wide);
+}
+
+TEST_F(ReadImage, PassesOverAByteOrderMark) {
+    expect_the_volume("a.nrrd", "\xef\xbb\xbf" + nrrd_header + voxels());
+    expect_the_volume("b.mha", "\xef\xbb\xbf" + meta_header + voxels());
+}
+
+// A file beside its header has no other check of its sizes than its length.
+TEST_F(ReadImage, RefusesMoreBytesThanTheSizesNeed) {
+    write("g.raw", voxels() + std::string(1, '\0'));
+    expect_refused("E0626", "g.mhd", replaced(meta_header, "LOCAL", "g.raw"));
+    expect_refused("E0626", "g.nhdr", detached("data file: g.raw"));
+    expect_refused("E0626", "h.nhdr", detached("data file: g.raw\nbyte skip: 0"));
+    write("g.raw", packed(voxels() + std::string(1, '\0'), false));
+    expect_refused(
+        "E0626", "i.mhd",
+        replaced(replaced(meta_header, "LOCAL", "g.raw"), "CompressedData = False", "CompressedData = True"));
+    const std::string gzip = replaced(nrrd_header, "encoding: raw", "encoding: gzip");
+    expect_refused("E0626", "c.nrrd", replaced(gzip, "4 3 2", "2 3 2") + packed(voxels(), true));
+    expect_refused(
+        "E0626", "d.mha",
+        replaced(replaced(meta_header, "4 3 2", "2 3 2"), "CompressedData = False", "CompressedData = True") +
+            packed(voxels(), false));
+}
+
+TEST_F(ReadImage, DoubtsBytesBehindVoxelsInTheHeadersFile) {
+    for (const auto& [name, bytes] : {std::pair<const char*, std::string>{"a.nii", Nifti().file() + "\n"},
+                                      {"b.nii.gz", packed(Nifti().file() + "\n", true)},
+                                      {"c.mha", meta_header + voxels() + "\n"}}) {
+        SCOPED_TRACE(name);
+        Diagnostics diagnostics;
+        const auto header = check_image_file(write(name, bytes), diagnostics);
+        ASSERT_TRUE(header) << to_text(diagnostics);
+        ASSERT_EQ(header->doubts.size(), 1u);
+        EXPECT_NE(header->doubts[0].find("1 bytes more"), std::string::npos) << header->doubts[0];
+    }
 }
 
 TEST_F(ReadImage, TurnsRasIntoLps) {
@@ -179,6 +243,20 @@ TEST_F(ReadImage, RefusesWhatIsNoFile) {
     for (const Diagnostic& d : diagnostics) EXPECT_EQ(d.code, "E0620") << to_text(diagnostics);
 }
 
+// Opening a FIFO waits for a writer for ever.
+TEST_F(ReadImage, RefusesAFifoWhateverItsName) {
+    for (const char* name : {"x.nrrd", "x.nhdr", "x.nii", "x.nii.gz", "x.mha", "x.mhd", "x", "x.raw"})
+        ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
+    for (const char* name : {"x.nrrd", "x.nhdr", "x.nii", "x.nii.gz", "x.mha", "x.mhd", "x"}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(open_scan(folder / name, {}, {}, diagnostics));
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, "E0620") << to_text(diagnostics);
+    }
+    expect_refused("E0620", "a.mhd", replaced(meta_header, "LOCAL", "x.raw"));
+    expect_refused("E0620", "a.nhdr", detached("data file: x.raw"));
+}
+
 TEST_F(ReadImage, RefusesAnUnknownEnding) { expect_refused("E0621", "a.png", "PNG"); }
 
 TEST_F(ReadImage, RefusesWhatIsNotWhatItsEndingSays) {
@@ -213,6 +291,31 @@ TEST_F(ReadImage, RefusesDamagedCompressedData) {
     expect_refused("E0626", "b.nii.gz", gzip);
 }
 
+TEST_F(ReadImage, ComparesTheCheckSumOfPackedVoxels) {
+    const std::string header = replaced(nrrd_header, "encoding: raw", "encoding: gzip");
+    const std::string meta = replaced(meta_header, "CompressedData = False", "CompressedData = True");
+    const std::string gzip = packed(voxels(), true), nifti = packed(Nifti().file(), true),
+                      zlib = packed(voxels(), false);
+    for (std::size_t from_end = 1; from_end <= 8; ++from_end) {  // gzip ends with a check sum and a length
+        const auto spoilt = [&](std::string bytes) {
+            bytes[bytes.size() - from_end] = static_cast<char>(bytes[bytes.size() - from_end] ^ 1);
+            return bytes;
+        };
+        expect_refused("E0626", "a.nrrd", header + spoilt(gzip));
+        expect_refused("E0626", "b.nii.gz", spoilt(nifti));
+        expect_refused("E0626", "c.nrrd", header + gzip.substr(0, gzip.size() - from_end));
+        expect_refused("E0626", "d.nii.gz", nifti.substr(0, nifti.size() - from_end));
+        if (from_end <= 4) expect_refused("E0626", "e.mha", meta + spoilt(zlib));
+        if (from_end <= 4) expect_refused("E0626", "f.mha", meta + zlib.substr(0, zlib.size() - from_end));
+    }
+    // In two pieces, as bgzip writes it: the first one's sum counts, too.
+    std::string first = packed(voxels().substr(0, 20), true);
+    const std::string second = packed(voxels().substr(20), true);
+    expect_the_volume("g.nrrd", header + first + second);
+    first[first.size() - 6] = static_cast<char>(first[first.size() - 6] ^ 1);
+    expect_refused("E0626", "h.nrrd", header + first + second);
+}
+
 TEST_F(ReadImage, RefusesASmallFileThatPromisesMuch) {
     // 512 million voxels of 2 bytes in a file of a few hundred
     expect_refused(
@@ -235,6 +338,7 @@ TEST_F(ReadImage, RefusesSizesThatAreNone) {
 
 TEST_F(ReadImage, RefusesTypesItCannotRead) {
     expect_refused("E0625", "a.nii", Nifti().with<std::int16_t>(70, 128 /* colours */).file());
+    expect_refused("E0625", "f.nii", Nifti().with<std::int16_t>(70, 1536 /* 16 bytes */).file());
     expect_refused("E0625", "b.nrrd", replaced(nrrd_header, "type: short", "type: block") + voxels());
     expect_refused("E0625", "c.nrrd", replaced(nrrd_header, "encoding: raw", "encoding: bzip2") + voxels());
     expect_refused("E0625", "d.mha", replaced(meta_header, "MET_SHORT", "MET_OTHER") + voxels());
@@ -259,6 +363,32 @@ TEST_F(ReadImage, NeverLeavesTheFolderOfTheHeader) {
         expect_refused("E0622", "a.mhd", replaced(meta_header, "LOCAL", name));
     expect_refused("E0622", "a.nrrd", replaced(nrrd_header, "endian", "data file: /etc/passwd\nendian") + voxels());
     expect_refused("E0620", "b.mhd", replaced(meta_header, "LOCAL", "missing.raw"));
+    for (const char* name : {"../g.raw", "/etc/passwd", "LIST", "g%d.raw 1 2 1", "..", "a/../../g.raw"})
+        expect_refused("E0622", "a.nhdr", detached("data file: " + std::string(name)));
+    // A link may lead to a file beside it, but not out of the folder.
+    write("g.raw", voxels());
+    std::filesystem::create_symlink("g.raw", folder / "near.raw");
+    const test::TemporaryFolder other;
+    std::ofstream(other / "far.raw", std::ios::binary) << voxels();
+    std::filesystem::create_symlink(other / "far.raw", folder / "far.raw");
+    std::filesystem::create_directory_symlink(other.path(), folder / "away");
+    expect_the_volume("c.mhd", replaced(meta_header, "LOCAL", "near.raw"));
+    for (const char* name : {"far.raw", "away/far.raw"}) {
+        expect_refused("E0619", "d.mhd", replaced(meta_header, "LOCAL", name));
+        expect_refused("E0619", "d.nhdr", detached("data file: " + std::string(name)));
+    }
+}
+
+TEST_F(ReadImage, ShowsNoControlCharacterOfAHeader) {
+    for (const auto& [name, bytes] :
+         {std::pair<const char*, std::string>{"a.nrrd", replaced(nrrd_header, "short", "\x1b[31m\xe2\x80\xae")},
+          {"b.mha", replaced(meta_header, "MET_SHORT", "\x1b]0;title\x07")}}) {
+        Diagnostics diagnostics;
+        EXPECT_FALSE(read_image(write(name, bytes), diagnostics));
+        EXPECT_NE(to_text(diagnostics).find("\\x1b"), std::string::npos) << to_text(diagnostics);
+        for (const char* raw : {"\x1b", "\x07", "\xe2\x80\xae"})
+            EXPECT_EQ(to_text(diagnostics).find(raw), std::string::npos);
+    }
 }
 
 TEST_F(ReadImage, RefusesVoxelsThatAreNoNumbers) {

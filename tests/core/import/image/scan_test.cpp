@@ -91,6 +91,56 @@ TEST_F(ScanFile, RefusesALayerThatIsNotThere) {
     EXPECT_EQ(diagnostics[0].code, "E0622");
 }
 
+/// A segmentation of 3 × 2 × 2 voxels with some keys.
+std::string segmentation(int layers, const std::string& keys) {
+    const std::string count = std::to_string(layers);
+    const std::string axes = layers > 1 ? "dimension: 4\nsizes: " + count +
+                                              " 3 2 2\nkinds: list domain domain domain\n"
+                                              "space directions: none (1,0,0) (0,1,0) (0,0,1)\n"
+                                        : "dimension: 3\nsizes: 3 2 2\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n";
+    return "NRRD0005\ntype: unsigned char\nspace: left-posterior-superior\n" + axes +
+           "encoding: raw\nspace origin: (0,0,0)\n" + keys + "\n" +
+           std::string(12 * static_cast<std::size_t>(layers), '\1');
+}
+
+TEST_F(ScanFile, TakesTheSegmentsNumberForALayerWithoutKeys) {
+    // As 3D Slicer 4.10 wrote it; the order of lines says nothing.
+    const auto scan =
+        open("a.seg.nrrd", segmentation(3, "Segment2_Name:=canal\nSegment0_Name:=skin\nSegment1_Name:=bone\n"));
+    ASSERT_TRUE(scan) << to_text(diagnostics);
+    ASSERT_EQ(scan->segments().size(), 3u);
+    for (int n = 0; n < 3; ++n) {
+        EXPECT_EQ(scan->segments()[static_cast<std::size_t>(n)].layer, n);
+        EXPECT_EQ(scan->segments()[static_cast<std::size_t>(n)].label, 1);
+    }
+    EXPECT_EQ(scan->segments()[1].name, "bone");
+    EXPECT_TRUE(open("b.seg.nrrd", segmentation(1, "Segment0_Name:=bone\n"))) << to_text(diagnostics);
+}
+
+TEST_F(ScanFile, RefusesStructuresThatCannotBeToldApart) {
+    const std::pair<const char*, std::string> files[]{
+        // no label where two share a layer
+        {"E0636", segmentation(1, "Segment0_Name:=skin\nSegment1_Name:=bone\n")},
+        {"E0636", segmentation(1, "Segment0_Name:=skin\nSegment0_LabelValue:=1\nSegment1_Name:=bone\n")},
+        {"E0636", segmentation(2, "Segment0_Name:=skin\nSegment0_Layer:=0\nSegment1_Name:=bone\nSegment1_Layer:=0\n")},
+        // a layer for one alone
+        {"E0636", segmentation(2, "Segment0_Name:=skin\nSegment0_Layer:=1\nSegment1_Name:=bone\n")},
+        // more segments than layers, and none says where it is
+        {"E0622", segmentation(2, "Segment0_Name:=a\nSegment1_Name:=b\nSegment2_Name:=c\n")},
+        {"E0622", segmentation(1, "Segment0_Name:=a\nSegment0_Name:=b\n")},
+        {"E0622", segmentation(1, "Segment0_Name:=a\nSegment0_LabelValue:=one\n")},
+        {"E0622", segmentation(1, "Segment0_Name:=a\nSegment0_LabelValue:=0\n")},
+        {"E0622", segmentation(1, "Segment0_LabelValue:=2\n")},
+        // two numbers for each voxel that nothing names
+        {"E0623", segmentation(2, "")},
+    };
+    for (const auto& [code, bytes] : files) {
+        EXPECT_FALSE(open("a.seg.nrrd", bytes)) << bytes;
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, code) << to_text(diagnostics);
+    }
+}
+
 // ---- places
 // -----------------------------------------------------------------------------------------------------------
 

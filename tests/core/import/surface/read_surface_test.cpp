@@ -271,6 +271,96 @@ TEST(ReadPly, RefusesWhatItCannotUnderstand) {
     }
 }
 
+// ---- what headers say of the coordinates
+
+/// The field of each format's specification that changes geometry: honoured or refused.
+TEST(HeaderFields, OfSurfaces) {
+    const auto stl = [](const std::string& header) { return test::binary_stl(corner_mesh(), header); };
+    const auto text = [](const std::string& header) { return "solid " + header + text_stl.substr(5); };
+    const auto obj = [](const std::string& line) { return line + "\nv 0 0 0.5\nv 1.25 0 0\nv 0 -2 0\nf 1 2 3\n"; };
+    const auto ply = [](const std::string& line) {
+        std::string bytes = ply_header("ascii") + text_rows;
+        return bytes.replace(bytes.find("comment by hand"), 15, line);
+    };
+    struct Field {
+        decltype(&read_stl) read;
+        std::string bytes;
+        std::optional<bool> is_ras = {};
+        std::optional<double> unit = {};
+        const char* code = nullptr;  ///< of the refusal; none: it is honoured
+    };
+    const std::vector<Field> fields{
+        // The frame, as 3D Slicer writes it
+        {read_stl, stl("3D Slicer output. SPACE=RAS"), true},
+        {read_stl, stl("3D Slicer output. SPACE=LPS"), false},
+        {read_stl, stl("made by hand")},
+        {read_stl, stl("COLORSPACE=RGB")},
+        {read_stl, stl("SPACE=XYZ"), {}, {}, "E0654"},
+        {read_stl, stl("SPACE=RAS SPACE=LPS"), {}, {}, "E0654"},
+        {read_stl, text("3D Slicer output. SPACE=RAS"), true},
+        {read_stl, "\xef\xbb\xbf" + text("space = lps"), false},
+        {read_obj, obj("# 3D Slicer output. SPACE=RAS"), true},
+        {read_obj, obj("#SPACE=LPS"), false},
+        {read_obj, obj("# SPACE=RAS\n# SPACE=LPS"), {}, {}, "E0654"},
+        {read_ply, ply("comment 3D Slicer output. SPACE=RAS"), true},
+        {read_ply, ply("obj_info SPACE=LPS"), false},
+        {read_ply, ply("comment SPACE=?"), {}, {}, "E0654"},
+        // The unit
+        {read_stl, stl("UNITS=mm"), {}, 1e-3},
+        {read_obj, obj("# unit = meters"), {}, 1.0},
+        {read_ply, ply("comment UNITS=cm"), {}, 1e-2},
+        {read_stl, stl("UNITS=inch"), {}, {}, "E0654"},
+        // The order of bytes and the types are read above. What is no polygon is refused.
+        {read_ply, ply("element tristrips 1\nproperty list int int vertex_indices"), {}, {}, "E0643"},
+        {read_obj, obj("surf 0 1 0 1 1 2 3"), {}, {}, "E0643"},
+        {read_obj, obj("v 0 0 0 0.5"), {}, {}, "E0643"},  // the weight of a curved surface
+        {read_obj, obj("call other.obj"), {}, {}, "E0643"},
+        {read_obj, obj("o part\ng left\ns 1\nmtllib a.mtl\nvt 0 0\nvn 0 0 1")},  // no geometry
+    };
+    for (const Field& field : fields) {
+        SCOPED_TRACE(field.bytes.substr(0, 60));
+        if (field.code) {
+            expect_refused(field.read, field.bytes, field.code);
+            continue;
+        }
+        SurfaceError error;
+        const auto file = field.read(field.bytes, error);
+        expect_corner(file, error);
+        if (!file) continue;
+        EXPECT_EQ(file->is_ras, field.is_ras);
+        EXPECT_EQ(file->unit, field.unit);
+    }
+}
+
+TEST(ReadObj, ReadsStatementsOverSeveralLinesAndRemarksBehindThem) {
+    const char* const vertices[]{"v 0 0 \\\n 0.5\nv 1.25 0\\\n 0\nv 0 \\\r\n-2 \\\n0 # last\n",
+                                 "# ends in a backslash \\\nv 0 0 0.5\nv 1.25 0 0\nv 0 -2 0 0.1 0.2 0.3\n",
+                                 "v 0 0 0.5\rv 1.25 0 0\rv 0 -2 0\r"};
+    for (const char* text : vertices)
+        for (const char* face : {"f 1 2 3 # a face", "f 1 \\\n 2\\\n 3", "f 1 2 3 #4", "fo 1 2 3", "f 1 2 3\\\n"}) {
+            SCOPED_TRACE(std::string(text) + face);
+            SurfaceError error;
+            expect_corner(read_obj(std::string(text) + face, error), error);
+        }
+}
+
+TEST(ReadStl, ReadsTextBehindAByteOrderMark) {
+    SurfaceError error;
+    expect_corner(read_stl("\xef\xbb\xbf" + text_stl, error), error);
+    expect_corner(read_ply("\xef\xbb\xbf" + ply_header("ascii") + text_rows, error), error);
+    std::string wide = "\xff\xfe";
+    for (const char c : text_stl) wide += std::string(1, c) + '\0';
+    expect_refused(read_stl, wide, "E0643");
+}
+
+TEST(ReadStl, ReadsLinesThatEndWithCarriageReturns) {
+    std::string text = text_stl;
+    for (char& c : text)
+        if (c == '\n') c = '\r';
+    SurfaceError error;
+    expect_corner(read_stl(text, error), error);
+}
+
 // ---- damage
 // ----------------------------------------------------------------------------------------------------------
 
