@@ -89,9 +89,9 @@ typedef struct kerf_event {
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
-/* The polyline (z, radius), from the tip backwards, z decreasing. It must be convex towards the tip along +z: the
- * radius never falls while z decreases within the cutting region. revolution   turned about the tool's z axis prism a
- * blade: `radius` is half of its width along x, the front may be round, and two flat sides stand at ± half of its
+/* The polyline (z, radius), from the tip backwards, z falling, radii 0 to 100 mm. revolution: turned about the tool's z
+ * axis; the radius may rise and fall, while cutting, too (steps, a ball behind its equator): each sweep is exact.
+ * prism: a blade; `radius` is half of its width along x, the front may be round, two flat sides are at ± half of its
  * thickness across y; its outline must be convex as a whole */
 typedef struct kerf_profile_point {
     double z, radius;
