@@ -236,6 +236,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print(outcome.summary);
+    for (const std::string& line_of_law : outcome.over_budget) std::fprintf(stderr, "kerf: %s\n", line_of_law.c_str());
     std::printf("  %s/report.html\n", request.out.c_str());
     if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
     if (!recorded_hash.empty()) {

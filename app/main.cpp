@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/plugin_folders.h"
+#include "app/plugin_guard.h"
 #include "app/shipped.h"
 
 int main(int argc, char** argv) {
@@ -34,5 +35,6 @@ int main(int argc, char** argv) {
     kerf::PluginRegistry plugins;
     plugins.scan(folders.folders);
     for (const auto& refusal : plugins.refusals()) std::fprintf(stderr, "%s\n", refusal.c_str());
+    const kerf::PluginGuard guard;  // after loading, which needs a process of one thread
     return kerf::carry_out(line, plugins, (lib / "kerf-bench").string());
 }

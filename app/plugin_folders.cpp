@@ -27,6 +27,10 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
         if (folder.empty() || is_there(folder)) continue;
         if (fs::is_directory(folder, error)) {
             found.folders.push_back(folder);
+            if (const fs::directory_iterator may_be_read(folder, error); error)
+                found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which cannot be read (" +
+                                           error.message() +
+                                           "): no plugins come from there. Let this user read it, or take it out.");
         } else if (std::find(complained.begin(), complained.end(), folder) == complained.end()) {
             complained.push_back(folder);
             found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which " +

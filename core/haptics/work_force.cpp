@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/plugin/plugin_call.h"
+
 namespace kerf {
 
 namespace {
@@ -56,7 +58,7 @@ void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     for (int i = 0; i < longest; ++i) {
         in.tick = static_cast<std::uint64_t>(i);
         out.action_count = 0;
-        if (setup.force->force->commit(&in, &advance, state, &out) != KERF_OK) return;
+        if (call_commit(*setup.force, in, advance, state, out) != KERF_OK) return;
     }
 }
 
@@ -72,7 +74,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     const auto tissues = static_cast<std::uint32_t>(body.materials.size());
     const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
     const kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
-    force.begin(&in_air, state);
+    call_begin(*setup.force, in_air, state);
     run_up(setup, in_air, state);
 
     double largest = 0.0;
@@ -84,7 +86,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         const kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-        if (force.resist(&in, state, &law) != KERF_OK) continue;
+        if (call_resist(*setup.force, in, state, law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
             if (is_sound(channels[c]))

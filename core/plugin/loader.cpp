@@ -178,7 +178,8 @@ void PluginRegistry::scan(const std::vector<std::string>& folders) {
 void PluginRegistry::take(const std::string& file, PluginLoad load) {
     const auto refuse = [&](const std::string& why) {
         refusals_.push_back(why);
-        refused_.push_back({file, load.plugin_id});
+        const std::string named = named_plugin(file);
+        refused_.push_back({file, load.plugin_id, why.starts_with(named) ? why.substr(named.size()) : why});
     };
     if (load.plugin == nullptr) return refuse(load.refusal);
     const std::string id = load.plugin_id = load.plugin->entry().plugin_id;
@@ -193,14 +194,14 @@ void PluginRegistry::take(const std::string& file, PluginLoad load) {
     plugins_.push_back(std::move(load.plugin));
 }
 
-std::string PluginRegistry::refusal_for(const std::string& plugin_id) const {
+const PluginRefusal* PluginRegistry::refusal_for(const std::string& plugin_id) const {
     const std::string name = plugin_id.substr(plugin_id.rfind('.') + 1);
-    std::string by_name;
-    for (std::size_t i = 0; i < refused_.size(); ++i) {
-        if (refused_[i].plugin_id == plugin_id) return refusals_[i];
-        const std::string stem = std::filesystem::path(refused_[i].path).stem().string();
-        if (refused_[i].plugin_id.empty() && by_name.empty() && !name.empty() && stem.find(name) != std::string::npos)
-            by_name = refusals_[i];
+    const PluginRefusal* by_name = nullptr;
+    for (const PluginRefusal& refused : refused_) {
+        if (refused.plugin_id == plugin_id) return &refused;
+        const std::string stem = std::filesystem::path(refused.path).stem().string();
+        if (refused.plugin_id.empty() && by_name == nullptr && !name.empty() && stem.find(name) != std::string::npos)
+            by_name = &refused;
     }
     return by_name;
 }

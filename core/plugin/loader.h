@@ -48,6 +48,12 @@ struct PluginLoad {
 [[nodiscard]] std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths);
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
+/// Why a file was left out.
+struct PluginRefusal {
+    std::string path, plugin_id;  ///< the id as far as its entry could be read
+    std::string why;              ///< without file and path
+};
+
 /// All plugins of some folders, by id, and what needs none.   [main]
 class PluginRegistry {
 public:
@@ -59,17 +65,14 @@ public:
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
     /// Why the file that would be this plugin was refused: by its id, or by its file's name where the id could not be
-    /// read. Empty: no such file was refused.
-    [[nodiscard]] std::string refusal_for(const std::string& plugin_id) const;
+    /// read. Null: no such file was refused.
+    [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
     /// Core's own first.
     [[nodiscard]] const std::vector<const kerf_entry*>& entries() const noexcept { return entries_; }
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
                                              const std::string& id) const noexcept;
 
 private:
-    struct Refused {
-        std::string path, plugin_id;
-    };
     void list(const kerf_entry& entry);
     void take(const std::string& file, PluginLoad load);
 
@@ -77,7 +80,7 @@ private:
     std::vector<const kerf_entry*> entries_;
     ComponentCatalog catalog_;
     std::vector<std::string> refusals_;
-    std::vector<Refused> refused_;  ///< of each refusal
+    std::vector<PluginRefusal> refused_;  ///< of each refusal
 };
 
 /// The self-description of a component as plain values.   [any]

@@ -96,9 +96,11 @@ TEST(Registry, FindsTheRefusalByIdOrByFileName) {
     std::filesystem::copy(file_of("crashes"), folder / "kerf_peck.so");
     PluginRegistry registry;
     registry.scan({folder.path()});
-    EXPECT_NE(registry.refusal_for("test.hostile").find("`id` is null"), std::string::npos);
-    EXPECT_NE(registry.refusal_for("stranger.peck").find("crashed"), std::string::npos);
-    EXPECT_EQ(registry.refusal_for("kerf.sawing"), "");
+    ASSERT_NE(registry.refusal_for("test.hostile"), nullptr);
+    EXPECT_NE(registry.refusal_for("test.hostile")->why.find("`id` is null"), std::string::npos);
+    ASSERT_NE(registry.refusal_for("stranger.peck"), nullptr);
+    EXPECT_EQ(registry.refusal_for("stranger.peck")->why.find("crashed"), 0u);
+    EXPECT_EQ(registry.refusal_for("kerf.sawing"), nullptr);
 }
 
 }  // namespace
