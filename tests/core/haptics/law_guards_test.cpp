@@ -14,6 +14,7 @@
 
 #include "core/haptics/call_times.h"
 #include "core/haptics/channel.h"
+#include "core/haptics/device_record.h"
 #include "core/haptics/simulation.h"
 #include "kerf/force.hpp"
 #include "tests/support/block.h"
@@ -160,10 +161,7 @@ std::vector<std::string> pushed_sideways(double stiffness, double spacing) {
     const Body body = test::block({0.0, -6.0_mm, -6.5_mm}, {12.0_mm, 6.0_mm, -1.5_mm}, spacing);
     const ToolSetup setup = shaft(stiffness);
     const auto at = [](double x) { return test::pointing({x, 0, -12.0_mm}, {0, 0, -1}); };
-    CouplingGains gains;
-    gains.stiffness = 500.0;
-    gains.damping = 2.0;
-    gains.force_limit = 8.5;
+    const CouplingGains gains = gains_for(*find_device("premium-1.5-6dof"), 1.0);
     Simulation simulation(body, setup, test::outline(setup), gains, at(-3.0_mm));
     std::vector<std::string> events;
     const auto go = [&](double from, double to) {
