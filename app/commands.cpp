@@ -277,6 +277,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print_summary(outcome.summary);
+    for (const std::string& line_of_law : outcome.over_budget) print_error("kerf: " + line_of_law + "\n");
     print("  " + request.out + "/report.html\n");
     if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
     const ExitCode judged = outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;

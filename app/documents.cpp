@@ -94,12 +94,26 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     }
 }
 
+/// A plugin that was found and refused is no unknown plugin: the reason is its refusal.
+void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    for (Diagnostic& d : diagnostics) {
+        if (d.code != "E0301" || d.reason || d.place.column < 1) continue;
+        const auto first = static_cast<std::size_t>(d.place.column - 1);
+        if (first >= d.source_line.size()) continue;
+        std::string id = d.source_line.substr(first, static_cast<std::size_t>(d.place.length));
+        std::erase_if(id, [](char c) { return c == '"' || c == '\''; });
+        if (const PluginRefusal* refusal = plugins.refusal_for(id); refusal != nullptr)
+            d.reason = Reason{SourcePlace{refusal->path, 0, 0, 1}, refusal->why, {}};
+    }
+}
+
 }  // namespace
 
 std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
                                          Diagnostics& diagnostics) {
     Documents documents;
     auto procedure = read_procedure(request.procedure, plugins.catalog(), diagnostics, request.changes);
+    name_refused_plugins(plugins, diagnostics);
     if (!procedure || has_error(diagnostics)) return std::nullopt;
     documents.procedure = std::move(*procedure);
     auto anatomy =

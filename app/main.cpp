@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/last_resort.h"
 #include "app/plugin_folders.h"
+#include "app/plugin_guard.h"
 #include "app/shipped.h"
 #include "app/standard_streams.h"
 
@@ -37,6 +38,7 @@ ExitCode do_as_told(int argc, char** argv) {
     PluginRegistry plugins;
     plugins.scan(folders.folders);
     for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");
+    const PluginGuard guard;  // after loading, which needs a process of one thread
     return carry_out(line, plugins, (lib / "kerf-bench").string());
 }
 

@@ -30,6 +30,10 @@ PluginFolders plugin_folders(std::string_view plugin_path, const std::string& ow
         const bool is_folder = fs::is_directory(folder, error);
         if (is_folder && access(folder.c_str(), R_OK | X_OK) == 0) {
             found.folders.push_back(folder);
+            if (const fs::directory_iterator may_be_read(folder, error); error)
+                found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which cannot be read (" +
+                                           error.message() +
+                                           "): no plugins come from there. Let this user read it, or take it out.");
         } else if (std::find(complained.begin(), complained.end(), folder) == complained.end()) {
             complained.push_back(folder);
             found.complaints.push_back("KERF_PLUGIN_PATH names `" + folder + "`, which " +

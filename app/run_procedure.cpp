@@ -81,6 +81,16 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     return row;
 }
 
+/// What the host knows of one of its own events beyond its id.
+std::string detail_of(const std::string& event, const Simulation& simulation) {
+    if (event == "haptics.quarantined") return text_of(simulation.law_fault());
+    if (event != "haptics.unresisted") return "";
+    const auto in_mm = [](double v) { return quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };
+    const Unresisted& where = simulation.unresisted();
+    return "the tool, " + in_mm(-where.point.z) + " behind its tip, is " + in_mm(where.depth) +
+           " or more in uncut bone, and no channel of " + name_of_law(*simulation.setup().force) + " resists it there";
+}
+
 std::string text_of(const Separation& separation) {
     const auto volume = [](double v) { return quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
     std::string text;
@@ -357,7 +367,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             before.begin(simulation.present());
             for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
         }
-        for (std::size_t i = 0; i < result.event_count; ++i) add_event(result.events[i], "");
+        for (std::size_t i = 0; i < result.event_count; ++i)
+            add_event(result.events[i], detail_of(result.events[i], simulation));
         if (recorder) {
             recorder->push(row);
             record_cuts();
@@ -401,6 +412,8 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         summary.removed_by_tissue.emplace_back(scene.body.materials[m].id, simulation.present().removed_of_material(m));
     summary.hash = hash.value();
     judge(monitor, end, summary.duration, summary);
+    if (end == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation.law_fault());
+    outcome.over_budget = simulation.laws_over_budget();
     summary.metrics = metrics_of(monitor, scene);
     summary.metrics.push_back(port_energy_row(simulation.passivity()));
     const PresentBone& bone = simulation.present();

@@ -30,6 +30,7 @@ struct RunRequest {
 struct RunOutcome {
     RunSummary summary;
     bool is_as_expected = false;
+    std::vector<std::string> over_budget;  ///< laws that were slower than they declare; differs from run to run
     bool was_interrupted = false;  ///< outputs are written all the same
     std::string error;             ///< for people; not empty: the run could not be made or written
     bool is_bad_input = false;     ///< the error is the user's input

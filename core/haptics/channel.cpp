@@ -42,17 +42,31 @@ kerf_channel contact_channel(OwnContact what, const Vec6& d, double stiffness, d
     return channel;
 }
 
-bool is_sound(const kerf_channel& c) noexcept {
+ChannelFault fault_of(const kerf_channel& c) noexcept {
+    constexpr const char *finite = "a finite number", *coefficient = "a finite number, 0 or more";
+    constexpr const char* d_names[] = {"d[0]", "d[1]", "d[2]", "d[3]", "d[4]", "d[5]"};
+    constexpr const char* follow_names[] = {"follow[0]", "follow[1]", "follow[2]",
+                                            "follow[3]", "follow[4]", "follow[5]"};
+    if (c.kind > KERF_HOLD)
+        return {"kind", "0 (cut), 1 (contact), 2 (friction) or 3 (hold)", static_cast<double>(c.kind)};
     double size = 0.0;
     for (int i = 0; i < 6; ++i) {
-        if (!std::isfinite(c.d[i]) || !std::isfinite(c.follow[i])) return false;
+        if (!std::isfinite(c.d[i])) return {d_names[i], finite, c.d[i]};
+        if (!std::isfinite(c.follow[i])) return {follow_names[i], finite, c.follow[i]};
         size += c.d[i] * c.d[i];
     }
+    if (!(size > 0.0)) return {"d", "a direction, which is not zero", size};
     // Written so that a NaN fails.
     const auto is_coefficient = [](double v) { return v >= 0.0 && std::isfinite(v); };
-    const bool has_width = (c.kind != KERF_CUT && c.kind != KERF_FRICTION) || (c.w >= 1e-6 && std::isfinite(c.w));
-    return c.kind <= KERF_HOLD && size > 0.0 && is_coefficient(c.tau) && is_coefficient(c.eta) &&
-           is_coefficient(c.gap) && is_coefficient(c.k) && is_coefficient(c.b) && std::isfinite(c.delta) && has_width;
+    if (!is_coefficient(c.tau)) return {"tau", coefficient, c.tau};
+    if (!is_coefficient(c.eta)) return {"eta", coefficient, c.eta};
+    if (!is_coefficient(c.gap)) return {"gap", coefficient, c.gap};
+    if (!is_coefficient(c.k)) return {"k", coefficient, c.k};
+    if (!is_coefficient(c.b)) return {"b", coefficient, c.b};
+    if (!std::isfinite(c.delta)) return {"delta", finite, c.delta};
+    const bool has_width = c.kind == KERF_CUT || c.kind == KERF_FRICTION;
+    if (has_width && !(c.w >= 1e-6 && std::isfinite(c.w))) return {"w", "1e-06 or more, finite", c.w};
+    return {};
 }
 
 }  // namespace kerf

@@ -19,8 +19,16 @@ struct ChannelForce {
 /// Source: docs/design/tick.md, "The solve".
 [[nodiscard]] ChannelForce channel_force(const kerf_channel& channel, double s, double dt) noexcept;
 
+/// The first field with which the host may not solve, as literals; null where there is none.
+struct ChannelFault {
+    const char* field = nullptr;
+    const char* expected = "";
+    double value = 0.0;
+};
+[[nodiscard]] ChannelFault fault_of(const kerf_channel& channel) noexcept;  // [any] pure, nonblocking
+
 /// Whether the host may solve with it: finite, a direction, nothing that would push.   [any] pure, nonblocking.
-[[nodiscard]] bool is_sound(const kerf_channel& channel) noexcept;
+[[nodiscard]] inline bool is_sound(const kerf_channel& channel) noexcept { return fault_of(channel).field == nullptr; }
 
 /// The host's own contact, beside the plugin's: along `d` [–, m], pressed in by `depth` [m], negative while it is
 /// apart. Its id says what touches.   [any] pure, nonblocking.

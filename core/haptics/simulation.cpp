@@ -11,6 +11,7 @@
 #include "core/haptics/free_pose.h"
 #include "core/haptics/metal_wall.h"
 #include "core/haptics/region_wall.h"
+#include "core/plugin/plugin_call.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -19,6 +20,11 @@ namespace {
 
 constexpr std::size_t free_margin = 128;  // bricks kept ready for one tick
 constexpr double fastest = 1.0;           // [m/s] of a tool that bone resists (B9)
+
+// What is taken for a part of the tool that goes through bone unresisted [assumed]
+constexpr std::uint64_t unresisted_interval = 16;                  // ticks from look to look
+constexpr double least_ring_gap = 1e-3, most_rings = 16.0;         // [m], of what is looked at
+constexpr double unresisted_reach = 3e-3, unresisted_slant = 0.2;  // [m], [–] of a channel that acts there
 constexpr std::size_t closed_room = 2 * 16 * most_bodies,
                       stamp_room = 2 * closed_room;  // records of a tick at their most
 
@@ -60,6 +66,7 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
     for (const Tool& tool : tools_)
         size = std::max<std::size_t>(size, tool.setup.force->force->state_size + tool.setup.force->force->state_align);
     state_storage_ = std::make_unique<std::byte[]>(size);
+    resist_times_.resize(tools_.size());
     begin_with_tool();
 }
 
@@ -73,7 +80,7 @@ void Simulation::begin_with_tool() {
     drives_.fill(0.0);
     std::copy(setup().drives.begin(), setup().drives.end(), drives_.begin());
     const kerf_tick_in in = tick_in(period_);
-    force.begin(&in, state_);
+    call_begin(*setup().force, in, state_);
     double back = 0.0;
     for (const auto& body : bodies_)
         if (body->is_present)
@@ -103,16 +110,11 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
 bool Simulation::ask(double step) noexcept {
     kerf_law law{sizeof(kerf_law), 0, channels_, {}, {}};
     const kerf_tick_in in = tick_in(step);
-    const kerf_status status = setup().force->force->resist(&in, state_, &law);
+    const std::uint64_t begun = clock_count();
+    const kerf_status status = call_resist(*setup().force, in, state_, law);
+    resist_times_[tool_].add(clock_count() - begun);
     channel_count_ = law_channel_count_ = 0;
-    if (status != KERF_OK || law.count > KERF_MAX_CHANNELS) return false;
-    for (std::uint32_t c = 0; c < law.count; ++c)
-        if (!is_sound(channels_[c])) return false;
-    for (std::size_t i = 0; i < 6; ++i) {
-        if (!std::isfinite(law.wrench[i])) return false;
-        law_wrench_[i] = law.wrench[i];
-    }
-    std::copy(std::begin(law.note), std::end(law.note), notes_);
+    if (!take_law(status, law)) return false;
     channel_count_ = law_channel_count_ = law.count;
     is_at_region_wall_ = false;
     for (const LiveBody* body : view_.near())
@@ -134,6 +136,42 @@ bool Simulation::ask(double step) noexcept {
     return true;
 }
 
+bool Simulation::take_law(kerf_status status, const kerf_law& law) noexcept {
+    using What = LawFault::What;
+    if (status != KERF_OK) return release_because({.what = What::status, .value = static_cast<double>(status)});
+    if (law.count > KERF_MAX_CHANNELS)
+        return release_because({.what = What::count, .value = static_cast<double>(law.count)});
+    for (std::uint32_t c = 0; c < law.count; ++c)
+        if (const ChannelFault fault = fault_of(channels_[c]); fault.field != nullptr)
+            return release_because({.what = What::channel,
+                                    .index = c,
+                                    .id = channels_[c].id,
+                                    .field = fault.field,
+                                    .expected = fault.expected,
+                                    .value = fault.value});
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        if (!std::isfinite(law.wrench[i]))
+            return release_because({.what = What::wrench, .index = i, .value = law.wrench[i]});
+        law_wrench_[i] = law.wrench[i];
+    }
+    std::copy(std::begin(law.note), std::end(law.note), notes_);
+    return true;
+}
+
+bool Simulation::release_because(LawFault fault) noexcept {
+    fault.law = setup().force;
+    law_fault_ = fault;
+    return false;
+}
+
+std::vector<std::string> Simulation::laws_over_budget() const {
+    std::vector<std::string> lines;
+    for (std::size_t t = 0; t < tools_.size(); ++t)
+        if (std::string line = over_budget(resist_times_[t], *tools_[t].setup.force, clock_scale_); !line.empty())
+            lines.push_back(std::move(line));
+    return lines;
+}
+
 bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept {
     if (!ask(step)) return false;
     coupling_.hold(handle, hand_.rate(), world_from_tool_, step, balance);
@@ -142,7 +180,8 @@ bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, 
     balance.inertia = outline().inertia;
     balance.previous_rate = last_rate_;
     motion = solve_from(balance, last_rate_);
-    return motion.has_converged;
+    if (motion.has_converged) return true;
+    return release_because({.what = LawFault::What::solve, .value = motion.residual});
 }
 
 // ---- the tick -----------------------------------------------------------------------------------------------------
@@ -247,7 +286,47 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
         if (!find_motion(handle_in(part + 1), step, balance, motion)) return false;
     }
     coupling_.slide(hand_.pose(), world_from_tool_);
+    if (tick_ % unresisted_interval == 0) look_for_unresisted(motion, result);
     return true;
+}
+
+/// Whether a channel carries force against a point's way into the bone, away from the tool's axis. Its line of action
+/// must pass near the point: a channel has no place of its own.
+bool Simulation::is_resisted_at(Vec3 point, const Motion& motion) const noexcept {
+    const double radius = std::sqrt(point.x * point.x + point.y * point.y);
+    const Vec3 outwards = radius > 0.0 ? (1.0 / radius) * Vec3{point.x, point.y, 0.0} : Vec3{};
+    for (std::uint32_t c = 0; c < channel_count_; ++c) {
+        const Vec3 along{channels_[c].d[0], channels_[c].d[1], channels_[c].d[2]},
+            moment{channels_[c].d[3], channels_[c].d[4], channels_[c].d[5]};
+        const double size = length(along);
+        const bool is_two_sided = channels_[c].kind == KERF_FRICTION || channels_[c].kind == KERF_HOLD;
+        const double into = dot(along, outwards);
+        if (motion.lambda[c] == 0.0 || (is_two_sided ? std::abs(into) : into) < unresisted_slant * size) continue;
+        if (length(cross(point, along) - moment) <= (radius + unresisted_reach) * size) return true;
+    }
+    return false;
+}
+
+/// Nothing stops a tool where its law has no channel: its author, not the hand, must learn of that.
+void Simulation::look_for_unresisted(const Motion& motion, TickResult& result) noexcept {
+    const ToolSolid &whole = outline().whole, &cutting = outline().cutting;
+    const double behind = cutting.end_z() - whole.end_z(), deep = unresisted_depth();
+    double deepest = 0.0;
+    if (behind > 0.0 && is_bone_in_reach(0.0))
+        whole.for_each_ring(std::max(least_ring_gap, behind / most_rings), [&](const std::array<Vec3, 8>& ring) {
+            if (ring[0].z >= cutting.end_z()) return;
+            std::array<kerf_surface_point, 8> bone;
+            view_.nearest(ring.data(), static_cast<std::uint32_t>(ring.size()), bone.data());
+            for (std::size_t n = 0; n < ring.size(); ++n) {
+                const auto body = static_cast<std::size_t>(bone[n].body);
+                if (bone[n].body < 0 || body >= bodies_.size() || !bodies_[body]->is_cuttable) continue;
+                if (-bone[n].distance <= deepest || is_resisted_at(ring[n], motion)) continue;
+                deepest = -bone[n].distance;
+                if (!is_unresisted_) unresisted_ = {ring[n], deepest};
+            }
+        });
+    if (deepest >= deep && !std::exchange(is_unresisted_, true)) result.add_event("haptics.unresisted");
+    if (deepest < 0.5 * deep) is_unresisted_ = false;
 }
 
 /// The tool stays where it is; a sound law goes on knowing the time.
@@ -371,7 +450,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     out.action = actions;
     out.signal = signals_;
     const kerf_tick_in in = tick_in(step);
-    setup().force->force->commit(&in, &advance, state_, &out);
+    static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
 
     if (metal_channel_ >= 0 && lambda[metal_channel_] > 0.0) result.is_at_metal = true;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,11 +13,13 @@
 #include <vector>
 
 #include "core/haptics/bodies_view.h"
+#include "core/haptics/call_times.h"
 #include "core/haptics/coupling.h"
 #include "core/haptics/following.h"
 #include "core/haptics/force_gate.h"
 #include "core/haptics/hand_motion.h"
 #include "core/haptics/held_body.h"
+#include "core/haptics/law_fault.h"
 #include "core/haptics/passivity.h"
 #include "core/haptics/present_scene.h"
 #include "core/haptics/tool.h"
@@ -52,6 +55,12 @@ struct TickResult {
     void add_event(const char* id) noexcept {
         if (event_count < most_events) events[event_count++] = id;
     }
+};
+
+/// A part of the tool that cuts nothing is in uncut bone, and no channel of the law resists it there.
+struct Unresisted {
+    Vec3 point{};        ///< tool frame
+    double depth = 0.0;  ///< [m] at least
 };
 
 class Simulation {
@@ -166,6 +175,12 @@ public:
     [[nodiscard]] const ToolSetup& setup() const noexcept { return tools_[tool_].setup; }
     [[nodiscard]] const double* signals() const noexcept { return signals_; }
     [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body]->tracker; }
+    /// What made the last `haptics.quarantined`.
+    [[nodiscard]] const LawFault& law_fault() const noexcept { return law_fault_; }
+    /// Where the last `haptics.unresisted` was, tool frame.
+    [[nodiscard]] const Unresisted& unresisted() const noexcept { return unresisted_; }
+    /// Which laws were slower than they declare, one line each.   [main]
+    [[nodiscard]] std::vector<std::string> laws_over_budget() const;
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
     /// The plugin's state, as bytes.
@@ -180,6 +195,14 @@ private:
 
     [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;  ///< of this tick
     [[nodiscard]] bool ask(double step) noexcept;
+    [[nodiscard]] bool take_law(kerf_status status, const kerf_law& law) noexcept;  ///< false: it is unsound
+    bool release_because(LawFault fault) noexcept;                                  ///< false
+    [[nodiscard]] bool is_resisted_at(Vec3 point, const Motion& motion) const noexcept;
+    void look_for_unresisted(const Motion& motion, TickResult& result) noexcept;
+    /// [m] A millimetre and two voxels, as far as depths are known.
+    [[nodiscard]] double unresisted_depth() const noexcept {
+        return std::min(std::max(1e-3, 2.0 * spacing_), 0.9 * clamp_voxels * spacing_);
+    }
     /// Holds, asks and solves for one step. False: the law or the solve is unsound.
     [[nodiscard]] bool find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept;
     [[nodiscard]] bool move(const Pose& last_handle, TickResult& result) noexcept;
@@ -235,6 +258,11 @@ private:
     Vec6 commanded_{};       ///< the last command: on the hand, device newtons
     Vec6 before_fault_{};    ///< what the gate fades
     double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
+    LawFault law_fault_;
+    Unresisted unresisted_;
+    bool is_unresisted_ = false;  ///< reported, and not yet over
+    ClockScale clock_scale_;
+    std::vector<CallTimes> resist_times_;  ///< of each tool
     bool is_drawn_back_ = false, is_held_back_ = false;
     std::uint64_t tick_ = 0;
     int bricks_left_ = 0;            ///< that this tick may stamp yet

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "core/plugin/plugin_call.h"
+
 namespace kerf {
 
 namespace {
@@ -57,7 +59,7 @@ void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     for (int i = 0; i < longest; ++i) {
         in.tick = static_cast<std::uint64_t>(i);
         out.action_count = 0;
-        if (setup.force->force->commit(&in, &advance, state, &out) != KERF_OK) return;
+        if (call_commit(*setup.force, in, advance, state, out) != KERF_OK) return;
     }
 }
 
@@ -79,7 +81,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
     const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
     kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
     in_air.outline = &solid;
-    force.begin(&in_air, state);
+    call_begin(*setup.force, in_air, state);
     run_up(setup, in_air, state);
 
     double largest = 0.0;
@@ -92,7 +94,7 @@ double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
         in.outline = &solid;
         kerf_channel channels[KERF_MAX_CHANNELS];
         kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-        if (force.resist(&in, state, &law) != KERF_OK) continue;
+        if (call_resist(*setup.force, in, state, law) != KERF_OK) continue;
         double along = 0.0;
         for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
             if (is_sound(channels[c]))

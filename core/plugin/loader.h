@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/plugin/check_tables.h"
 #include "core/plugin/component_info.h"
 
 /// Finding plugins, checking that they speak this ABI, and saying precisely why not.
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
 private:
-    friend PluginLoad load_plugin(const std::string& path);
+    friend PluginLoad load_tried_plugin(const std::string& path);
     Plugin(void* handle, const kerf_entry* entry, std::string path)
         : handle_(handle), entry_(entry), path_(std::move(path)) {}
     void* handle_;
@@ -37,14 +38,21 @@ private:
 struct PluginLoad {
     std::shared_ptr<Plugin> plugin;  ///< empty when refused
     std::string refusal;             ///< plugin, path, field, got, wanted, remedy
+    std::string plugin_id;           ///< as far as its entry could be read
 };
 
-/// Loads one shared library. That runs its static constructors; see `LoadingNote` for what happens when they end the
-/// process.   [main]
+/// Loads shared libraries, one answer for each path. What is no library of this machine, or is cut short, is refused by
+/// its headers. The others are loaded in a child process first (loading_trial.h), where their static constructors may
+/// crash, exit, throw or hang. Where this process has other threads there is no child, and `LoadingNote` alone names
+/// who ends the process.   [main]
+[[nodiscard]] std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths);
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
-/// Why an entry cannot be used by this host; empty when it can.   [any]
-[[nodiscard]] std::string refusal_of(const kerf_entry& entry, const std::string& path);
+/// Why a file was left out.
+struct PluginRefusal {
+    std::string path, plugin_id;  ///< the id as far as its entry could be read
+    std::string why;              ///< without file and path
+};
 
 /// All plugins of some folders, by id, and what needs none.   [main]
 class PluginRegistry {
@@ -56,6 +64,9 @@ public:
     [[nodiscard]] const ComponentCatalog& catalog() const noexcept { return catalog_; }
     [[nodiscard]] const std::vector<std::string>& refusals() const noexcept { return refusals_; }
     [[nodiscard]] const std::vector<std::shared_ptr<Plugin>>& plugins() const noexcept { return plugins_; }
+    /// Why the file that would be this plugin was refused: by its id, or by its file's name where the id could not be
+    /// read. Null: no such file was refused.
+    [[nodiscard]] const PluginRefusal* refusal_for(const std::string& plugin_id) const;
     /// Core's own first.
     [[nodiscard]] const std::vector<const kerf_entry*>& entries() const noexcept { return entries_; }
     [[nodiscard]] const kerf_component* find(const std::string& plugin, std::uint32_t kind,
@@ -63,11 +74,13 @@ public:
 
 private:
     void list(const kerf_entry& entry);
+    void take(const std::string& file, PluginLoad load);
 
     std::vector<std::shared_ptr<Plugin>> plugins_;
     std::vector<const kerf_entry*> entries_;
     ComponentCatalog catalog_;
     std::vector<std::string> refusals_;
+    std::vector<PluginRefusal> refused_;  ///< of each refusal
 };
 
 /// The self-description of a component as plain values.   [any]

@@ -13,72 +13,11 @@
 namespace kerf {
 namespace {
 
-/// A fraction of whole numbers where there is one, so that 1 g/cm3 is exactly 1000 kg/m³.
-struct Symbol {
-    std::string_view name;
-    double numerator, denominator;
-    kerf_dimension dimension;
-};
-
-constexpr kerf_dimension energy = dimension::torque;
-
-constexpr std::array symbols{
-    Symbol{"1", 1, 1, dimension::none},
-    Symbol{"%", 1, 100, dimension::none},
-    Symbol{"m", 1, 1, dimension::length},
-    Symbol{"cm", 1, 100, dimension::length},
-    Symbol{"mm", 1, 1e3, dimension::length},
-    Symbol{"um", 1, 1e6, dimension::length},
-    Symbol{"µm", 1, 1e6, dimension::length},
-    Symbol{"rad", 1, 1, dimension::angle},
-    Symbol{"deg", pi, 180, dimension::angle},
-    Symbol{"s", 1, 1, dimension::time},
-    Symbol{"ms", 1, 1e3, dimension::time},
-    Symbol{"us", 1, 1e6, dimension::time},
-    Symbol{"µs", 1, 1e6, dimension::time},
-    Symbol{"min", 60, 1, dimension::time},
-    Symbol{"Hz", 1, 1, dimension::frequency},
-    Symbol{"kHz", 1e3, 1, dimension::frequency},
-    Symbol{"rpm", 1, 60, dimension::frequency},
-    Symbol{"kg", 1, 1, dimension::mass},
-    Symbol{"g", 1, 1e3, dimension::mass},
-    Symbol{"mg", 1, 1e6, dimension::mass},
-    Symbol{"N", 1, 1, dimension::force},
-    Symbol{"mN", 1, 1e3, dimension::force},
-    Symbol{"kN", 1e3, 1, dimension::force},
-    Symbol{"Nm", 1, 1, dimension::torque},
-    Symbol{"Nmm", 1, 1e3, dimension::torque},
-    Symbol{"J", 1, 1, energy},
-    Symbol{"mJ", 1, 1e3, energy},
-    Symbol{"Pa", 1, 1, dimension::pressure},
-    Symbol{"kPa", 1e3, 1, dimension::pressure},
-    Symbol{"MPa", 1e6, 1, dimension::pressure},
-    Symbol{"GPa", 1e9, 1, dimension::pressure},
-    Symbol{"ml", 1, 1e6, dimension::volume},
-};
-
-constexpr std::size_t most_factors = 6;  // no unit needs more; a long text is not searched in vain
-
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\n'))
         text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\n')) text.remove_suffix(1);
     return text;
-}
-
-/// The power at the end of "mm3", "mm^3" or "mm³": takes it off `factor`.
-int take_power(std::string_view& factor) {
-    int power = 1;
-    if (factor.size() < 2) return power;
-    if (factor.ends_with("²") || factor.ends_with("³")) {
-        power = factor.ends_with("²") ? 2 : 3;
-        factor.remove_suffix(std::string_view("²").size());
-    } else if (factor.back() >= '2' && factor.back() <= '4') {
-        power = factor.back() - '0';
-        factor.remove_suffix(1);
-        if (factor.ends_with("^")) factor.remove_suffix(1);
-    }
-    return power;
 }
 
 /// Takes a number off the front of `text`. Empty if there is none, or none that a computer can hold.
@@ -231,7 +170,7 @@ std::string power_pattern(int power) {
 /// Units of this dimension, and all that are made of several.
 std::string unit_pattern(const kerf_dimension& dimension) {
     std::string fitting, any;
-    for (const Symbol& symbol : symbols) {
+    for (const UnitSymbol& symbol : unit_symbols()) {
         any += (any.empty() ? "" : "|") + std::string(symbol.name);
         for (int power = 1; power <= 4; ++power) {
             bool fits = true;
@@ -241,42 +180,10 @@ std::string unit_pattern(const kerf_dimension& dimension) {
         }
     }
     const std::string factor = "(" + any + ")(\\^?[2-4]|²|³)?";
-    return fitting + factor + "([/* ]" + factor + "){1," + std::to_string(most_factors - 1) + "}";
+    return fitting + factor + "([/* ]" + factor + "){1," + std::to_string(max_unit_factors - 1) + "}";
 }
 
 }  // namespace
-
-std::optional<Unit> parse_unit(std::string_view text) {
-    text = trimmed(text);
-    double numerator = 1.0, denominator = 1.0;
-    std::array<int, 8> exponents{};
-    bool is_divided = false;
-    for (std::size_t count = 0;; ++count) {
-        // One factor, up to the next sign.
-        if (count == most_factors) return std::nullopt;
-        const std::size_t end = text.find_first_of("/* ");
-        std::string_view factor = text.substr(0, end);
-        const int power = take_power(factor);
-        const auto symbol =
-            std::find_if(symbols.begin(), symbols.end(), [&](const Symbol& s) { return s.name == factor; });
-        if (symbol == symbols.end()) return std::nullopt;
-        for (int i = 0; i < power; ++i) {
-            numerator *= is_divided ? symbol->denominator : symbol->numerator;
-            denominator *= is_divided ? symbol->numerator : symbol->denominator;
-        }
-        for (std::size_t i = 0; i < exponents.size(); ++i)
-            exponents[i] += (is_divided ? -power : power) * symbol->dimension.exponent[i];
-
-        // The sign: a slash divides by the next factor alone.
-        if (end == std::string_view::npos) break;
-        is_divided = text[end] == '/';
-        text.remove_prefix(end + 1);
-    }
-    Unit unit;
-    unit.factor = numerator / denominator;
-    for (std::size_t i = 0; i < exponents.size(); ++i) unit.dimension.exponent[i] = static_cast<int8_t>(exponents[i]);
-    return unit;
-}
 
 QuantityProblem decimal_comma(const std::string& name, const std::string& before, const std::string& behind) {
     const std::string is = name + " is `" + before + "," + behind + "`, but a number has a decimal point, not a comma.";

@@ -5,21 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "core/plugin/unit.h"
 #include "core/procedure/read_codes.h"
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
 
 /// Numbers with their unit, as people write them: "3.2 mm", "1.85 g/cm3". The computer's locale plays no part.
 namespace kerf {
-
-/// A unit in terms of SI: a value in this unit, times `factor`, is SI.
-struct Unit {
-    double factor = 1.0;
-    kerf_dimension dimension{};
-};
-
-/// "mm", "g/cm3", "N/mm^2", "1/s", "N m"; revolutions count as 1, so "rpm" is a frequency. Empty if unknown.   [any]
-std::optional<Unit> parse_unit(std::string_view text);
 
 /// What a value must be. `unit` is the one that messages use; "" for a plain number.
 struct QuantityNeed {

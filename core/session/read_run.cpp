@@ -14,6 +14,7 @@
 
 #include "core/procedure/plain_numbers.h"
 #include "core/session/record_checksum.h"
+#include "core/session/recorder.h"
 #include "core/session/session_file.h"
 #include "core/session/session_tables.h"
 
@@ -140,7 +141,6 @@ void Reading::read_result() {
     summary.score = number_of("result.score");
     summary.duration = number_of("result.duration");
     summary.ticks = count_of("result.ticks");
-    summary.late_ticks = count_of("result.late_ticks");
     summary.removed = number_of("result.removed");
     summary.hash = std::strtoull(key("hash").c_str(), nullptr, 16);
     for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::incomplete, Verdict::invalid})
@@ -263,6 +263,9 @@ void Reading::complete() {
     }
     run_.missing =
         "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
+    if (!run_.events.empty() && run_.events.back().id == plugin_failed_event)
+        run_.missing =
+            "A plugin ended the run. " + run_.events.back().detail + ". Nothing was judged and the bone is not drawn.";
     summary.verdict = Verdict::incomplete;
     summary.reasons = {run_.missing};
     const auto& last = run_.drawn.last();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/recorder.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -117,6 +119,13 @@ struct Recorder::Impl {
     std::atomic<bool> is_failed{false};
     std::atomic<bool> has_writer_ended{false};               ///< before it was told to
     std::atomic<bool> is_fold_due{false}, is_folded{false};  ///< from the writer to the checkpointer, and back
+
+    // Where the program cannot go on (save_what_is_open).
+    static inline std::atomic<Impl*> open{nullptr};  ///< the record under way
+    std::atomic<bool> is_abandoned{false}, is_saved{false};
+    const char *last_event = "", *last_detail = "";
+    std::uint64_t last_tick = 0;  ///< written
+    double last_time = 0.0;
     bool is_closed = false;
     std::string error;       ///< the first, once closed
     std::string fold_error;  ///< why the -wal is still beside a session that is complete
@@ -126,6 +135,7 @@ struct Recorder::Impl {
     void start();
     void stop();
     void write_until_stopped();
+    void close_abandoned();
     void checkpoint_until_stopped();
     bool write_batch();
     void write_tick(const TickRow& row);
@@ -217,6 +227,8 @@ void Recorder::Impl::write_tick(const TickRow& row) {
                 << row.feed_rate << row.tissue << row.iterations << row.power_hand << row.power_drive << row.removed;
     for (std::size_t i = 0; i < signal_count; ++i) insert_tick << row.signals[i];
     insert_tick.run();
+    last_tick = row.tick;
+    last_time = row.time;
 }
 
 /// One transaction with up to 250 rows of each kind. After a disk error it only empties the queues: the loop runs on.
@@ -307,6 +319,7 @@ void Recorder::Impl::start() {
     const auto write = [this]() noexcept {
         try {
             write_until_stopped();
+            if (is_abandoned.load(std::memory_order_acquire)) close_abandoned();
         } catch (const std::exception&) {  // there is no memory left
             has_writer_ended.store(true, std::memory_order_release);
             is_failed.store(true, std::memory_order_release);
@@ -326,9 +339,21 @@ void Recorder::Impl::start() {
         stop();
         database.fail(std::string("the system gives no thread (") + refused.code().message() + ")");
     }
+    open.store(this);
+}
+
+/// On the writer's thread: the one that would do so cannot any more.
+void Recorder::Impl::close_abandoned() {
+    wake.notify_all();
+    checkpointer.join();
+    insert_event << integer(last_tick) << last_time << std::string_view(last_event) << std::string_view(last_detail);
+    insert_event.run();
+    close("incomplete");
+    is_saved.store(true, std::memory_order_release);
 }
 
 void Recorder::Impl::stop() {
+    open.store(nullptr);
     {
         const std::lock_guard lock(mutex);
         is_stopping.store(true, std::memory_order_release);
@@ -385,7 +410,6 @@ void Recorder::Impl::write_results(const RunSummary& summary, const DrawnSurface
     set("session", "result.score", text_of(summary.score));
     set("session", "result.duration", text_of(summary.duration));
     set("session", "result.ticks", std::to_string(summary.ticks));
-    set("session", "result.late_ticks", std::to_string(summary.late_ticks));
     set("session", "result.removed", text_of(summary.removed));
     set("session", "summary", summary_json(summary));
     set("session", "hash", hex16(summary.hash));
@@ -439,6 +463,21 @@ Recorder::~Recorder() {
     if (impl_->is_closed) return;
     impl_->stop();
     impl_->close("incomplete");
+}
+
+SavedRecord Recorder::save_what_is_open(const char* event_id, const char* detail) noexcept {
+    Impl* impl = Impl::open.exchange(nullptr);
+    if (impl == nullptr) return {};
+    impl->last_event = event_id;
+    impl->last_detail = detail;
+    impl->is_abandoned.store(true, std::memory_order_release);
+    impl->is_stopping.store(true, std::memory_order_release);  // the writer looks every 10 ms
+    constexpr timespec pause{0, 10'000'000};
+    for (int looks = 0; looks < 200; ++looks) {
+        if (impl->is_saved.load(std::memory_order_acquire)) return {impl->path.c_str(), true};
+        nanosleep(&pause, nullptr);
+    }
+    return {impl->path.c_str(), false};
 }
 
 Recorder::Created Recorder::create(const std::string& path, const SessionHeader& header) {

@@ -21,6 +21,8 @@ inline constexpr std::int32_t session_schema_version = 3, oldest_readable_schema
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
 /// What a hand asked for besides moving the handle, before this tick.
 inline constexpr const char* hand_input_event = "hand.input";
+/// A plugin ended the run; its detail says which, in which call and how.
+inline constexpr const char* plugin_failed_event = "run.plugin_failed";
 /// Stands in every file a run writes.
 inline constexpr const char* notice_line =
     "For training and research; not for diagnosis, planning or deciding treatment";
@@ -63,6 +65,12 @@ struct RecorderLosses {
     [[nodiscard]] bool any() const noexcept { return ticks + events + cuts > 0; }
 };
 
+/// The record that `Recorder::save_what_is_open` found.
+struct SavedRecord {
+    const char* path = nullptr;  ///< null: none was open
+    bool is_closed = false;      ///< all of it is in the file; else what was committed before
+};
+
 /// Writes a run into one SQLite file while it happens.
 ///
 /// The loop pushes rows into queues of 8192 rows; a thread of the recorder takes them out and commits at least every
@@ -98,6 +106,10 @@ public:
     bool wait_for_room();
 
     [[nodiscard]] RecorderLosses losses() const noexcept;
+
+    /// Where the program cannot go on: has the writer write what was pushed, add an event of this id, and close the
+    /// record as "incomplete"; waits for that, at most 2 s. No run may push any more.   [any] async-signal-safe
+    [[nodiscard]] static SavedRecord save_what_is_open(const char* event_id, const char* detail) noexcept;
 
     /// Writes what is left, the result, the bone as it is drawn, the hash and the checksum of all rows, and closes to a
     /// single file. The session's state becomes "finished", or "incomplete" when rows were lost. Returns what went

@@ -99,7 +99,7 @@ struct RunSummary {
     double duration = 0.0;  ///< [s] simulated
     std::vector<StepRow> steps;
     std::vector<MetricRow> metrics;
-    std::uint64_t ticks = 0, late_ticks = 0;
+    std::uint64_t ticks = 0;
     double removed = 0.0;                                           ///< [m³]
     std::vector<std::pair<std::string, double>> removed_by_tissue;  ///< [m³]
     std::vector<PieceRow> pieces{};

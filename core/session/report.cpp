@@ -97,7 +97,7 @@ std::string facts_html(const RunSummary& summary) {
     add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
     if (summary.coupling_stiffness > 0.0)
         add("Coupling", sensible_number(summary.coupling_stiffness * 1e-3) + " N/mm at the device");
-    add("Ticks", std::to_string(summary.ticks) + ", " + std::to_string(summary.late_ticks) + " late");
+    add("Ticks", std::to_string(summary.ticks));
     add("Hash", summary.hash == 0 ? "" : "<code>" + hex16(summary.hash) + "</code>");
     return html + "</dl><p class=\"soft small\" style=\"margin:12px 0 0\">Forces are those of the bone, in newtons; "
                   "the hand felt them "

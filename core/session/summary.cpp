@@ -85,7 +85,6 @@ std::string summary_json(const RunSummary& summary) {
                         {"steps", std::move(steps)},
                         {"metrics", std::move(metrics)},
                         {"ticks", summary.ticks},
-                        {"late_ticks", summary.late_ticks},
                         {"removed_mm3", plain_number(summary.removed * 1e9)},
                         {"pieces", std::move(pieces)},
                         {"force_scale", plain_number(summary.force_scale)},

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/haptics/channel.h"
+#include "core/plugin/plugin_call.h"
 #include "studies/times.h"
 
 namespace kerf::chart {
@@ -24,7 +25,7 @@ VoxelRun::VoxelRun(const Scene& scene, ToolSetup setup, const Fineness& fineness
       deepest_(scene.depth.front()),
       state_(setup_.force->force->state_size / sizeof(std::max_align_t) + 1) {
     const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
-    setup_.force->force->begin(&in, state_.data());
+    call_begin(*setup_.force, in, state_.data());
 }
 
 Felt VoxelRun::tick(const Pose& next) {
@@ -40,7 +41,7 @@ Felt VoxelRun::tick(const Pose& next) {
     bone_.place(pose_);
     felt.cost = processor_time_of([&] {
         const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
-        if (setup_.force->force->resist(&in, state_.data(), &law) != KERF_OK) law.count = 0;
+        if (call_resist(*setup_.force, in, state_.data(), law) != KERF_OK) law.count = 0;
         kerf_advance advance{};
         for (std::size_t i = 0; i < 6; ++i) felt.wrench[i] = gain_ * (advance.following[i] = law.wrench[i]);
         for (std::uint32_t c = 0; c < law.count; ++c) {
@@ -62,7 +63,7 @@ Felt VoxelRun::tick(const Pose& next) {
         out.action = actions;
         out.signal = signals_;
         if (removal_ == Removal::where_asked) bone_.wear(loss_);
-        setup_.force->force->commit(&in, &advance, state_.data(), &out);
+        static_cast<void>(call_commit(*setup_.force, in, advance, state_.data(), out));
         bone_.stop_wearing();
     });
     pose_ = next;

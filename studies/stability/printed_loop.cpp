@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/plugin/plugin_call.h"
+
 namespace kerf::stability {
 
 PrintedLoop::PrintedLoop(const BoneBlock& block, const Grid& grid, const ToolSetup& setup, const Pose& start,
@@ -17,7 +19,7 @@ PrintedLoop::PrintedLoop(const BoneBlock& block, const Grid& grid, const ToolSet
       signals_(KERF_MAX_SIGNALS) {
     const kerf_bone_query bone = query();
     const kerf_tick_in in = tick_in_of(setup_, bone, period_);
-    setup_.force->force->begin(&in, state_.data());
+    call_begin(*setup_.force, in, state_.data());
 }
 
 kerf_bone_query PrintedLoop::query() const noexcept {
@@ -68,7 +70,7 @@ void PrintedLoop::go(const Pose& next) {
     in.tick = tick_++;
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-    const bool is_sound = setup_.force->force->resist(&in, state_.data(), &law) == KERF_OK;
+    const bool is_sound = call_resist(*setup_.force, in, state_.data(), law) == KERF_OK;
     for (std::size_t i = 0; i < 6; ++i) wrench_[i] = is_sound ? law.wrench[i] : std::nan("");
 
     const Pose tool_from_next = inverse(bone_.pose) * next;
@@ -82,7 +84,7 @@ void PrintedLoop::go(const Pose& next) {
     advance.note = law.note;
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals_.data()};
-    setup_.force->force->commit(&in, &advance, state_.data(), &out);
+    static_cast<void>(call_commit(*setup_.force, in, advance, state_.data(), out));
     bone_.pose = next;
 }
 

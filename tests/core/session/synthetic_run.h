@@ -38,7 +38,6 @@ inline RunSummary synthetic_summary() {
                        {"pilot-hole.deviation", 1, "pilot-hole", 1, 1, 0.0349, "deg", 0.017453292519943295, 0.005, "ok",
                         "angle between hole and plan"}};
     summary.ticks = 14000;
-    summary.late_ticks = 3;
     summary.removed = 2.2e-7;
     summary.removed_by_tissue = {{"cortical", 0.6e-7}, {"cancellous", 1.6e-7}};
     summary.force_scale = 0.05;

@@ -91,9 +91,9 @@ typedef struct kerf_event {
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */
 
-/* A point of the outline: the polyline (z, radius) from the tip backwards, z decreasing. It must be convex towards the
- * tip along +z: the radius never falls while z decreases within the cutting region.
- *   revolution   turned about the tool's z axis
+/* A point of the outline: the polyline (z, radius) from the tip backwards, z decreasing, radii 0 to 100 mm.
+ *   revolution   turned about the tool's z axis. The radius may rise and fall, also while cutting (steps, a ball behind
+ *                its equator): every sweep is exact
  *   prism        a blade: `radius` is half of its width along x, the front may be round, and two flat sides lie at
  *                ± half of its thickness across y; the outline must be convex as a whole */
 typedef struct kerf_profile_point {

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plugin_guard.h"
+
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/plugin/plugin_call.h"
+#include "core/session/recorder.h"
+
+namespace kerf {
+
+namespace {
+
+// What is called here may run in a signal handler, on a thread whose plugin has just overwritten who knows what. It
+// therefore takes no lock, no memory and no stdio. The record is not written here either: SQLite is not safe in a
+// handler. The recorder's own thread does that, as it always does; the handler sets a flag and waits for the thread's
+// answer, at most 2 s, since a broken heap may stop that thread, too. Rows that were committed before are safe anyhow.
+
+constexpr int exit_fault = 3;
+constexpr auto look_interval = std::chrono::milliseconds(100);
+constexpr int looks_until_hung = 50;  // 5 s, in looks: a program that was stopped and continued has not hung
+constexpr std::size_t stack_size = 256 << 10;
+
+[[noreturn]] void leave(int status) noexcept {
+    for (;;) syscall(SYS_exit_group, status);
+}
+
+/// A text in a fixed place; what does not fit is left out.
+template <std::size_t size>
+class FixedText {
+public:
+    FixedText& operator<<(const char* more) noexcept {
+        while (*more != '\0' && count_ + 1 < size) {
+            const auto c = static_cast<unsigned char>(*more++);
+            text_[count_++] = c < 0x20 || c == 0x7f ? ' ' : static_cast<char>(c);
+        }
+        text_[count_] = '\0';
+        return *this;
+    }
+    void end_line() noexcept {
+        if (count_ + 1 < size) text_[count_++] = '\n';
+        text_[count_] = '\0';
+    }
+    [[nodiscard]] const char* c_str() const noexcept { return text_; }
+    void print() const noexcept {
+        for (std::size_t at = 0; at < count_;) {
+            const ssize_t written = write(STDERR_FILENO, text_ + at, count_ - at);
+            if (written <= 0) return;
+            at += static_cast<std::size_t>(written);
+        }
+    }
+
+private:
+    char text_[size]{};
+    std::size_t count_ = 0;
+};
+
+const char* name_of_signal(int signal) noexcept {
+    switch (signal) {
+        case SIGABRT:
+            return "aborted";
+        case SIGSEGV:
+            return "crashed (SIGSEGV: it touched memory that is not its own, or used up its stack)";
+        case SIGBUS:
+            return "crashed (SIGBUS)";
+        case SIGFPE:
+            return "crashed (SIGFPE: it divided a whole number by zero)";
+        default:
+            return "crashed (SIGILL)";
+    }
+}
+
+/// Pre: a call is in progress. `words` may be empty.
+[[noreturn]] void end_by(const char* what, const char* words) noexcept {
+    static std::atomic<bool> is_ending{false};
+    while (is_ending.exchange(true)) pause();  // another thread is at it
+    alarm(10);                                 // whatever happens below, it ends
+
+    const CallInProgress now = call_in_progress();
+    const ComponentName name = name_of(now.component);
+    static FixedText<240> detail;  // into the record: no path
+    detail << (name.plugin != nullptr ? name.plugin->id.c_str() : "a plugin") << ": `" << to_text(now.call) << "` of `"
+           << name.component << "` " << what;
+    if (*words != '\0') detail << ": " << words;
+    const SavedRecord saved = Recorder::save_what_is_open(plugin_failed_event, detail.c_str());
+
+    static FixedText<6000> text;
+    text << "kerf: plugin " << (name.plugin != nullptr ? name.plugin->file.c_str() : "") << " ("
+         << (name.plugin != nullptr ? name.plugin->path.c_str() : "of unknown path") << "): `" << to_text(now.call)
+         << "` of `" << name.component << "` " << what;
+    if (*words != '\0') text << ": " << words;
+    text << ". Mend it, or take it out of its folder.";
+    text.end_line();
+    if (saved.path != nullptr) {
+        text << "      What was recorded " << (saved.is_closed ? "is kept in " : "up to a moment ago is kept in ")
+             << saved.path << ". Write `kerf report " << saved.path << "` to read it.";
+        text.end_line();
+    }
+    text.print();
+    leave(exit_fault);
+}
+
+/// Faults of this thread's plugin are handled, others left to whoever had them before.
+void on_signal(int signal) {
+    if (is_calling_plugin()) end_by(name_of_signal(signal), "");
+    std::signal(signal, SIG_DFL);
+    raise(signal);  // it comes when this handler returns
+}
+
+void on_exit() {
+    if (is_calling_plugin()) end_by("ended the program (`exit`)", "");
+}
+
+void on_throw(const char* words) { end_by("threw an exception", words); }
+
+std::terminate_handler terminate_of_others = nullptr;
+
+void on_terminate() {
+    if (is_calling_plugin()) {
+        try {
+            if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+        } catch (const std::exception& e) {
+            on_throw(e.what());
+        } catch (...) {
+            on_throw("");
+        }
+        end_by("called std::terminate", "");
+    }
+    if (terminate_of_others != nullptr) terminate_of_others();
+    std::abort();
+}
+
+}  // namespace
+
+PluginGuard::PluginGuard() : stack_(std::make_unique<std::byte[]>(stack_size)) {
+    static const bool is_registered = std::atexit(&on_exit) == 0 && std::at_quick_exit(&on_exit) == 0;
+    static_cast<void>(is_registered);
+    stack_t stack{};
+    stack.ss_sp = stack_.get();
+    stack.ss_size = stack_size;
+    sigaltstack(&stack, nullptr);
+    struct sigaction action {};
+    action.sa_handler = &on_signal;
+    action.sa_flags = SA_ONSTACK;
+    for (const int signal : signals) sigaddset(&action.sa_mask, signal);
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &action, &before_[i]);
+    set_throw_handler(&on_throw);
+    terminate_of_others = terminate_before_ = std::set_terminate(&on_terminate);
+    watchdog_ = std::thread([this] { watch(); });
+}
+
+PluginGuard::~PluginGuard() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_stopping_ = true;
+    }
+    stop_.notify_all();
+    watchdog_.join();
+    std::set_terminate(terminate_before_);
+    set_throw_handler(nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
+    stack_t none{};
+    none.ss_flags = SS_DISABLE;
+    sigaltstack(&none, nullptr);
+}
+
+/// The same call in each of so many looks has hung. Only calls into plugins have a number, so loading, import and
+/// Kerf's own work take as long as they need.
+void PluginGuard::watch() {
+    std::uint64_t seen = 0;
+    int looks = 0;
+    std::unique_lock lock(mutex_);
+    while (!stop_.wait_for(lock, look_interval, [&] { return is_stopping_; })) {
+        const CallInProgress now = call_in_progress();
+        looks = now.call != PluginCall::none && now.count == seen ? looks + 1 : 0;
+        seen = now.count;
+        if (looks >= looks_until_hung) end_by("did not come back within 5 s", "");
+    }
+}
+
+}  // namespace kerf
+
+// A plugin that calls one of these finds them here: it would end a run as if it had passed.
+extern "C" void _exit(int status) {
+    if (kerf::is_calling_plugin()) kerf::end_by("ended the program (`_exit`)", "");
+    kerf::leave(status);
+}
+extern "C" void _Exit(int status) noexcept { _exit(status); }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <condition_variable>
+#include <csignal>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace kerf {
+
+/// While this lives, a plugin that crashes, throws, aborts, exits or does not come back from one call within 5 s ends
+/// the program in order: the record of the run is written and closed, plugin, path and call are named on stderr, and
+/// the exit code is 3. Faults of Kerf's own code end as they would without it.   [main] one at a time
+class PluginGuard {
+public:
+    PluginGuard();
+    ~PluginGuard();
+    PluginGuard(const PluginGuard&) = delete;
+    PluginGuard& operator=(const PluginGuard&) = delete;
+
+private:
+    void watch();
+
+    static constexpr std::array signals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
+    std::array<struct sigaction, signals.size()> before_{};
+    std::terminate_handler terminate_before_;
+    std::unique_ptr<std::byte[]> stack_;  ///< of the handlers: a plugin may have used up its own
+    std::mutex mutex_;
+    std::condition_variable stop_;
+    bool is_stopping_ = false;
+    std::thread watchdog_;
+};
+
+}  // namespace kerf

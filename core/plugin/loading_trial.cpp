@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/plugin/loading_trial.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "core/plugin/plain_text.h"
+
+namespace kerf {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t max_message = 3000;  // [bytes]; with its head it fits into what a pipe takes whole
+constexpr rlim_t max_written = 1u << 20;   // [bytes] of one file, the child's own words included
+
+#if defined(__SANITIZE_THREAD__)
+constexpr int own_threads = 2;  // the sanitizer has one
+#else
+constexpr int own_threads = 1;
+#endif
+
+struct Head {
+    char what = 0;  ///< 'b' one begins, 'd' what it does, 'n' its id, 'r' its refusal, 't' it threw, 'e' all are done
+    std::uint32_t size = 0;
+};
+
+/// A descriptor that is closed with its owner.
+class Descriptor {
+public:
+    explicit Descriptor(int fd = -1) noexcept : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) close(fd_);
+    }
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
+    [[nodiscard]] int get() const noexcept { return fd_; }
+
+private:
+    int fd_;
+};
+
+// ---- in the child --------------------------------------------------------------------------------------------------
+
+int terminate_pipe = -1;  // a terminate handler sees nothing but globals
+
+std::string words_of_exception() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& e) {
+        return e.what();
+    } catch (...) {
+        return "an exception that is no std::exception";
+    }
+    return "";
+}
+
+/// Its own process group, so that what it starts ends with it; no core file; nothing on the terminal.
+void confine(int words) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit no_core{0, 0}, short_files{max_written, max_written};
+    setrlimit(RLIMIT_CORE, &no_core);
+    setrlimit(RLIMIT_FSIZE, &short_files);
+    if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) {
+        dup2(nothing, STDIN_FILENO);
+        dup2(nothing, STDOUT_FILENO);
+        dup2(words >= 0 ? words : nothing, STDERR_FILENO);
+    }
+}
+
+}  // namespace
+
+void TrialReport::send(char what, const std::string& text) const noexcept {
+    std::array<char, sizeof(Head) + max_message> message{};
+    const Head head{what, static_cast<std::uint32_t>(std::min(text.size(), max_message))};
+    std::memcpy(message.data(), &head, sizeof head);
+    std::memcpy(message.data() + sizeof head, text.data(), head.size);
+    while (write(pipe_, message.data(), sizeof head + head.size) < 0 && errno == EINTR) {
+    }
+}
+
+/// Tries some plugins; the parent's half of it is `run`.
+class TrialChild {
+public:
+    TrialChild(const std::vector<std::string>& paths, const TryOne& try_one, std::chrono::milliseconds limit)
+        : paths_(paths), try_one_(try_one), limit_(limit) {}
+
+    /// One trial for each path that the child came to; the last of them ended it unless all are there.
+    [[nodiscard]] std::vector<Trial> run();
+    [[nodiscard]] bool has_come_back() const noexcept { return has_come_back_; }
+
+private:
+    struct Ended {
+        int status = 0;
+        bool has_hung = false;
+    };
+    [[noreturn]] void work(int pipe, int words) const;
+    [[nodiscard]] bool take_message(int pipe);
+    [[nodiscard]] Ended follow(pid_t child, int pipe);
+    [[nodiscard]] std::string ending(const Ended& ended, int words) const;
+
+    const std::vector<std::string>& paths_;
+    const TryOne& try_one_;
+    std::chrono::milliseconds limit_;
+    std::vector<Trial> trials_;
+    std::string does_, thrown_;
+    bool has_thrown_ = false, has_come_back_ = false;
+};
+
+void TrialChild::work(int pipe, int words) const {
+    confine(words);
+    for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGHUP})
+        std::signal(signal, SIG_DFL);
+    terminate_pipe = pipe;
+    std::set_terminate([] {
+        TrialReport(terminate_pipe).send('t', words_of_exception());
+        std::abort();
+    });
+    const TrialReport report(pipe);
+    for (const std::string& path : paths_) {
+        report.send('b', "");
+        try {
+            report.send('r', try_one_(path, report));
+        } catch (...) {
+            report.send('t', words_of_exception());
+            _exit(1);
+        }
+    }
+    report.send('e', "");
+    _exit(0);  // nothing of the parent's is flushed or destroyed here
+}
+
+// ---- in the parent -------------------------------------------------------------------------------------------------
+
+bool TrialChild::take_message(int pipe) {
+    Head head;
+    std::string text(max_message, '\0');
+    // Messages are written whole, so one read finds all of a head and another all of its text.
+    if (read(pipe, &head, sizeof head) != static_cast<ssize_t>(sizeof head) || head.size > max_message) return false;
+    if (head.size > 0 && read(pipe, text.data(), head.size) != static_cast<ssize_t>(head.size)) return false;
+    text.resize(head.size);
+    if (head.what == 'b' && trials_.size() < paths_.size()) {
+        trials_.emplace_back();
+        does_.clear();
+    }
+    if (head.what == 'e') has_come_back_ = true;
+    if (trials_.empty()) return true;
+    if (head.what == 'd') does_ = text;
+    if (head.what == 'n') trials_.back().plugin_id = text;
+    if (head.what == 'r') trials_.back().refusal = text;
+    if (head.what == 't') {
+        has_thrown_ = true;
+        thrown_ = text;
+    }
+    return true;
+}
+
+std::string TrialChild::ending(const Ended& ended, int words) const {
+    const int status = ended.status;
+    std::string what;
+    if (ended.has_hung)
+        what = "did not come back within " + std::to_string(limit_.count() / 1000) + " s";
+    else if (has_thrown_)
+        what = "threw an exception" + (thrown_.empty() ? "" : " (" + quoted_plain(thrown_) + ")");
+    else if (WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT)
+        what = "aborted";
+    else if (WIFSIGNALED(status))
+        what = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
+    else
+        what = "ended the program with exit code " + std::to_string(WEXITSTATUS(status));
+    what += " " + (does_.empty() ? "while it was loaded" : does_) + ".";
+    std::array<char, 500> written{};
+    if (const ssize_t size = pread(words, written.data(), written.size(), 0); size > 0 && !has_thrown_) {
+        std::string first(written.data(), static_cast<std::size_t>(size));
+        first.resize(std::min(first.find('\n'), first.size()));
+        what += " It wrote " + quoted_plain(first) + ".";
+    }
+    return what + " Its own code did so in a trial: mend it, or take it out of its folder.";
+}
+
+std::vector<Trial> TrialChild::run() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return {};
+    const Descriptor out(ends[0]);
+    Descriptor in(ends[1]);
+    const Descriptor words(memfd_create("kerf-trial", MFD_CLOEXEC));
+    std::fflush(nullptr);  // else an `exit` in the child writes it a second time
+    const pid_t child = fork();
+    if (child < 0) return {};
+    if (child == 0) work(in.get(), words.get());
+    in = Descriptor();
+
+    const Ended ended = follow(child, out.get());
+    kill(-child, SIGKILL);  // what it started
+    if (!has_come_back_ && !trials_.empty()) trials_.back().refusal = ending(ended, words.get());
+    return std::move(trials_);
+}
+
+/// Until the child is gone. The pipe alone does not tell: what the child started may hold it, and the child may close
+/// it.
+TrialChild::Ended TrialChild::follow(pid_t child, int pipe) {
+    constexpr int slice = 20;  // [ms] until an end that the pipe does not tell is seen
+    Ended ended;
+    bool is_open = true, is_gone = false;
+    auto deadline = Clock::now() + limit_;
+    while (!is_gone) {
+        pollfd ready{is_open ? pipe : -1, POLLIN, 0};
+        const int count = poll(&ready, 1, has_come_back_ ? 1 : slice);
+        if (count > 0) {
+            is_open = take_message(pipe);
+            deadline = Clock::now() + limit_;
+            continue;
+        }
+        if (!ended.has_hung && Clock::now() >= deadline) {
+            ended.has_hung = true;
+            kill(child, SIGKILL);
+        }
+        const pid_t gone = waitpid(child, &ended.status, WNOHANG);
+        is_gone = gone == child || (gone < 0 && errno != EINTR);
+    }
+    return ended;
+}
+
+bool can_try() noexcept {
+    std::error_code error;
+    int threads = 0;
+    for (std::filesystem::directory_iterator task("/proc/self/task", error), end; !error && task != end;
+         task.increment(error))
+        ++threads;
+    return !error && threads <= own_threads;
+}
+
+std::vector<Trial> try_in_child(const std::vector<std::string>& paths, const TryOne& try_one,
+                                std::chrono::milliseconds limit) {
+    TrialChild all(paths, try_one, limit);
+    std::vector<Trial> trials = all.run();
+    if (all.has_come_back() || trials.empty()) {
+        trials.resize(paths.size());  // no child could be made: the caller's own loading says what is wrong
+        return trials;
+    }
+    // The first was alone already.
+    trials.resize(trials.size() == 1 ? 1 : 0);
+    while (trials.size() < paths.size()) {
+        const std::vector<std::string> alone{paths[trials.size()]};
+        const std::vector<Trial> one = TrialChild(alone, try_one, limit).run();
+        trials.push_back(one.empty() ? Trial{} : one.front());
+    }
+    return trials;
+}
+
+}  // namespace kerf

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/plugin/plugin_call.h"
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "core/plugin/plain_text.h"
+
+namespace kerf {
+
+namespace {
+
+// Only the calling thread writes them; signal handlers and the watchdog read.
+std::atomic<std::uint32_t> call_now{0};
+std::atomic<const kerf_component*> component_now{nullptr};
+std::atomic<std::uint64_t> count_now{0};
+thread_local bool is_calling = false;
+std::atomic<ThrowHandler> throw_handler{nullptr};
+
+class CallNote {
+public:
+    CallNote(PluginCall call, const kerf_component& component) noexcept {
+        component_now.store(&component, std::memory_order_relaxed);
+        count_now.store(count_now.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        call_now.store(static_cast<std::uint32_t>(call), std::memory_order_release);
+        is_calling = true;
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+    }
+    ~CallNote() {
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+        is_calling = false;
+        call_now.store(0, std::memory_order_release);
+    }
+    CallNote(const CallNote&) = delete;
+    CallNote& operator=(const CallNote&) = delete;
+};
+
+/// Within the call still, so that the handler knows which it was.
+[[noreturn]] void end_by_exception() noexcept {
+    const ThrowHandler handler = throw_handler.load();
+    if (handler == nullptr) std::terminate();
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& e) {
+        handler(e.what());
+    } catch (...) {
+        handler("");
+    }
+    handler("");
+    std::terminate();
+}
+
+// A list that only grows, so that a signal handler may walk it at any time.
+struct Remembered {
+    PluginName name;
+    const kerf_entry* entry;
+    const kerf_component* first;
+    std::atomic<std::size_t> count;
+    Remembered* next;
+};
+std::atomic<Remembered*> newest{nullptr};
+
+}  // namespace
+
+const char* to_text(PluginCall call) noexcept {
+    switch (call) {
+        case PluginCall::shape:
+            return "shape";
+        case PluginCall::begin:
+            return "begin";
+        case PluginCall::resist:
+            return "resist";
+        case PluginCall::commit:
+            return "commit";
+        default:
+            return "";
+    }
+}
+
+kerf_status call_shape(const kerf_component& tool, const double* parameters, kerf_tool_shape& out) noexcept {
+    const CallNote note(PluginCall::shape, tool);
+    try {
+        return tool.tool->shape(parameters, &out);
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
+void call_begin(const kerf_component& law, const kerf_tick_in& in, void* state) noexcept {
+    const CallNote note(PluginCall::begin, law);
+    try {
+        law.force->begin(&in, state);
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
+kerf_status call_resist(const kerf_component& law, const kerf_tick_in& in, const void* state, kerf_law& out) noexcept {
+    const CallNote note(PluginCall::resist, law);
+    try {
+        return law.force->resist(&in, state, &out);
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
+kerf_status call_commit(const kerf_component& law, const kerf_tick_in& in, const kerf_advance& advance, void* state,
+                        kerf_commit_out& out) noexcept {
+    const CallNote note(PluginCall::commit, law);
+    try {
+        return law.force->commit(&in, &advance, state, &out);
+    } catch (...) {
+        end_by_exception();
+    }
+}
+
+CallInProgress call_in_progress() noexcept {
+    const auto call = static_cast<PluginCall>(call_now.load(std::memory_order_acquire));
+    return {call, component_now.load(std::memory_order_relaxed), count_now.load(std::memory_order_relaxed)};
+}
+
+bool is_calling_plugin() noexcept { return is_calling; }
+
+void set_throw_handler(ThrowHandler handler) noexcept { throw_handler.store(handler); }
+
+void remember_components(const kerf_entry& entry, const std::string& path) {
+    auto remembered = std::make_unique<Remembered>();
+    remembered->name = {
+        plain(entry.plugin_id), plain(std::filesystem::path(path).filename().string()), plain(path), {}};
+    for (std::uint32_t i = 0; i < entry.component_count; ++i)
+        remembered->name.components.push_back(plain(entry.components[i].id));
+    remembered->entry = &entry;
+    remembered->first = entry.components;
+    remembered->count.store(entry.component_count);
+    remembered->next = newest.load();
+    newest.store(remembered.release());
+}
+
+void forget_components(const kerf_entry* entry) noexcept {
+    for (Remembered* r = newest.load(); r != nullptr; r = r->next)
+        if (r->entry == entry) r->count.store(0);
+}
+
+ComponentName name_of(const kerf_component* component) noexcept {
+    const auto at = reinterpret_cast<std::uintptr_t>(component);
+    for (const Remembered* r = newest.load(); r != nullptr; r = r->next) {
+        const auto first = reinterpret_cast<std::uintptr_t>(r->first);
+        const std::size_t count = r->count.load();
+        if (at >= first && at < first + count * sizeof(kerf_component))
+            return {&r->name, r->name.components[(at - first) / sizeof(kerf_component)].c_str()};
+    }
+    return {};
+}
+
+}  // namespace kerf

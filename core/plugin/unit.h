@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "kerf/abi.h"
+
+/// The units that plugins declare and documents use.
+namespace kerf {
+
+/// A unit in terms of SI: a value in this unit, times `factor`, is SI.
+struct Unit {
+    double factor = 1.0;
+    kerf_dimension dimension{};
+};
+
+/// One named unit. Its factor is a fraction of whole numbers where there is one, so that 1 g/cm3 is exactly 1000 kg/m³.
+struct UnitSymbol {
+    std::string_view name;
+    double numerator, denominator;
+    kerf_dimension dimension;
+};
+
+/// Units with more factors are unknown: none needs more, and a long text costs no search.
+inline constexpr std::size_t max_unit_factors = 6;
+
+/// All named units.   [any]
+[[nodiscard]] std::span<const UnitSymbol> unit_symbols() noexcept;
+
+/// "mm", "g/cm3", "N/mm^2", "1/s", "N m"; revolutions count as 1, so "rpm" is a frequency. Empty if unknown.   [any]
+[[nodiscard]] std::optional<Unit> parse_unit(std::string_view text);
+
+}  // namespace kerf

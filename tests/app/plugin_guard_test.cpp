@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bad plugins, as the program meets them: each row is a plugin with one fault, a command, and what it must end with.
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "tests/support/temporary_folder.h"
+
+namespace kerf {
+namespace {
+
+using test::contents_of;
+using test::TemporaryFolder;
+
+struct Ended {
+    int exit_code = -1;
+    std::string out, err;
+};
+
+/// One plugin alone in its folder, with a procedure that uses it.
+class Zoo {
+public:
+    explicit Zoo(const std::string& how) : plugin_(folder_ / ("plugins/plugin_that_" + how + ".so")) {
+        namespace fs = std::filesystem;
+        fs::create_directory(folder_ / "plugins");
+        fs::copy(KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_" + how + ".so", plugin_);
+        fs::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder_ / "anatomy", fs::copy_options::recursive);
+        std::ofstream(folder_ / "procedure.yaml") << R"(apiVersion: kerf/v1
+kind: Procedure
+metadata: {id: hostile, title: A burr of a stranger, version: 0.1.0, status: draft, authors: [Nobody]}
+needs: {landmarks: [right_pedicle, midline], tissues: [cortical, cancellous]}
+anatomy: anatomy/vertebra-phantom.yaml
+accuracy: {spacing: 0.5 mm}
+haptics: {device: premium-1.5-6dof}
+time_limit: 20 s
+instruments: {burr: {plugin: test.hostile, tool: burr, force: burring}}
+steps:
+  - id: groove
+    title: Burr a hole
+    instrument: burr
+    axis: right_pedicle
+    goals: [{entry: {}}, {depth: {at_least: 1 mm}}]
+rehearsals:
+  - id: expert
+    title: Along the axis
+    expect: pass
+    hand: {feed: 5 mm/s, approach: 20 mm/s, push: 50 N, reaction: 150 ms}
+    path: [{depth: -3 mm}, {depth: 2 mm}, {depth: -3 mm}]
+)";
+    }
+    [[nodiscard]] Ended kerf(const std::string& command) const {
+        const TemporaryFolder said;
+        const std::string line = "KERF_PLUGIN_PATH=" + (folder_ / "plugins") + " " KERF_BUILD_DIR "/bin/kerf " +
+                                 command + " > " + (said / "out") + " 2> " + (said / "err");
+        const int status = std::system(line.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents_of(said / "out"), contents_of(said / "err")};
+    }
+    [[nodiscard]] Ended run() const { return kerf("run " + procedure() + " --out " + out()); }
+    [[nodiscard]] std::string procedure() const { return folder_ / "procedure.yaml"; }
+    [[nodiscard]] std::string out() const { return folder_ / "out"; }
+    [[nodiscard]] const std::string& plugin() const { return plugin_; }
+
+private:
+    TemporaryFolder folder_;
+    std::string plugin_;
+};
+
+int number_in(const std::string& session, const char* query) {
+    sqlite3* database = nullptr;
+    sqlite3_stmt* statement = nullptr;
+    int number = -1;
+    if (sqlite3_open_v2(session.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK &&
+        sqlite3_prepare_v2(database, query, -1, &statement, nullptr) == SQLITE_OK &&
+        sqlite3_step(statement) == SQLITE_ROW)
+        number = sqlite3_column_int(statement, 0);
+    sqlite3_finalize(statement);
+    sqlite3_close(database);
+    return number;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(PluginGuard, LetsASoundPluginPass) {
+    const Zoo zoo("nothing_wrong");
+    const Ended run = zoo.run();
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+}
+
+struct InARun {
+    const char *how, *says;
+};
+class EndsARun : public testing::TestWithParam<InARun> {};
+
+TEST_P(EndsARun, NamesPluginAndCallAndKeepsTheRecord) {
+    const auto& [how, says] = GetParam();
+    const Zoo zoo(how);
+    const Ended run = zoo.run();
+    EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+    EXPECT_TRUE(has(run.err, zoo.plugin())) << run.err;
+    EXPECT_TRUE(has(run.err, says)) << run.err;
+
+    const Ended report = zoo.kerf("report " + zoo.out() + "/session.db");
+    EXPECT_EQ(report.exit_code, 0) << report.err;
+    EXPECT_TRUE(has(report.err, std::string("A plugin ended the run. test.hostile: ") + says)) << report.err;
+    const std::string page = contents_of(zoo.out() + "/report.html");
+    EXPECT_TRUE(has(page, "Ticks")) << page.size();
+    EXPECT_FALSE(has(contents_of(zoo.out() + "/session.db"), zoo.plugin())) << "no path in the record";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    PluginGuard, EndsARun,
+    testing::Values(InARun{"crashes_in_resist", "`resist` of `burring` crashed (SIGSEGV"},
+                    InARun{"crashes_in_commit", "`commit` of `burring` crashed (SIGSEGV"},
+                    InARun{"recurses_in_resist", "`resist` of `burring` crashed (SIGSEGV"},
+                    InARun{"aborts_in_resist", "`resist` of `burring` aborted"},
+                    InARun{"throws_in_resist", "`resist` of `burring` threw an exception: not today"},
+                    InARun{"throws_an_int_in_commit", "`commit` of `burring` threw an exception"},
+                    InARun{"exits_in_resist", "`resist` of `burring` ended the program (`exit`)"},
+                    InARun{"exits_in_commit", "`commit` of `burring` ended the program (`exit`)"},
+                    InARun{"quick_exits_in_resist", "`resist` of `burring` ended the program (`exit`)"},
+                    InARun{"leaves_in_resist", "`resist` of `burring` ended the program (`_exit`)"},
+                    InARun{"loops_in_resist", "`resist` of `burring` did not come back within 5 s"},
+                    InARun{"sleeps_in_commit", "`commit` of `burring` did not come back within 5 s"}),
+    [](const auto& tested) { return std::string(tested.param.how); });
+
+TEST(PluginGuard, KeepsEveryTickBeforeTheCrash) {
+    const Zoo zoo("crashes_in_resist");
+    ASSERT_EQ(zoo.run().exit_code, 3);
+    EXPECT_FALSE(std::filesystem::exists(zoo.out() + "/session.db-wal")) << "closed to one file";
+    EXPECT_EQ(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM ticks"), 300) << "the fault is in tick 300";
+    EXPECT_EQ(number_in(zoo.out() + "/session.db", "SELECT count(*) FROM events WHERE id='run.plugin_failed'"), 1);
+}
+
+TEST(PluginGuard, EndsRehearseAndStabilityLikewise) {
+    for (const char* how : {"exits_in_resist", "crashes_in_commit"}) {
+        const Zoo zoo(how);
+        const Ended rehearsed = zoo.kerf("rehearse " + zoo.procedure());
+        EXPECT_EQ(rehearsed.exit_code, 3) << rehearsed.out;
+        EXPECT_TRUE(has(rehearsed.err, zoo.plugin())) << rehearsed.err;
+        const Ended stability = zoo.kerf("stability --quick --plugin test.hostile --out " + zoo.out() + "-stability");
+        EXPECT_EQ(stability.exit_code, 3) << stability.out;
+        EXPECT_TRUE(has(stability.err, zoo.plugin())) << stability.err;
+    }
+}
+
+TEST(PluginGuard, EndsValidateWhereShapeDoes) {
+    for (const auto& [how, says] : {std::pair<const char*, const char*>{"crashes_in_shape", "crashed (SIGSEGV"},
+                                    {"throws_in_shape", "threw an exception: not today"},
+                                    {"exits_in_shape", "ended the program (`exit`)"},
+                                    {"loops_in_shape", "did not come back within 5 s"}}) {
+        const Zoo zoo(how);
+        const Ended validated = zoo.kerf("validate " + zoo.procedure());
+        EXPECT_EQ(validated.exit_code, 3) << how << validated.out;
+        EXPECT_TRUE(has(validated.err, zoo.plugin() + "): `shape` of `burr` " + says)) << validated.err;
+    }
+}
+
+TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
+    for (const auto& [how, says] :
+         {std::pair<const char*, const char*>{"empty_outline", "`profile_count` is 0, expected 2 … 64."},
+          {"huge_outline", "`profile_count` is 2000000000, expected 2 … 64."},
+          {"cuts_beyond_its_outline", "`cutting_count` is 9, expected 2 … 4."},
+          {"forward_outline", "point 2: `z` is 1 mm, expected less than -1 mm"},
+          {"nan_outline", "point 1: `radius` is nan mm, expected 0 mm … 100 mm."},
+          {"negative_outline", "point 1: `radius` is -1 mm, expected 0 mm … 100 mm."}}) {
+        const Zoo zoo(how);
+        const Ended validated = zoo.kerf("validate " + zoo.procedure());
+        EXPECT_EQ(validated.exit_code, 2) << how;
+        EXPECT_TRUE(has(validated.out, std::string("gives an outline that is no solid: ") + says)) << validated.out;
+    }
+}
+
+TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
+    for (const auto& [how, says] :
+         {std::pair<const char*, const char*>{"nan_delta",
+                                              "channel 0 (id 7): `delta` is nan, expected a finite number."},
+          {"nan_wrench", "`wrench[3]` is nan, expected a finite number."},
+          {"nan_note", "`note[2]` is nan, expected a finite number."},
+          {"negative_stiffness", "channel 0 (id 7): `k` is -5, expected a finite number, 0 or more."},
+          {"no_direction", "channel 0 (id 7): `d` is 0, expected a direction"},
+          {"narrow_onset", "channel 0 (id 7): `w` is 1e-09, expected 1e-06 or more"},
+          {"unknown_kind", "channel 0 (id 7): `kind` is 9, expected 0 (cut)"},
+          {"too_many_channels", "its law's `count` is 17, expected at most 16."},
+          {"fails_in_resist", "`resist` returned -1 (KERF_FAILED), expected 0 (KERF_OK)."}}) {
+        const Zoo zoo(how);
+        const Ended run = zoo.run();
+        EXPECT_EQ(run.exit_code, 1) << how << run.err;
+        const std::string named = std::string("`burring` of test.hostile: ") + says;
+        EXPECT_TRUE(has(run.out, named)) << run.out;
+        EXPECT_TRUE(has(contents_of(zoo.out() + "/summary.json"), named)) << how;
+        const std::string session = contents_of(zoo.out() + "/session.db");
+        EXPECT_TRUE(has(session, "haptics.quarantined" + named)) << how << ": the event's detail follows its id";
+    }
+}
+
+TEST(PluginGuard, NamesALawThatIsSlowerThanItDeclares) {
+    const Zoo zoo("slow");
+    const Ended run = zoo.run();
+    EXPECT_TRUE(has(run.err, "`burring` of test.hostile: ")) << run.err;
+    EXPECT_TRUE(has(run.err, " calls of `resist` took longer than its budget of 20 us: 99.9 % within ")) << run.err;
+}
+
+TEST(PluginGuard, ShowsARefusalWhereThePluginIsMissed) {
+    const Zoo zoo("null_drive_id");
+    const Ended validated = zoo.kerf("validate " + zoo.procedure());
+    EXPECT_EQ(validated.exit_code, 2);
+    EXPECT_TRUE(has(validated.out, "E0301")) << validated.out;
+    EXPECT_TRUE(has(validated.out, "because of " + zoo.plugin() + ": component `burr`: drive 0: `id` is null"))
+        << validated.out;
+}
+
+TEST(PluginGuard, ListGoesOnWithoutAPluginThatCrashes) {
+    for (const char* how : {"crashes", "exits", "null_signal_id", "null_parameters"}) {
+        const Zoo zoo(how);
+        const Ended listed = zoo.kerf("list");
+        EXPECT_EQ(listed.exit_code, 0) << how;
+        EXPECT_TRUE(has(listed.out, "kerf.drilling")) << listed.out;
+        EXPECT_TRUE(has(listed.err, zoo.plugin())) << listed.err;
+        EXPECT_EQ(zoo.kerf("validate " KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml").exit_code, 0) << how;
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// A plugin with one fault, `kerf_how`, which each library brings along; "nothing_wrong" is sound. A burr of 3 mm whose
+// law is one channel along its shaft. A fault of its law comes at tick 300, when some of a run is recorded.
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "kerf/abi.h"
+#include "kerf/units.hpp"
+
+extern "C" __attribute__((visibility("hidden"))) const char kerf_how[];
+
+namespace {
+
+const std::string_view how = kerf_how;
+bool is(std::string_view fault) { return how == fault; }
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t fault_tick = 300;
+
+volatile int sink = 0;
+
+[[gnu::noinline]] int fall(int depth) { return depth < 0 ? sink : fall(depth + 1) + sink; }
+
+/// What ends a process or never returns, for each place of a plugin's code: "crashes_in_resist".
+void misbehave(std::string_view place) {
+    const auto does = [&](std::string_view what) {
+        return how.size() == what.size() + 4 + place.size() && how.starts_with(what) && how.ends_with(place);
+    };
+    if (does("crashes")) *reinterpret_cast<volatile int*>(static_cast<std::uintptr_t>(sink + 16)) = 1;
+    if (does("throws")) throw std::runtime_error("not today");
+    if (does("throws_an_int")) throw 7;
+    if (does("aborts")) std::abort();
+    if (does("exits")) std::exit(0);
+    if (does("quick_exits")) std::quick_exit(0);
+    if (does("leaves")) _exit(0);
+    if (does("recurses")) sink = fall(0);
+    if (does("loops"))
+        for (;;) sink = sink + 1;
+    if (does("sleeps"))
+        for (;;) sleep(1000);
+}
+
+void wait_for(double seconds) {
+    timespec start, now;
+    clock_gettime(CLOCK_MONOTONIC, &start);
+    do {
+        clock_gettime(CLOCK_MONOTONIC, &now);
+    } while (static_cast<double>(now.tv_sec - start.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - start.tv_nsec) <
+             seconds);
+}
+
+// ---- the tool ------------------------------------------------------------------------------------------------------
+
+kerf_status shape(const double*, kerf_tool_shape* out) {
+    misbehave("shape");
+    if (is("fails_in_shape")) return KERF_FAILED;
+    kerf_profile_point points[] = {{0.0, 0.0}, {-1e-3, 1.5e-3}, {-3e-3, 1.5e-3}, {-60e-3, 1.5e-3}};
+    if (is("forward_outline")) points[2].z = 1e-3;
+    if (is("nan_outline")) points[1].radius = nan_value;
+    if (is("negative_outline")) points[1].radius = -1e-3;
+    std::copy(std::begin(points), std::end(points), out->profile);
+    out->profile_count = is("empty_outline") ? 0u : is("huge_outline") ? 2000000000u : 4u;
+    out->cutting_count = is("cuts_beyond_its_outline") ? 9u : 3u;
+    out->grip_z = -60e-3;
+    return KERF_OK;
+}
+
+// ---- the law -------------------------------------------------------------------------------------------------------
+
+struct State {
+    double cut;
+};
+
+void begin(const kerf_tick_in*, void* state) {
+    misbehave("begin");
+    *static_cast<State*>(state) = State{};
+}
+
+kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
+    const bool is_time = in->tick >= fault_tick;
+    const kerf_vec3 point{0, 0, 0}, along{0, 0, 1};
+    kerf_bone_sample sample{};
+    in->bone->sample(in->bone->bone, &point, 1, &along, 1, &sample);
+    kerf_channel& c = law->channel[0];
+    c = kerf_channel{};
+    c.kind = KERF_CUT;
+    c.id = 7;
+    c.d[2] = 1.0;
+    c.w = 1e-5;
+    c.tau = 4.0 * sample.engagement;
+    c.gap = std::min(sample.gap, 1.0);
+    law->count = 1;
+    if (!is_time) return KERF_OK;
+    misbehave("resist");
+    if (is("nan_delta")) c.delta = nan_value;
+    if (is("nan_wrench")) law->wrench[3] = nan_value;
+    if (is("nan_note")) law->note[2] = nan_value;
+    if (is("negative_stiffness")) c.k = -5.0;
+    if (is("no_direction")) c.d[2] = 0.0;
+    if (is("narrow_onset")) c.w = 1e-9;
+    if (is("unknown_kind")) c.kind = 9;
+    if (is("too_many_channels")) law->count = KERF_MAX_CHANNELS + 1;
+    if (is("fails_in_resist")) return KERF_FAILED;
+    if (is("stiff")) {
+        c.kind = KERF_CONTACT;
+        c.k = 1e15;
+    }
+    if (is("pushes")) law->wrench[0] = 1e6;
+    if (is("allocates")) free(std::fill_n(static_cast<char*>(malloc(800000)), 800000, '\1') - 800000);
+    if (is("writes_const_state")) static_cast<State*>(const_cast<void*>(state))->cut = 1.0;
+    if (is("slow")) wait_for(3e-3);
+    return KERF_OK;
+}
+
+kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void*, kerf_commit_out* out) {
+    // Not while the host runs the tool up in air, before there is a run.
+    if (in->tick >= fault_tick && advance->channel_count > 0) misbehave("commit");
+    out->action[0] = {KERF_ACTION_CUT, 0};
+    out->action_count = 1;
+    out->signal[0] = is("nan_signal") ? nan_value : 1.0;
+    if (is("unknown_event")) out->action[out->action_count++] = {KERF_ACTION_EVENT, 99};
+    if (is("unknown_actions")) {
+        out->action[out->action_count++] = {77, 0};
+        out->action_count = 4000000000u;
+    }
+    return KERF_OK;
+}
+
+// ---- the tables ----------------------------------------------------------------------------------------------------
+
+namespace dimension = kerf::dimension;
+
+kerf_param parameters[2];
+kerf_drive drives[2];
+kerf_signal signals[2];
+kerf_event events[2];
+kerf_tool tool;
+kerf_force force;
+kerf_component components[3];
+
+kerf_param sound_parameter() {
+    kerf_param p{};
+    p.id = "size";
+    p.help = "A length.";
+    p.dimension = dimension::length;
+    p.display_unit = "mm";
+    p.min = 1e-3;
+    p.max = 5e-3;
+    p.def = 3e-3;
+    p.source = "assumed";
+    return p;
+}
+
+kerf_drive sound_drive() {
+    kerf_drive d{};
+    d.id = "speed";
+    d.help = "How fast it turns.";
+    d.dimension = dimension::frequency;
+    d.display_unit = "rpm";
+    d.max = 100.0;
+    d.def = 50.0;
+    return d;
+}
+
+void fill_parameters() {
+    std::fill(std::begin(parameters), std::end(parameters), sound_parameter());
+    parameters[1].id = is("twin_parameters") ? "size" : "other_size";
+    kerf_param& p = parameters[0];
+    if (is("default_out_of_range")) p.def = 0.5;
+    if (is("null_help")) p.help = nullptr;
+    if (is("null_source")) p.source = nullptr;
+    if (is("null_unit")) p.display_unit = nullptr;
+    if (is("null_parameter_id")) p.id = nullptr;
+    if (is("unknown_unit")) p.display_unit = "furlong";
+    if (is("unit_of_another_dimension")) p.display_unit = "N";
+    if (is("length_without_unit")) p.display_unit = "";
+    if (is("help_not_utf8")) p.help = "caf\xe9.";
+    if (is("help_with_escape")) p.help = "\x1b[2Jgone";
+    if (is("infinite_range")) p.max = HUGE_VAL;
+}
+
+void fill_drives() {
+    std::fill(std::begin(drives), std::end(drives), sound_drive());
+    drives[1].id = is("twin_drives") ? "speed" : "trigger";
+    kerf_drive& d = drives[0];
+    if (is("null_drive_id")) d.id = nullptr;
+    if (is("drive_default_out_of_range")) d.def = 5000.0;
+    if (is("null_drive_unit")) d.display_unit = nullptr;
+}
+
+void fill_signals_and_events() {
+    std::fill(std::begin(signals), std::end(signals), kerf_signal{"load", "A force.", dimension::force, "N"});
+    signals[1].id = is("twin_signals") ? "load" : "other_load";
+    if (is("null_signal_id")) signals[0].id = nullptr;
+    events[0] = {"hostile.happened", "It happened."};
+    events[1] = {is("twin_events") ? "hostile.happened" : "hostile.ended", "It ended."};
+    if (is("foreign_event")) events[0].id = "haptics.held_back";
+}
+
+void fill_tool() {
+    tool.size = sizeof tool;
+    tool.drives = is("null_drives") ? nullptr : drives;
+    tool.drive_count = std::size(drives);
+    tool.shape = is("null_shape") ? nullptr : &shape;
+}
+
+void fill_force() {
+    force.size = sizeof force;
+    force.state_size = is("huge_state") ? 0xffffffffu : sizeof(State);
+    force.state_align = is("odd_alignment") ? 3 : alignof(State);
+    force.signals = is("null_signals") ? nullptr : signals;
+    force.signal_count = std::size(signals);
+    force.events = events;
+    force.event_count = std::size(events);
+    force.budget_ns = 20000;
+    force.begin = &begin;
+    force.resist = is("null_resist") ? nullptr : &resist;
+    force.commit = &commit;
+}
+
+void fill_components() {
+    for (kerf_component& c : components) {
+        c.size = sizeof c;
+        c.kind = KERF_KIND_TOOL;
+        c.help = "A burr.";
+        c.params = is("null_parameters") ? nullptr : parameters;
+        c.param_count = is("huge_parameter_count") ? 1000000000u : std::size(parameters);
+        c.tool = &tool;
+    }
+    components[0].id = "burr";
+    components[1].id = "other_burr";
+    components[2].id = "burring";
+    components[2].kind = KERF_KIND_FORCE;
+    components[2].tool = nullptr;
+    components[2].force = &force;
+    if (is("twin_components")) components[1].id = "burr";
+    if (is("null_component_id")) components[0].id = nullptr;
+    if (is("dangling_parameters")) components[0].params = reinterpret_cast<kerf_param*>(std::uintptr_t{64});
+}
+
+kerf_entry filled_entry() {
+    misbehave("load");
+    fill_parameters();
+    fill_drives();
+    fill_signals_and_events();
+    fill_tool();
+    fill_force();
+    fill_components();
+    kerf_entry entry{};
+    entry.magic = KERF_MAGIC;
+    entry.abi = is("wrong_abi") ? 7 : KERF_ABI_VERSION;
+    entry.size = sizeof entry;
+    entry.component_count = is("huge_component_count") ? 1000000000u : std::size(components);
+    entry.layout = KERF_LAYOUT_INIT;
+    entry.plugin_id = "test.hostile";
+    entry.plugin_version = "0.1.0";
+    entry.licence = is("null_licence") ? nullptr : "Apache-2.0";
+    entry.toolchain = is("null_toolchain") ? nullptr : "any";
+    entry.components = components;
+    return entry;
+}
+
+struct Unloaded {
+    ~Unloaded() { misbehave("unload"); }
+} unloaded;
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const kerf_entry kerf_plugin_entry;
+extern "C" const kerf_entry kerf_plugin_entry = filled_entry();
