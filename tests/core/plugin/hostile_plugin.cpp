@@ -97,7 +97,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     c.id = 7;
     c.d[2] = 1.0;
     c.w = 1e-5;
-    c.tau = 4.0 * sample.engagement;
+    c.tau = 0.2 * sample.engagement;
     c.gap = std::min(sample.gap, 1.0);
     law->count = 1;
     if (!is_time) return KERF_OK;
@@ -118,7 +118,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     if (is("pushes")) law->wrench[0] = 1e6;
     if (is("allocates")) free(std::fill_n(static_cast<char*>(malloc(800000)), 800000, '\1') - 800000);
     if (is("writes_const_state")) static_cast<State*>(const_cast<void*>(state))->cut = 1.0;
-    if (is("slow")) wait_for(3e-3);
+    if (is("slow")) wait_for(2e-4);
     return KERF_OK;
 }
 
