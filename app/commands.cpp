@@ -66,7 +66,7 @@ std::string refusal_of_page(const std::string& file) {
 
 void print(const RunSummary& s) {
     std::printf("verdict: %s\n", to_text(s.verdict));
-    for (const auto& reason : s.reasons) std::printf("  %s\n", reason.c_str());
+    for (const auto& reason : s.reasons) std::printf("  %s\n", shown(reason).c_str());
     for (const auto& m : s.metrics)
         std::printf("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str());
     std::printf("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9, s.duration,
@@ -74,7 +74,7 @@ void print(const RunSummary& s) {
 }
 
 DocumentRequest request_of(const std::string& file, const CommandLine& line) {
-    return {file, line.anatomy, {line.variant, line.settings}};
+    return {file, line.anatomy, {line.variant, line.settings}, line.shipped};
 }
 
 /// Making the bone may take minutes.
@@ -117,8 +117,8 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
     for (const auto& file : line.files) {
         Findings& one = all.emplace_back(Findings{file, {}});
         const auto documents = check_documents(request_of(file, line), plugins, one.diagnostics);
-        if (documents && line.variant.empty()) {
-            const Diagnostics of_variants = check_variants(request_of(file, line), *documents, plugins);
+        if (line.variant.empty()) {
+            const Diagnostics of_variants = check_variants(request_of(file, line), one.diagnostics, plugins);
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
         if (documents && line.is_with_bone) print_notes(make_bone(*documents, file, one.diagnostics));
@@ -132,14 +132,14 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
 // ---- rehearse ----------------------------------------------------------------------------------------------------
 
 std::string expectation_of(const Rehearsal& rehearsal) {
-    return rehearsal.expect == "pass"
-               ? "pass"
-               : rehearsal.expect + ", because of the limit `" + rehearsal.expect_limit + "` alone";
+    if (rehearsal.expect != "fail") return rehearsal.expect;
+    return "fail by the limit `" + rehearsal.expect_limit + "` alone" +
+           (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
 }
 
 std::string ending_of(const RunSummary& summary) {
     std::string text = to_text(summary.verdict);
-    for (const auto& reason : summary.reasons) text += "\n            " + reason;
+    for (const auto& reason : summary.reasons) text += "\n            " + shown(reason);
     return text;
 }
 
@@ -160,12 +160,12 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
         if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
         std::printf("%s: %s\n  expected  %s\n  ended     %s\n", rehearsal.id.c_str(),
-                    outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS",
-                    expectation_of(rehearsal).c_str(), ending_of(outcome.summary).c_str());
+                    outcome.is_as_expected ? "ended as expected" : "NOT AS EXPECTED", expectation_of(rehearsal).c_str(),
+                    ending_of(outcome.summary).c_str());
         as_expected += outcome.is_as_expected;
     }
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
-    std::printf("%s: %d of %d rehearsals ended as they say\n", file.c_str(), as_expected, count);
+    std::printf("%s: %d of %d rehearsals ended as expected\n", file.c_str(), as_expected, count);
     return as_expected == count ? exit_pass : exit_not_passed;
 }
 
@@ -229,15 +229,14 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
-        return complain("the replay would take the place of its recording. Give another folder with `--out`.",
-                        exit_bad_input);
+        return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
     request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     print(outcome.summary);
     std::printf("  %s/report.html\n", request.out.c_str());
-    if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
+    if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
     if (!recorded_hash.empty()) {
         const bool is_same = recorded_hash == hex16(outcome.summary.hash);
         std::printf("  replay: %s\n", is_same ? "the same bits" : "NOT the same bits");
@@ -257,8 +256,7 @@ ExitCode report(const CommandLine& line) {
         return complain(refusal, exit_bad_input);
     std::error_code ignored;
     if (fs::equivalent(line.source, file, ignored))
-        return complain("the page would take the place of its session. Give another file with `--out`.",
-                        exit_bad_input);
+        return complain("the page would overwrite its session. Give another file with `--out`.", exit_bad_input);
 
     std::string error;
     const auto run = read_run(line.source, error);

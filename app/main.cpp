@@ -24,10 +24,10 @@ int main(int argc, char** argv) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
+    line.shipped = (prefix / "share" / "kerf" / "procedures").string();
     if (line.command != "privacy")  // of that, any file is meant as it is named
-        for (std::string& file : line.files)
-            file = kerf::shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
-    line.anatomy = kerf::shipped_or_own(line.anatomy, (prefix / "share" / "kerf" / "procedures").string());
+        for (std::string& file : line.files) file = kerf::shipped_or_own(file, line.shipped);
+    line.anatomy = kerf::shipped_or_own(line.anatomy, line.shipped);
     const kerf::PluginFolders folders =
         kerf::plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
     for (const auto& complaint : folders.complaints) std::fprintf(stderr, "kerf: %s\n", complaint.c_str());
