@@ -512,7 +512,7 @@ void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
 void refuse_step(const Node& name, const Procedure& procedure, const Document& document, Report& report) {
     std::vector<std::string> known;
     for (const Step& step : procedure.steps)
-        if (!step.id.empty()) known.push_back(step.id);
+        if (!step.id.empty() && !contains(known, step.id)) known.push_back(step.id);
     const Node* steps = document.root.find("steps");
     for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
         if (const Node* id = step.find("id"); id != nullptr && id->text == name.text) return;  // refused there
@@ -866,7 +866,7 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             const Limit& limit = procedure.steps[s].limits[l];
             const Node* written = item(limits, l);
             const Node* node = written ? written->find(limit.quantity) : nullptr;
-            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty())
+            if (node && limit.is_of_wall() && step->find("plane") == nullptr)
                 refuse_without_plane(*node, procedure.steps[s].id, step, report);
         }
     }
@@ -877,6 +877,7 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             const std::size_t s = procedure.rehearsals[r].path[w].step;
             const Node* waypoint = item(path, w);
             if (!waypoint || s >= procedure.steps.size() || !procedure.steps[s].plane.empty()) continue;
+            if (const Node* step = item(steps, s); step != nullptr && step->find("plane") != nullptr) continue;
             for (const char* key : {"aside", "tilt"})
                 if (const Node* node = waypoint->find(key))
                     refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
@@ -991,6 +992,8 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     append_ids(anatomy.planes, planes);
     for (const auto* some : {&axes, &points, &planes}) landmarks.insert(landmarks.end(), some->begin(), some->end());
 
+    // A name that is not declared was refused when the procedure was read.
+    const auto is_declared = [&](const std::string& name) { return contains(procedure.needs_landmarks, name); };
     const Node* steps = document.root.find("steps");
     for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
         const std::string& axis = procedure.steps[i].axis;
@@ -998,7 +1001,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
         if (const bool is_point = contains(points, axis);
-            (is_point || contains(planes, axis)) && !contains(axes, axis)) {
+            (is_point || contains(planes, axis)) && !contains(axes, axis) && is_declared(axis)) {
             const std::string meant = closest(axis, axes, report);
             report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
                          "The landmark " + quoted_id(axis) + " is of the wrong kind: got a " +
@@ -1008,7 +1011,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
                          in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis},
                                     is_point ? "it is a point here." : "it is a plane here."));
         }
-        if (plane.empty() || !contains(landmarks, plane)) continue;
+        if (plane.empty() || !contains(landmarks, plane) || !is_declared(plane)) continue;
         const Node* plane_node = step ? step->find("plane") : nullptr;
         if (!contains(planes, plane)) {
             const bool is_point = contains(points, plane);
