@@ -64,9 +64,9 @@ CLI::Validator not_empty(const std::string& what) {
 void describe_to(CLI::App& app, CommandLine& line) {
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app.get_formatter()->label("REQUIRED", "");
-    app.set_help_flag("-h,--help", "Say what there is");
-    app.set_version_flag("--version", "kerf " KERF_VERSION)->description("Say which version this is");
-    app.footer(std::string("`kerf COMMAND --help` tells more.\n") + notice_line + ".");
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", "kerf " KERF_VERSION)->description("Print the version");
+    app.footer(std::string("`kerf COMMAND --help` explains a command.\n") + notice_line + ".");
     app.require_subcommand(1);
     app.fallthrough();
 
@@ -87,179 +87,171 @@ void describe_to(CLI::App& app, CommandLine& line) {
     };
     constexpr int many = 1000;
     const auto add_changes = [&](CLI::App* command) {
-        add_option(command, "--variant", line.variant, "VARIANT", "One of the procedure's `variants:`",
+        add_option(command, "--variant", line.variant, "VARIANT", "Apply one of the procedure's `variants:`",
                    not_empty("the id of a variant"));
         command
             ->add_option("--set", line.settings,
-                         "Another value, as in `--set accuracy.spacing=0.5 mm`; as often as wanted")
+                         "Change a value, as in `--set accuracy.spacing=0.5 mm`; may be repeated")
             ->type_name("PATH=VALUE")
             ->check(is_setting())
             ->expected(1)
             ->take_all();
     };
 
-    CLI::App* run = add("run", "Carry out a procedure, judge it and write what happened");
+    CLI::App* run = add("run", "Run a procedure, assess it and write the results");
     add_files(run, "YAML file of the procedure", 1);
-    add_option(run, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+    add_option(run, "--anatomy", line.anatomy, "FILE", "Use this anatomy in place of the procedure's own",
                not_empty(yaml_help));
     add_changes(run);
     add_option(run, "--hand", line.hand, "REHEARSAL",
-               "The rehearsal that the simulated hand follows; if not given the first, or that of the recording",
+               "Rehearsal for the simulated hand; default: the first, or that of the recording",
                not_empty("the id of a rehearsal"));
-    add_option(run, "--replay", line.replay, "SESSION", "The hand does what this session.db recorded, to the same bits",
+    add_option(run, "--replay", line.replay, "SESSION", "Repeat the hand of this session.db, to the same bits",
                not_empty("the name of a session.db"));
     add_option(run, "-o,--out", line.out, "FOLDER",
-               "Where to write; out/ and the procedure's id if not given. Replaces a run, nothing else",
+               "Folder for the results; default: out/ and the procedure's id. Replaces an earlier run, nothing else",
                not_empty(out_help));
-    add_option(run, "--learner", line.learner, "CODE", "A code, never a name", is_code());
-    add_option(run, "--mode", line.mode, "MODE", "practice (if not given), exam or demo",
+    add_option(run, "--learner", line.learner, "CODE", "Code of the trainee, never a name", is_code());
+    add_option(run, "--mode", line.mode, "MODE", "practice (default), exam or demo",
                one_of({"practice", "exam", "demo"}));
-    run->add_flag("--headless", line.is_headless, "No window, which is how every run is for now");
+    run->add_flag("--headless", line.is_headless, "Run without a window, as every run does at present");
     run->footer(std::string(hint_of_run) + "\n" + notice_line + ".");
 
     CLI::App* validate = add("validate", "Check procedures without running them");
     add_files(validate, "YAML files of procedures", many);
-    add_option(validate, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedures' own",
+    add_option(validate, "--anatomy", line.anatomy, "FILE", "Use this anatomy in place of the procedures' own",
                not_empty(yaml_help));
-    add_option(validate, "--format", line.format, "FORMAT",
-               "text (if not given) for people, json for programs, github for its annotations",
+    add_option(validate, "--format", line.format, "FORMAT", "text (default), json, or github for its annotations",
                one_of({"text", "json", "github"}));
     add_changes(validate);
     validate->add_flag("--bone", line.is_with_bone,
-                       "Make the bone as well, and check what needs it: axes, scans, hands, the force scale");
+                       "Make the bone too, and check what depends on it: axes, scans, hands, the force scale");
     validate->footer(std::string("Exit code: 0 no errors, 2 errors.\n") + notice_line + ".");
 
-    CLI::App* rehearse = add("rehearse", "Run every rehearsal and see whether it ends as it says");
+    CLI::App* rehearse = add("rehearse", "Run every rehearsal and compare its result with `expect:`");
     add_files(rehearse, "YAML files of procedures", many);
-    add_option(rehearse, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedures' own",
+    add_option(rehearse, "--anatomy", line.anatomy, "FILE", "Use this anatomy in place of the procedures' own",
                not_empty(yaml_help));
 
     add_changes(rehearse);
     rehearse->footer(
-        std::string("Exit code: 0 all ended as they say, 1 one did not, 2 bad input, 3 fault or interrupted.\n") +
+        std::string("Exit code: 0 all ended as expected, 1 one did not, 2 bad input, 3 fault or interrupted.\n") +
         notice_line + ".");
 
-    CLI::App* expand = add("expand", "Print the procedure as a variant or `--set` makes it, with each value's origin");
+    CLI::App* expand =
+        add("expand", "Print the procedure with a variant and `--set` applied, and the origin of each value");
     add_files(expand, "YAML file of the procedure", 1);
     add_changes(expand);
 
-    CLI::App* describe = add("describe", "Tell every parameter, drive, signal and event of a component");
-    describe->add_option("COMPONENT", line.component, "PLUGIN or PLUGIN/COMPONENT; all of them if not given")
+    CLI::App* describe = add("describe", "Describe the parameters, drives, signals and events of components");
+    describe->add_option("COMPONENT", line.component, "PLUGIN or PLUGIN/COMPONENT; default: all")
         ->type_name("")
         ->check(not_empty("the name of a plugin, as `kerf list` shows it"));
 
-    CLI::App* explain = add("explain", "Tell what a code like E0412 means, why, and what to do");
-    explain->add_option("CODE", line.code, "as it stands before a message; all of them if not given")
+    CLI::App* explain = add("explain", "Explain a code such as E0412: its meaning, its reason, what to do");
+    explain->add_option("CODE", line.code, "the code before a message; default: a list of all")
         ->type_name("")
         ->check(not_empty("a code, as in `E0412`"));
 
     CLI::App* schema = add("schema", "Print the JSON Schema of a kind of document, for editors");
-    schema->add_option("KIND", line.kind, "procedure (if not given) or anatomy")
+    schema->add_option("KIND", line.kind, "procedure (default) or anatomy")
         ->type_name("")
         ->check(one_of({"procedure", "anatomy"}));
 
-    CLI::App* import =
-        add("import", "Look at a scan or a surface: what was found, what would be done, what is doubted");
+    CLI::App* import = add("import", "Check a scan or a surface: its properties, the processing, and doubts");
     import->add_option("SOURCE", line.source, "NIfTI, NRRD, MetaImage, a folder with DICOM; or STL, OBJ, PLY")
         ->type_name("")
         ->required()
         ->check(not_empty("the name of a file or folder"));
-    add_option(import, "-o,--out", line.out, "FILE", "Writes it put straight: .nrrd for a scan, .stl for a surface",
+    add_option(import, "-o,--out", line.out, "FILE", "Write the processed data: .nrrd for a scan, .stl for a surface",
                not_empty("a file, as in `--out bone.nrrd`"));
-    add_option(import, "--series", line.series, "SERIES", "Which series of a folder with several",
+    add_option(import, "--series", line.series, "SERIES", "Series of a folder that holds several",
                not_empty("a name that import offers"));
     add_option(import, "--acquisition", line.acquisition, "ACQUISITION",
                "Which acquisition of a series that shows the same part several times",
                not_empty("a name that import offers"));
     import->add_flag("--allow-resample", line.may_resample, "Fill gaps between slices from their neighbours");
-    add_option(import, "--unit", line.unit, "UNIT", "What a 1 in a surface's file is: mm (if not given), cm, m or um",
+    add_option(import, "--unit", line.unit, "UNIT", "Unit of a surface's coordinates: mm (default), cm, m or um",
                one_of({"mm", "cm", "m", "um"}));
     add_option(import, "--frame", line.frame, "FRAME",
-               "Which way a surface's axes point: LPS or RAS; if not given as the file says, or else LPS",
+               "Frame of a surface: LPS or RAS; default: what the file names, or else LPS",
                one_of({"LPS", "RAS"}));
-    import->footer("Exit code: 0 if it can be used, 2 if it was refused.\n" + std::string(notice_line) + ".");
+    import->footer("Exit code: 0 usable, 2 refused.\n" + std::string(notice_line) + ".");
 
     CLI::App* anatomy =
-        add("anatomy", "`kerf anatomy check A.yaml --for P.yaml`: hold an anatomy against its bone and a procedure");
+        add("anatomy", "`kerf anatomy check A.yaml --for P.yaml`: check an anatomy with its bone and a procedure");
     anatomy->add_option("ACTION", line.action, "check")->type_name("")->required()->check(one_of({"check"}));
     anatomy->add_option("ANATOMY", line.anatomy, "YAML file of the anatomy")
         ->type_name("")
         ->required()
         ->check(not_empty(yaml_help));
-    anatomy->add_option("--for", line.files, "The procedure that it should serve")
+    anatomy->add_option("--for", line.files, "Procedure that the anatomy is for")
         ->type_name("PROCEDURE")
         ->required()
         ->expected(1)
         ->check(not_empty(yaml_help));
-    add_option(anatomy, "--format", line.format, "FORMAT", "text (if not given), json or github",
+    add_option(anatomy, "--format", line.format, "FORMAT", "text (default), json or github",
                one_of({"text", "json", "github"}));
     anatomy->footer("Exit code: 0 clean, 2 errors.\n" + std::string(notice_line) + ".");
 
     CLI::App* preview =
         add("preview",
-            "Draw one page of a procedure before anything is cut: bone, zones, landmarks, the tool at each goal");
+            "Write a page that shows a procedure before it is run: bone, zones, landmarks, the tool at each goal");
     add_files(preview, "YAML file of the procedure", 1);
-    add_option(preview, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+    add_option(preview, "--anatomy", line.anatomy, "FILE", "Use this anatomy in place of the procedure's own",
                not_empty(yaml_help));
     add_changes(preview);
-    add_option(preview, "-o,--out", line.out, "FILE", "An .html file; out/ and the procedure's id if not given",
+    add_option(preview, "-o,--out", line.out, "FILE", "An .html file; default: out/ and the procedure's id",
                not_empty("a file, as in `--out preview.html`"));
 
-    CLI::App* report = add("report", "Write report.html again, from a session.db alone");
-    report->add_option("SESSION", line.source, "session.db of a run; of one that was cut short, too")
+    CLI::App* report = add("report", "Write report.html again from a session.db");
+    report->add_option("SESSION", line.source, "session.db of a run, complete or not")
         ->type_name("")
         ->required()
         ->check(not_empty("the name of a session.db"));
-    add_option(report, "-o,--out", line.out, "FILE", "An .html file; report.html beside the session if not given",
+    add_option(report, "-o,--out", line.out, "FILE", "An .html file; default: report.html in the session's folder",
                not_empty("a file, as in `--out report.html`"));
 
-    CLI::App* privacy = add("privacy", "Tell what files would tell of a person: names, numbers, dates, paths");
-    privacy->add_option("FILE", line.files, "DICOM, an image, or what Kerf has written")
+    CLI::App* privacy = add("privacy", "List personal data in files: names, numbers, dates, paths");
+    privacy->add_option("FILE", line.files, "DICOM, an image, or a file of Kerf")
         ->type_name("")
         ->required()
         ->check(not_empty("the name of a file"))
         ->expected(1, many);
-    privacy->add_flag("--show", line.shows_values, "Print the values, not only their first letter");
-    privacy->footer("Exit code: 0 if nothing was found, 1 if something was, 2 if a file cannot be read. Nobody can "
-                    "promise that nothing else is in a file.\n" +
+    privacy->add_flag("--show", line.shows_values, "Print the values, not only their first letters");
+    privacy->footer("Exit code: 0 nothing found, 1 something found, 2 a file cannot be read. The list may be "
+                    "incomplete.\n" +
                     std::string(notice_line) + ".");
 
-    CLI::App* plan = add("plan", "Find the least that each step needs: spacing, elements, features");
+    CLI::App* plan = add("plan", "Find the coarsest settings that each step allows: spacing, elements, features");
     add_files(plan, "YAML file of the procedure", 1);
-    add_option(plan, "--anatomy", line.anatomy, "FILE", "Another anatomy than the procedure's own",
+    add_option(plan, "--anatomy", line.anatomy, "FILE", "Use this anatomy in place of the procedure's own",
                not_empty(yaml_help));
     add_changes(plan);
-    add_option(plan, "-o,--out", line.out, "FOLDER", "Where plan.txt and plan.csv go; nowhere if not given",
+    add_option(plan, "-o,--out", line.out, "FOLDER", "Folder for plan.txt and plan.csv; default: none is written",
                not_empty(out_help));
-    plan->footer("Holds to the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`, which "
-                 "are the values if "
-                 "it has none; the torque about the shaft counts as force does. Only for a budget that it has is "
-                 "anything else looked for than the coarsest "
-                 "that is accurate.\nExit code: 0 if a plan keeps both, 1 if none does.\n" +
+    plan->footer("Keeps the procedure's `accuracy: {force: 7 %, volume: 2 %}` and `budget: {tick: 300 us}`; these are "
+                 "the defaults. Torque about the shaft counts as force. Without a `budget:` the result is the coarsest "
+                 "accurate setting.\nExit code: 0 a plan keeps both, 1 none does.\n" +
                  std::string(notice_line) + ".");
 
-    CLI::App* stability =
-        add("stability", "Put the haptic loop where methods are known to fail, and print what it does");
-    stability->add_flag("--quick", line.is_quick, "One device, two hands, one delay");
+    CLI::App* stability = add("stability", "Test the haptic loop under conditions in which published methods fail");
+    stability->add_flag("--quick", line.is_quick, "Test one device, two hands and one delay");
     add_option(stability, "--plugin", line.plugin, "PLUGIN",
-               "Whose first tool and force are looked at; kerf.drilling if not given",
+               "Plugin whose first tool and force are tested; default: kerf.drilling",
                not_empty("the name of a plugin, as `kerf list` shows it"));
     add_option(stability, "-o,--out", line.out, "FOLDER",
-               "Where stability.csv and stability.svg go; out/stability if not given", not_empty(out_help));
-    stability->footer(
-        "Exit code: 0 if Kerf passes everywhere, 1 if it fails somewhere; what is rendered as printed may fail.\n" +
-        std::string(notice_line) + ".");
+               "Folder for stability.csv and stability.svg; default: out/stability", not_empty(out_help));
+    stability->footer("Exit code: 0 Kerf passes all tests, 1 it fails one. Published methods may fail.\n" +
+                      std::string(notice_line) + ".");
 
-    CLI::App* chart =
-        add("chart", "Hold ways to make a drill's force against exact ones, and draw their error over their cost");
-    chart->add_flag("--quick", line.is_quick,
-                    "One scene unless --scene names another, two steps of each knob, one grid");
-    add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; all if not given",
-               not_empty("the id of a scene"));
+    CLI::App* chart = add("chart", "Compare methods for a drill's force with exact ones, and plot error against cost");
+    chart->add_flag("--quick", line.is_quick, "One scene, or that of --scene; two values of each setting; one grid");
+    add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; default: all", not_empty("the id of a scene"));
     add_option(chart, "-o,--out", line.out, "FOLDER",
-               "Where chart.csv, chart.html and the pictures go; out/chart if not given", not_empty(out_help));
+               "Folder for chart.csv, chart.html and the pictures; default: out/chart", not_empty(out_help));
 
-    add("list", "Name the tools and force models that were found");
+    add("list", "List the tools and force laws of all plugins");
 
     CLI::App* fresh = add("new", "Write the beginning of a plugin, a burr that builds and runs");
     CLI::App* fresh_plugin = fresh->add_subcommand("plugin", "Write a plugin into a folder of its own");
@@ -336,7 +328,7 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
 
 CommandLine read_command_line(int argc, const char* const* argv) {
     CommandLine line;
-    CLI::App app("Kerf simulates bone surgery that can be felt.", "kerf");
+    CLI::App app("Kerf: haptic simulation of bone surgery.", "kerf");
     describe_to(app, line);
     const auto answer = [](std::string text, int exit_code) {
         CommandLine only;
@@ -350,7 +342,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     };
     const auto wrong = [&](const std::string& what) {
         const std::string help = command() != nullptr ? "kerf " + command()->get_name() + " --help" : "kerf --help";
-        return answer("kerf: " + what + "\n" + quoted(help) + " tells what there is.\n", exit_bad_input);
+        return answer("kerf: " + what + "\n" + quoted(help) + " lists the choices.\n", exit_bad_input);
     };
     if (argc <= 1) return answer(app.help(), exit_bad_input);
     std::vector<std::string> words(argv + 1, argv + argc);

@@ -24,6 +24,7 @@ struct CommandLine {
     std::string code;                ///< of explain; empty: all
     std::string kind = "procedure";  ///< of schema: procedure | anatomy
     std::string anatomy;             ///< file; empty: the procedure's own
+    std::string shipped;             ///< folder of the shipped procedures, which the program sets
     std::string variant;             ///< id; empty: the procedure as it stands
     std::vector<std::string> settings;  ///< "path=value" each
     bool is_with_bone = false;          ///< of validate

@@ -91,7 +91,7 @@ void print_summary(const RunSummary& s) {
 }
 
 DocumentRequest request_of(const std::string& file, const CommandLine& line) {
-    return {file, line.anatomy, {line.variant, line.settings}};
+    return {file, line.anatomy, {line.variant, line.settings}, line.shipped};
 }
 
 /// Making the bone may take minutes.
@@ -134,8 +134,8 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
     for (const auto& file : line.files) {
         Findings& one = all.emplace_back(Findings{file, {}});
         const auto documents = check_documents(request_of(file, line), plugins, one.diagnostics);
-        if (documents && line.variant.empty()) {
-            const Diagnostics of_variants = check_variants(request_of(file, line), *documents, plugins);
+        if (line.variant.empty()) {
+            const Diagnostics of_variants = check_variants(request_of(file, line), one.diagnostics, plugins);
             one.diagnostics.insert(one.diagnostics.end(), of_variants.begin(), of_variants.end());
         }
         if (documents && line.is_with_bone) print_notes(make_bone(*documents, file, one.diagnostics));
@@ -149,14 +149,14 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
 // ---- rehearse ----------------------------------------------------------------------------------------------------
 
 std::string expectation_of(const Rehearsal& rehearsal) {
-    return rehearsal.expect == "pass"
-               ? "pass"
-               : rehearsal.expect + ", because of the limit `" + rehearsal.expect_limit + "` alone";
+    if (rehearsal.expect != "fail") return rehearsal.expect;
+    return "fail by the limit `" + rehearsal.expect_limit + "` alone" +
+           (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
 }
 
 std::string ending_of(const RunSummary& summary) {
     std::string text = to_text(summary.verdict);
-    for (const auto& reason : summary.reasons) text += "\n            " + reason;
+    for (const auto& reason : summary.reasons) text += "\n            " + shown(reason);
     return text;
 }
 
@@ -176,12 +176,12 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
         const RunOutcome outcome = run_procedure(*scene, plugins, request);
         if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
-        print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as it says" : "DID NOT END AS IT SAYS") +
+        print(rehearsal.id + ": " + (outcome.is_as_expected ? "ended as expected" : "NOT AS EXPECTED") +
               "\n  expected  " + expectation_of(rehearsal) + "\n  ended     " + ending_of(outcome.summary) + "\n");
         as_expected += outcome.is_as_expected;
     }
     const int count = static_cast<int>(scene->procedure.rehearsals.size());
-    print(file + formatted(": %d of %d rehearsals ended as they say\n", as_expected, count));
+    print(file + formatted(": %d of %d rehearsals ended as expected\n", as_expected, count));
     return as_expected == count ? exit_pass : exit_not_passed;
 }
 
@@ -270,8 +270,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
-        return complain("the replay would take the place of its recording. Give another folder with `--out`.",
-                        exit_bad_input);
+        return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
     request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
@@ -279,7 +278,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     print_summary(outcome.summary);
     for (const std::string& line_of_law : outcome.over_budget) print_error("kerf: " + line_of_law + "\n");
     print("  " + request.out + "/report.html\n");
-    if (outcome.was_interrupted) return complain("interrupted; what was done so far is written", exit_fault);
+    if (outcome.was_interrupted) return complain("interrupted; the results up to now are written", exit_fault);
     const ExitCode judged = outcome.summary.verdict == Verdict::pass ? exit_pass : exit_not_passed;
     return recorded ? std::max(judged, compare(*recorded, outcome.summary)) : judged;
 }
@@ -295,8 +294,7 @@ ExitCode report(const CommandLine& line) {
         return complain(refusal, exit_bad_input);
     std::error_code ignored;
     if (fs::equivalent(line.source, file, ignored))
-        return complain("the page would take the place of its session. Give another file with `--out`.",
-                        exit_bad_input);
+        return complain("the page would overwrite its session. Give another file with `--out`.", exit_bad_input);
 
     std::string error;
     const auto run = read_run(line.source, error);

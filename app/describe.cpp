@@ -7,17 +7,21 @@
 
 #include "core/procedure/quantity.h"
 #include "core/procedure/read_map.h"
+#include "core/procedure/source.h"
 #include "core/session/recorder.h"
 
 namespace kerf {
 
 namespace {
 
+/// Without what a terminal would obey: the text comes out of a plugin.
+std::string shown_text(const std::string& text) { return kerf::shown(text); }
+
 const char* kind_of(const ComponentInfo& component) { return component.kind == KERF_KIND_TOOL ? "tool" : "force"; }
 
 std::string full_id(const ComponentInfo& component) { return component.plugin + "/" + component.id; }
 
-/// In the plugin's own unit; SI where we do not know it.
+/// In the plugin's own unit; SI if it is unknown.
 std::string shown(double value, const std::string& unit) {
     return quantity_text(value, unit.empty() || parse_unit(unit) ? unit : "(SI)");
 }
@@ -33,7 +37,7 @@ std::string about_values(const char* title, const std::vector<ParameterInfo>& va
     for (const ParameterInfo& p : values) {
         text += "    " + padded(p.id, 20) + padded(shown(p.def, p.display_unit), 16) + "from " +
                 shown(p.min, p.display_unit) + " to " + shown(p.max, p.display_unit) + "\n        " + p.help + "\n";
-        if (p.least > 0.0) text += "        under " + shown(p.least, p.display_unit) + " it does not cut\n";
+        if (p.least > 0.0) text += "        does not cut below " + shown(p.least, p.display_unit) + "\n";
         if (!p.source.empty()) text += "        source: " + p.source + "\n";
     }
     return text;
@@ -47,9 +51,9 @@ std::string about(const ComponentInfo& component) {
     for (const SignalInfo& s : component.signals)
         text += "    " + padded(s.id, 20) + (s.display_unit.empty() ? "no unit" : s.display_unit) + "\n        " +
                 s.help + "\n";
-    if (!component.events.empty()) text += "  events, reported when they happen\n";
+    if (!component.events.empty()) text += "  events\n";
     for (const EventInfo& e : component.events) text += "    " + e.id + "\n        " + e.help + "\n";
-    if (!component.features.empty()) text += "  what `kerf plan` may leave out\n";
+    if (!component.features.empty()) text += "  features that `kerf plan` may switch off\n";
     for (const FeatureInfo& f : component.features)
         text += "    " + padded(f.id, 20) + component.parameters[f.param].id + " " +
                 shown(f.off, component.parameters[f.param].display_unit) + "\n        " + f.help + "\n";
@@ -67,7 +71,7 @@ std::string list_of_components(const PluginRegistry& plugins) {
     std::string text;
     for (const ComponentInfo& component : plugins.catalog())
         text += padded(kind_of(component), 6) + full_id(component) + "  " + component.help + "\n";
-    return text;
+    return shown_text(text);
 }
 
 std::optional<std::string> description_of(const PluginRegistry& plugins, const std::string& wanted,
@@ -81,14 +85,14 @@ std::optional<std::string> description_of(const PluginRegistry& plugins, const s
                 components += "\n" + about(component);
         if (!components.empty()) text += (text.empty() ? "" : "\n") + about(*entry) + components;
     }
-    if (!text.empty()) return text + "\n" + notice_line + ".\n";
+    if (!text.empty()) return shown_text(text) + "\n" + notice_line + ".\n";
 
     std::vector<std::string> known;
     for (const kerf_entry* entry : plugins.entries()) known.emplace_back(entry->plugin_id);
     for (const ComponentInfo& component : plugins.catalog()) known.push_back(full_id(component));
     const std::string meant = closest(wanted, known);
     error =
-        "there is no plugin or component `" + wanted + "`. Write " +
+        "there is no plugin or component `" + kerf::shown(wanted) + "`. Write " +
         (meant.empty() ? listed(known) : "`" + meant + "`") + "." +
         (plugins.plugins().empty() ? " No plugin was found: name the folder that holds some in KERF_PLUGIN_PATH." : "");
     return std::nullopt;

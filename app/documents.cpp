@@ -9,10 +9,13 @@
 
 #include "app/bone_memory.h"
 #include "app/run_checks.h"
+#include "app/shipped.h"
 #include "core/import/data_file.h"
 #include "core/import/markups.h"
 #include "core/procedure/document.h"
+#include "core/procedure/printable.h"
 #include "core/procedure/read_anatomy.h"
+#include "core/procedure/read_map.h"
 
 namespace kerf {
 
@@ -27,16 +30,16 @@ void check_data_file(const Node& node, const std::string& document, Report& repo
     report.error(
         Code::no_data_file, node.span,
         data != nullptr && *data != '\0'
-            ? "There is no such file or folder, neither beside the document nor in `" + std::string(data) +
-                  "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that holds `" + first +
-                  "`."
-            : "There is no such file or folder beside the document, and KERF_DATA is not set. Check its name; where "
-              "the data lie in a folder of "
-              "their own, name the one that holds `" +
-                  first + "`, as in `export KERF_DATA=/home/me/data`.");
+            ? "The file or folder does not exist: searched in the document's folder and in `" + printable(data) +
+                  "`, which KERF_DATA names. Check its name, and that KERF_DATA names the folder that "
+                  "holds `" +
+                  excerpt(first) + "`."
+            : "The file or folder does not exist: searched in the document's folder; KERF_DATA is not set. Check its "
+              "name, or name the folder that holds `" +
+                  excerpt(first) + "`, as in `export KERF_DATA=/home/me/data`.");
 }
 
-/// Every file that the anatomy names must be there; what is in it is looked at when the bone is made.
+/// Every file that the anatomy names must be there; its content is checked when the bone is made.
 void check_data_files(const Anatomy& anatomy, Diagnostics& diagnostics) {
     const Document document = read_again(anatomy.file, anatomy.text);
     Report report(document, diagnostics);
@@ -66,23 +69,34 @@ void check_implant_files(const Procedure& procedure, Diagnostics& diagnostics) {
     }
 }
 
+const Instrument* find_instrument(const Procedure& procedure, const std::string& id) {
+    const auto found = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                    [&](const Instrument& i) { return i.id == id; });
+    return found != procedure.instruments.end() ? &*found : nullptr;
+}
+
+ToolSetup setup_of(const Instrument& instrument, const PluginRegistry& plugins) {
+    ToolSetup setup;
+    setup.tool = plugins.find(instrument.plugin, KERF_KIND_TOOL, instrument.tool);
+    setup.force = plugins.find(instrument.plugin, KERF_KIND_FORCE, instrument.force);
+    setup.tool_parameters = instrument.tool_parameters;
+    setup.force_parameters = instrument.force_parameters;
+    setup.drives = instrument.drives;
+    return setup;
+}
+
 /// The tools of the steps, as their plugins make them.
 void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics& diagnostics) {
     std::vector<const Instrument*> used;
     const Procedure& procedure = documents.procedure;
     for (const Step& step : procedure.steps) {
-        const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
-                                             [&](const Instrument& i) { return i.id == step.instrument; });
-        const auto at = std::find(used.begin(), used.end(), &*instrument);
+        const Instrument* instrument = find_instrument(procedure, step.instrument);
+        const auto at = std::find(used.begin(), used.end(), instrument);
         documents.tool_of_step.push_back(static_cast<std::size_t>(at - used.begin()));
         if (at != used.end()) continue;
-        used.push_back(&*instrument);
+        used.push_back(instrument);
         Tool& tool = documents.tools.emplace_back();
-        tool.setup.tool = plugins.find(instrument->plugin, KERF_KIND_TOOL, instrument->tool);
-        tool.setup.force = plugins.find(instrument->plugin, KERF_KIND_FORCE, instrument->force);
-        tool.setup.tool_parameters = instrument->tool_parameters;
-        tool.setup.force_parameters = instrument->force_parameters;
-        tool.setup.drives = instrument->drives;
+        tool.setup = setup_of(*instrument, plugins);
         if (const std::string why = bind_law(tool.setup); !why.empty()) {
             refuse_tool(procedure, instrument->id, why, diagnostics);
             continue;
@@ -107,42 +121,121 @@ void name_refused_plugins(const PluginRegistry& plugins, Diagnostics& diagnostic
     }
 }
 
+/// The same of a procedure with errors, for instruments without: their plugins may refuse them as well.
+void check_tools(const ProcedureDraft& draft, const PluginRegistry& plugins, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < draft.procedure.instruments.size(); ++i) {
+        const Instrument& instrument = draft.procedure.instruments[i];
+        const auto& steps = draft.procedure.steps;
+        const bool is_used =
+            std::any_of(steps.begin(), steps.end(), [&](const Step& step) { return step.instrument == instrument.id; });
+        if (!is_used || !draft.sound_instruments[i]) continue;
+        ToolOutline outline;
+        if (std::string why; !outline_of(setup_of(instrument, plugins), outline, why))
+            refuse_tool(draft.procedure, instrument.id, why, diagnostics);
+    }
+}
+
+/// Names of the shipped anatomies, as `anatomy:` names them.
+std::vector<std::string> shipped_anatomies(const std::string& shipped) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(fs::path(shipped) / "anatomy", error))
+        if (entry.path().extension() == ".yaml") names.push_back("anatomy/" + entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// The file of the anatomy; empty, with a report, if there is none.
+std::string find_anatomy(const DocumentRequest& request, const Procedure& procedure, Diagnostics& diagnostics) {
+    if (!request.anatomy.empty()) return request.anatomy;
+    std::error_code error;
+    if (procedure.anatomy_file.empty()) return {};  // reported when the procedure was read
+    if (std::filesystem::exists(procedure.anatomy_file, error)) return procedure.anatomy_file;
+    const std::string file = shipped_or_own(procedure.anatomy_name, request.shipped);
+    if (!request.shipped.empty() && file != procedure.anatomy_name) return file;
+
+    const auto document = document_of(procedure);
+    const Node* node = document->root.find("anatomy");
+    const std::vector<std::string> known =
+        request.shipped.empty() ? std::vector<std::string>{} : shipped_anatomies(request.shipped);
+    const std::string meant = closest(procedure.anatomy_name, known);
+    Report(*document, diagnostics)
+        .error(Code::file_unreadable, node != nullptr ? node->span : TextSpan{},
+               "The anatomy does not exist: searched in the procedure's folder" +
+                   (known.empty() ? std::string(".") : " and among the shipped ones, " + listed(known) + ".") +
+                   or_choose(meant, "Check its name, or name another with `--anatomy`."),
+               meant);
+    return {};
+}
+
+/// What there is of the anatomy; nothing if it cannot be read at all.
+std::optional<AnatomyDraft> read_the_anatomy(const DocumentRequest& request, const Procedure& procedure,
+                                             Diagnostics& diagnostics) {
+    const std::string file = find_anatomy(request, procedure, diagnostics);
+    if (file.empty()) return std::nullopt;
+    const std::size_t first = diagnostics.size();
+    auto draft = read_anatomy_draft(file, diagnostics);
+    const auto document = document_of(procedure);
+    const Node* node = document->root.find("anatomy");
+    if (request.anatomy.empty() && node != nullptr)
+        because_of(Report(*document, diagnostics).because(node->span, "the procedure names it here."), diagnostics,
+                   first);
+    return draft;
+}
+
 }  // namespace
 
 std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
                                          Diagnostics& diagnostics) {
-    Documents documents;
-    auto procedure = read_procedure(request.procedure, plugins.catalog(), diagnostics, request.changes);
+    auto draft = read_procedure_draft(request.procedure, plugins.catalog(), diagnostics, request.changes);
     name_refused_plugins(plugins, diagnostics);
-    if (!procedure || has_error(diagnostics)) return std::nullopt;
-    documents.procedure = std::move(*procedure);
-    auto anatomy =
-        read_anatomy(request.anatomy.empty() ? documents.procedure.anatomy_file : request.anatomy, diagnostics);
-    if (anatomy) {
-        documents.anatomy = std::move(*anatomy);
+    if (!draft) return std::nullopt;
+    Documents documents;
+    documents.procedure = draft->procedure;
+    const std::size_t first = diagnostics.size();
+    auto anatomy = read_the_anatomy(request, documents.procedure, diagnostics);
+    if (anatomy && !anatomy->is_sound && anatomy->anatomy.markups.empty())
+        check_names(documents.procedure, anatomy->anatomy, diagnostics);
+    if (anatomy && anatomy->is_sound) {
+        documents.anatomy = std::move(anatomy->anatomy);
+        const auto has_new_error = [&] {
+            return has_error({diagnostics.begin() + static_cast<std::ptrdiff_t>(first), diagnostics.end()});
+        };
         check_data_files(documents.anatomy, diagnostics);
-        if (!has_error(diagnostics)) documents.markup_hashes = add_markups(documents.anatomy, diagnostics);
-        if (!has_error(diagnostics)) check_needs(documents.procedure, documents.anatomy, diagnostics);
+        if (!has_new_error()) documents.markup_hashes = add_markups(documents.anatomy, diagnostics);
+        if (!has_new_error()) check_needs(documents.procedure, documents.anatomy, diagnostics);
     }
     documents.device = find_device(documents.procedure.device.c_str());
     check_run(documents.procedure, diagnostics);
     check_implant_files(documents.procedure, diagnostics);
-    if (has_error(diagnostics)) return std::nullopt;
-    check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
-    make_tools(documents, plugins, diagnostics);
+    if (anatomy && anatomy->is_sound && draft->has_spacing)
+        check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
+    if (draft->is_sound)
+        make_tools(documents, plugins, diagnostics);
+    else
+        check_tools(*draft, plugins, diagnostics);
     if (has_error(diagnostics)) return std::nullopt;
     return documents;
 }
 
-Diagnostics check_variants(const DocumentRequest& request, const Documents& base, const PluginRegistry& plugins) {
-    Diagnostics found;
-    for (const Variant& variant : base.procedure.variants) {
+Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& base, const PluginRegistry& plugins) {
+    Diagnostics known_already, found;
+    const auto draft = read_procedure_draft(request.procedure, plugins.catalog(), known_already, request.changes);
+    if (!draft) return found;
+    const auto is_known = [&](const Diagnostic& d) {
+        return std::any_of(base.begin(), base.end(), [&](const Diagnostic& b) {
+            return b.code == d.code && to_text(b.place) == to_text(d.place);
+        });
+    };
+    for (const Variant& variant : draft->procedure.variants) {
         DocumentRequest changed = request;
         changed.changes.variant = variant.id;
         Diagnostics of_variant;
         (void)check_documents(changed, plugins, of_variant);
         for (Diagnostic& d : of_variant) {
-            if (d.level == Diagnostic::Level::warning) continue;  // said of the base, or of no weight
+            if (d.level == Diagnostic::Level::warning) continue;  // reported for the base, or of no weight
+            if (is_known(d)) continue;
             d.message = "In the variant `" + variant.id + "`: " + d.message;
             found.push_back(std::move(d));
         }

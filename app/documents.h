@@ -13,7 +13,7 @@
 #include "core/procedure/anatomy.h"
 #include "core/procedure/read_procedure.h"
 
-/// A procedure with its anatomy, checked as far as that needs no bone: in milliseconds.
+/// A procedure with its anatomy, with all checks that need no bone: in milliseconds.
 namespace kerf {
 
 /// Which documents, and what is different in them this time.
@@ -21,25 +21,26 @@ struct DocumentRequest {
     std::string procedure;       ///< file
     std::string anatomy{};       ///< file; empty: the procedure's own
     ProcedureChanges changes{};  ///< a variant, and `--set`
+    std::string shipped{};       ///< folder of the shipped procedures, where anatomies are searched next
 };
 
 struct Documents {
     Procedure procedure;
     Anatomy anatomy;
-    std::vector<std::uint64_t> markup_hashes;  ///< of the files that the anatomy's landmarks came from
+    std::vector<std::uint64_t> markup_hashes;  ///< of the files with the anatomy's landmarks
     const DeviceRecord* device = nullptr;
     std::vector<Tool> tools;                ///< of the instruments that steps use, in the order of their first use
     std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
 };
 
-/// Reads both and checks all that can be told without the bone. Error: whatever is wrong, all of it, in `diagnostics`.
-/// [main]
+/// Reads both and runs all checks that need no bone. A mistake in one value does not hide those that do not depend on
+/// it. Error: all that is wrong, in `diagnostics`.   [main]
 [[nodiscard]] std::optional<Documents> check_documents(const DocumentRequest& request, const PluginRegistry& plugins,
                                                        Diagnostics& diagnostics);
 
-/// What is wrong with the documents' variants and was not found in the procedure as it stands. A variant is named in
-/// its messages.   [main]
-[[nodiscard]] Diagnostics check_variants(const DocumentRequest& request, const Documents& base,
+/// Returns what is wrong with the documents' variants and not among `base`, what was found in the procedure without a
+/// variant. The messages name the variant.   [main]
+[[nodiscard]] Diagnostics check_variants(const DocumentRequest& request, const Diagnostics& base,
                                          const PluginRegistry& plugins);
 
 }  // namespace kerf

@@ -16,18 +16,18 @@ using Json = nlohmann::ordered_json;
 const char* level_of(const Diagnostic& d) { return d.level == Diagnostic::Level::error ? "error" : "warning"; }
 
 Json to_json(const SourcePlace& place) {
-    return {{"file", place.file}, {"line", place.line}, {"column", place.column}, {"length", place.length}};
+    return {{"file", shown(place.file)}, {"line", place.line}, {"column", place.column}, {"length", place.length}};
 }
 
 Json to_json(const Diagnostic& d) {
     Json json{{"level", level_of(d)}, {"code", d.code}};
     json.update(to_json(d.place));
-    json["message"] = d.message;
-    json["write"] = d.write;
+    json["message"] = shown(d.message);
+    json["write"] = shown(d.write);
     json["reason"] = nullptr;
     if (d.reason) {
         json["reason"] = to_json(d.reason->place);
-        json["reason"]["message"] = d.reason->message;
+        json["reason"]["message"] = shown(d.reason->message);
     }
     return json;
 }
@@ -70,11 +70,11 @@ std::string escaped(const std::string& text, bool is_property) {
 }
 
 std::string github_of(const Diagnostic& d) {
-    std::string text = std::string("::") + level_of(d) + " file=" + escaped(d.place.file, true);
+    std::string text = std::string("::") + level_of(d) + " file=" + escaped(shown(d.place.file), true);
     if (d.place.line > 0) text += ",line=" + std::to_string(d.place.line) + ",col=" + std::to_string(d.place.column);
-    text += ",title=" + d.code + "::" + escaped(d.message, false);
-    if (!d.write.empty()) text += escaped(" Write `" + d.write + "`.", false);
-    if (d.reason) text += escaped("\nbecause of " + to_text(d.reason->place) + ": " + d.reason->message, false);
+    text += ",title=" + d.code + "::" + escaped(shown(d.message), false);
+    if (!d.write.empty()) text += escaped(" Write `" + shown(d.write) + "`.", false);
+    if (d.reason) text += escaped("\nbecause of " + shown(to_text(d.reason->place) + ": " + d.reason->message), false);
     return text + "\n";
 }
 
@@ -89,7 +89,7 @@ std::string findings_text(const std::vector<Findings>& all, const std::string& f
             continue;
         }
         text += to_text(one.diagnostics);
-        if (!has_error(one.diagnostics)) text += one.file + ": no errors\n";
+        if (!has_error(one.diagnostics)) text += shown(one.file) + ": no errors\n";
     }
     return text;
 }

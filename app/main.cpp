@@ -29,10 +29,10 @@ ExitCode do_as_told(int argc, char** argv) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
+    line.shipped = (prefix / "share" / "kerf" / "procedures").string();
     if (line.command != "privacy")  // of that, any file is meant as it is named
-        for (std::string& file : line.files)
-            file = shipped_or_own(file, (prefix / "share" / "kerf" / "procedures").string());
-    line.anatomy = shipped_or_own(line.anatomy, (prefix / "share" / "kerf" / "procedures").string());
+        for (std::string& file : line.files) file = shipped_or_own(file, line.shipped);
+    line.anatomy = shipped_or_own(line.anatomy, line.shipped);
     const PluginFolders folders = plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
     for (const auto& complaint : folders.complaints) print_error("kerf: " + complaint + "\n");
     PluginRegistry plugins;

@@ -40,7 +40,7 @@ const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::si
 }
 
 void check_device(const Procedure& procedure, const Document& document, Report& report) {
-    if (find_device(procedure.device.c_str()) != nullptr) return;
+    if (procedure.device.empty() || find_device(procedure.device.c_str()) != nullptr) return;
     int count = 0;
     const DeviceRecord* known = all_devices(count);
     std::vector<std::string> ids;
@@ -112,6 +112,7 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
                              std::to_string(most_tools) + ". Use one of the others, or make two procedures of it.");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const auto& path = procedure.rehearsals[i].path;
+        if (path.empty()) continue;  // reported when it was read
         if (path.size() < 2)
             report.error(Code::no_way, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal has " + std::to_string(path.size()) +
@@ -120,7 +121,7 @@ void check_run(const Procedure& procedure, Diagnostics& diagnostics) {
             report.error(Code::starts_in_bone, span_in(document, "rehearsals", i, "path"),
                          "The rehearsal starts inside the bone; its first waypoint must have a depth below 0 mm.",
                          "[{depth: -5 mm}, …]");
-        else
+        else if (!has_error(diagnostics))
             check_reach(procedure, i, document, report);
     }
 }

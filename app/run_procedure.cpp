@@ -411,7 +411,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
     for (std::size_t m = 0; m < scene.body.materials.size(); ++m)
         summary.removed_by_tissue.emplace_back(scene.body.materials[m].id, simulation.present().removed_of_material(m));
     summary.hash = hash.value();
-    judge(monitor, end, summary.duration, summary);
+    judge(monitor, end, summary.duration, scene.procedure.time_limit, summary);
     if (end == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation.law_fault());
     outcome.over_budget = simulation.laws_over_budget();
     summary.metrics = metrics_of(monitor, scene);

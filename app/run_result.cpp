@@ -191,7 +191,7 @@ MetricRow port_energy_row(const PassivityGuard& guard) {
     return row;
 }
 
-void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary) {
+void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary) {
     int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;
     for (const auto& state : monitor.steps()) {
@@ -216,8 +216,7 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
             }
             is_broken = true;
             row.broken_limits.push_back(limit.limit->name());
-            std::string reason = limit.limit->reason + how_far(limit);
-            summary.reasons.push_back(std::move(reason));
+            summary.reasons.push_back("Step `" + state.step->id + "`: " + limit.limit->reason + how_far(limit));
         }
         for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
             ++demands;
@@ -233,7 +232,9 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
         }
         summary.steps.push_back(std::move(row));
     }
-    if (end == RunEnd::time_over) summary.reasons.push_back("The time of the procedure was over.");
+    if (end == RunEnd::time_over)
+        summary.reasons.push_back("The run reached the procedure's `time_limit:` of " + quantity_text(time_limit, "s") +
+                                  ".");
     if (end == RunEnd::interrupted) summary.reasons.insert(summary.reasons.begin(), "The run was interrupted.");
     if (end == RunEnd::unrecorded)
         summary.reasons.insert(summary.reasons.begin(), "The run ended early: it could not be recorded any more.");
@@ -249,12 +250,14 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& 
 
 bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict) {
     if (rehearsal.expect == "pass") return verdict == Verdict::pass;
+    if (rehearsal.expect == "incomplete") return verdict == Verdict::incomplete;
     if (verdict != Verdict::fail) return false;
     bool is_named = false;
     for (const auto& state : monitor.steps()) {
         for (const auto& limit : state.limits) {
             if (!limit.broken_at) continue;
-            const bool is_the_one = rehearsal.expect_limit == limit.limit->name();
+            const bool is_the_one = rehearsal.expect_limit == limit.limit->name() &&
+                                    (rehearsal.expect_step.empty() || rehearsal.expect_step == state.step->id);
             if (!is_the_one) return false;
             is_named = true;
         }

@@ -22,11 +22,13 @@ enum class RunEnd { path_ended, steps_done, time_over, fault, interrupted, unrec
 /// How passive the loop was.   [any] pure.
 [[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
 
-/// Step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
+/// Computes step rows, verdict, reasons and score. Pass: every goal reached and no limit broken. Fail: a limit broken.
 /// Incomplete: goals missing, or interrupted before a limit broke. Invalid: a fault.   [any] pure.
-void judge(const StepMonitor& monitor, RunEnd end, double duration, RunSummary& summary);
+/// @param time_limit   [s] of the procedure
+void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary);
 
-/// Whether the run ended as its rehearsal says it must: "pass", or "fail" because of one limit and that alone.
+/// Whether the run ended as its rehearsal expects: "pass", "incomplete", or "fail" because of one limit alone, in the
+/// one step that it names if it names one.
 [[nodiscard]] bool ended_as_expected(const Rehearsal& rehearsal, const StepMonitor& monitor, Verdict verdict);
 
 }  // namespace kerf

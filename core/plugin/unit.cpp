@@ -20,13 +20,15 @@ constexpr std::array symbols{
     UnitSymbol{"cm", 1, 100, dimension::length},
     UnitSymbol{"mm", 1, 1e3, dimension::length},
     UnitSymbol{"um", 1, 1e6, dimension::length},
-    UnitSymbol{"µm", 1, 1e6, dimension::length},
+    UnitSymbol{"\u00B5m", 1, 1e6, dimension::length},  // micro sign
+    UnitSymbol{"\u03BCm", 1, 1e6, dimension::length},  // Greek mu
     UnitSymbol{"rad", 1, 1, dimension::angle},
     UnitSymbol{"deg", pi, 180, dimension::angle},
     UnitSymbol{"s", 1, 1, dimension::time},
     UnitSymbol{"ms", 1, 1e3, dimension::time},
     UnitSymbol{"us", 1, 1e6, dimension::time},
-    UnitSymbol{"µs", 1, 1e6, dimension::time},
+    UnitSymbol{"\u00B5s", 1, 1e6, dimension::time},
+    UnitSymbol{"\u03BCs", 1, 1e6, dimension::time},
     UnitSymbol{"min", 60, 1, dimension::time},
     UnitSymbol{"Hz", 1, 1, dimension::frequency},
     UnitSymbol{"kHz", 1e3, 1, dimension::frequency},
@@ -72,11 +74,16 @@ int take_power(std::string_view& factor) {
     return power;
 }
 
+const UnitSymbol* find(std::span<const UnitSymbol> among, std::string_view name) {
+    const auto at = std::find_if(among.begin(), among.end(), [&](const UnitSymbol& s) { return s.name == name; });
+    return at != among.end() ? &*at : nullptr;
+}
+
 }  // namespace
 
 std::span<const UnitSymbol> unit_symbols() noexcept { return symbols; }
 
-std::optional<Unit> parse_unit(std::string_view text) {
+std::optional<Unit> parse_unit(std::string_view text, std::span<const UnitSymbol> further) {
     text = trimmed(text);
     double numerator = 1.0, denominator = 1.0;
     std::array<int, 8> exponents{};
@@ -87,9 +94,9 @@ std::optional<Unit> parse_unit(std::string_view text) {
         const std::size_t end = text.find_first_of("/* ");
         std::string_view factor = text.substr(0, end);
         const int power = take_power(factor);
-        const auto symbol =
-            std::find_if(symbols.begin(), symbols.end(), [&](const UnitSymbol& s) { return s.name == factor; });
-        if (symbol == symbols.end()) return std::nullopt;
+        const UnitSymbol* symbol = find(symbols, factor);
+        if (symbol == nullptr) symbol = find(further, factor);
+        if (symbol == nullptr) return std::nullopt;
         for (int i = 0; i < power; ++i) {
             numerator *= is_divided ? symbol->denominator : symbol->numerator;
             denominator *= is_divided ? symbol->numerator : symbol->denominator;

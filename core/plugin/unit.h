@@ -31,6 +31,7 @@ inline constexpr std::size_t max_unit_factors = 6;
 [[nodiscard]] std::span<const UnitSymbol> unit_symbols() noexcept;
 
 /// "mm", "g/cm3", "N/mm^2", "1/s", "N m"; revolutions count as 1, so "rpm" is a frequency. Empty if unknown.   [any]
-[[nodiscard]] std::optional<Unit> parse_unit(std::string_view text);
+/// @param further  units besides those of `unit_symbols`
+[[nodiscard]] std::optional<Unit> parse_unit(std::string_view text, std::span<const UnitSymbol> further = {});
 
 }  // namespace kerf

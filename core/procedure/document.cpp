@@ -6,6 +6,8 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +17,8 @@
 #include <utility>
 
 #include "core/procedure/explain_syntax.h"
+#include "core/procedure/look_alike.h"
+#include "core/procedure/printable.h"
 #include "core/procedure/quantity.h"
 
 namespace kerf {
@@ -23,6 +27,7 @@ namespace {
 constexpr std::size_t largest_file = 1u << 20;  // [byte]
 constexpr std::size_t deepest_level = 64;
 constexpr std::size_t longest_line_shown = 240;  // [byte]
+constexpr int most_controls_shown = 5;
 
 bool starts_character(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
 
@@ -30,11 +35,11 @@ int characters(std::string_view text) noexcept {
     return static_cast<int>(std::count_if(text.begin(), text.end(), starts_character));
 }
 
-/// Bytes of the character that starts at `at`: 1 … 4, or 0 if it is not UTF-8 or a control character.
+/// Bytes of the character that starts at `at`: 1 … 4, or 0 if it is not UTF-8.
 std::size_t character_size(std::string_view text, std::size_t at) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
     const unsigned first = byte(at);
-    if (first < 0x80) return (first >= 0x20 && first != 0x7F) || first == '\t' || first == '\n' || first == '\r';
+    if (first < 0x80) return 1;
     const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
     if (first < 0xC2 || first > 0xF4 || at + size > text.size()) return 0;
     unsigned value = first & (0xFFu >> (size + 1));
@@ -47,14 +52,58 @@ std::size_t character_size(std::string_view text, std::size_t at) noexcept {
     return value < smallest[size] || value > 0x10FFFF || is_surrogate ? 0 : size;
 }
 
-/// Where the first byte stands that is no text; npos if all is well.
-std::size_t find_not_text(std::string_view text) noexcept {
+/// The first byte that is not UTF-8; npos if all is well.
+std::size_t find_not_utf8(std::string_view text) noexcept {
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t size = character_size(text, at);
         if (size == 0) return at;
         at += size;
     }
     return std::string_view::npos;
+}
+
+std::string byte_text(char byte) {
+    char text[8];
+    std::snprintf(text, sizeof text, "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(byte)));
+    return text;
+}
+
+/// Reports characters that show nothing and change how a text is read. Returns the text with blanks in place of them,
+/// so that its other mistakes are found, too.
+std::string without_controls(std::string text, Report& report) {
+    int reported = 0;
+    for (std::size_t at = 0;;) {
+        const std::optional<LookAlike> found = find_control(std::string_view(text).substr(at));
+        if (!found) return text;
+        at += found->at;
+        if (++reported <= most_controls_shown)
+            report.error(Code::not_text, {at, found->size},
+                         "The file holds " + code_point_text(found->code) + " (" + found->name +
+                             "), a character that shows nothing. Remove it.");
+        std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(at), found->size, ' ');
+        at += found->size;
+    }
+}
+
+/// Reports blanks that are none for YAML where a line is indented. False if there are any: nobody knows what the line
+/// belongs to.
+bool has_plain_indents(const Document& document, Report& report) {
+    const std::string_view text = document.text();
+    bool is_plain = true;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::size_t indent = std::min(text.find_first_not_of(' ', begin), end);
+        const std::optional<LookAlike> found =
+            find_look_alike(text.substr(indent, std::min<std::size_t>(4, end - indent)));
+        if (found && found->at == 0 && (found->ascii == " " || found->ascii.empty())) {
+            is_plain = false;
+            report.error(Code::syntax, {indent, found->size},
+                         "The line begins with " + code_point_text(found->code) + " (" + found->name +
+                             "), expected plain spaces. Indent with spaces.");
+        }
+        begin = end + 1;
+    }
+    return is_plain;
 }
 
 /// Thrown by the handler below to leave the parser; never leaves this file.
@@ -69,9 +118,8 @@ public:
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (documents_++ == 0) return;
-        report_.error(
-            Code::several_documents, {at(mark), 1},
-            "A second document starts here; one file holds one. Remove it, or put it into a file of its own.");
+        report_.error(Code::several_documents, {at(mark), 1},
+                      "The file holds a second document, expected one. Remove it, or put it into a file of its own.");
         throw StopReading{};
     }
     void OnDocumentEnd() override {}
@@ -86,14 +134,14 @@ public:
     }
     void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
         report_.error(Code::anchor_or_alias, {at(mark), name.size() + 1},
-                      "Anchors are not used here: they hide where a value comes from. Remove the anchor.");
+                      "Anchors are not allowed: they hide where a value comes from. Remove the anchor.");
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
         Node node;
         node.span = {at(mark), 1};
         node.is_refused = true;
         report_.error(Code::anchor_or_alias, node.span,
-                      "Aliases are not used here: they hide where a value comes from. Repeat the value.");
+                      "Aliases are not allowed: they hide where a value comes from. Repeat the value.");
         add(std::move(node));
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
@@ -120,7 +168,7 @@ private:
         return std::min(begin + static_cast<std::size_t>(std::max(0, mark.column)), document_.text().size());
     }
 
-    /// Bytes from `begin` that show `value`, on one line: with its quotes, or as it stands.
+    /// Bytes from `begin` that show `value`, on one line: with its quotes, or without.
     std::size_t shown_size(std::size_t begin, std::string_view value) const noexcept {
         const std::string_view rest = std::string_view(document_.text()).substr(begin);
         if (rest.empty()) return 1;
@@ -139,8 +187,7 @@ private:
         const bool is_written = begin < document_.text().size() && document_.text()[begin] == '!';
         if (!is_written && (tag.empty() || tag == "?" || tag == "!")) return;
         report_.error(Code::tag, {begin, 1},
-                      "Tags are not used here: what a value means follows from its key. "
-                      "Remove the tag.");
+                      "Tags are not allowed: a key alone decides what its value means. Remove the tag.");
     }
 
     void add_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& value) {
@@ -156,6 +203,13 @@ private:
             report_.error(Code::syntax, {unclosed->at, 1}, about(*unclosed, document_.text()[unclosed->at]));
             throw StopReading{};
         }
+        if (const std::optional<LookAlike> control = find_control(node.text)) {  // written as an escape
+            report_.error(Code::not_text, node.span,
+                          "The text holds " + code_point_text(control->code) + " (" + control->name +
+                              ") as an escape. Remove it.");
+            node.text = printable(node.text);
+            node.is_refused = true;
+        }
         add(std::move(node));
     }
 
@@ -166,8 +220,8 @@ private:
         refuse_tag(opened.node.span.begin, tag);
         if (open_.size() >= deepest_level) {
             report_.error(Code::nested_too_deep, opened.node.span,
-                          "This is nested more than " + std::to_string(deepest_level) +
-                              " levels deep. Take some of the levels away.");
+                          "The nesting is too deep: got more than " + std::to_string(deepest_level) +
+                              " levels. Use fewer levels.");
             throw StopReading{};
         }
         open_.push_back(std::move(opened));
@@ -213,7 +267,7 @@ private:
         const QuantityProblem problem =
             is_row
                 ? QuantityProblem{Code::not_three_numbers,
-                                  number.key + " has commas between its numbers; put spaces there, as in `1 2 3 mm`.",
+                                  number.key + " has commas between its numbers. Put spaces there, as in `1 2 3 mm`.",
                                   {}}
                 : decimal_comma(number.key, number.text, key.text);
         report_.error(problem.code, number.span, problem.message, problem.write);
@@ -221,20 +275,42 @@ private:
         return true;
     }
 
+    /// `{feed:1 mm/s}`: YAML sees a key `feed:1 mm/s` without a value. Says so, and goes on with what is meant.
+    void split_key(Node& key, Node& value) {
+        const bool is_absent = value.kind == Node::Kind::scalar && value.text.empty() && !value.is_refused;
+        const auto mistake = is_absent ? find_missing_space(key.text) : std::nullopt;
+        if (!mistake) return;
+        report_.error(Code::syntax, key.span, mistake->message, mistake->write);
+        const std::size_t colon = key.text.find(':');
+        value.text = straightened(key.text.substr(colon + 1));
+        value.text.erase(0, value.text.find_first_not_of(' '));
+        value.span = key.span;
+        key.text.resize(colon);
+        key.span.size = std::min(key.span.size, colon);
+    }
+
     void add_entry(Open& parent, Node value) {
-        const Node key = std::move(*parent.key);
+        Node key = std::move(*parent.key);
         parent.key.reset();
         if (key.is_refused) return;
+        if (key.kind == Node::Kind::scalar && !key.is_quoted) {
+            if (const auto dash = find_missing_dash_space(key.text)) {
+                report_.error(Code::syntax, key.span, dash->message + " Put one there.");
+                parent.node.is_refused = true;  // it should have been a list
+                return;
+            }
+            split_key(key, value);
+        }
         if (key.kind != Node::Kind::scalar || key.text.empty()) {
-            report_.error(Code::key_not_text, key.span, "A key must be a word. Put one before the `:`.");
+            report_.error(Code::key_not_text, key.span, "The key is not a word. Put one before the `:`.");
             return;
         }
         if (!parent.keys.insert(key.text).second) {
             std::optional<Reason> reason;
             if (const Node* first = report_.is_full() ? nullptr : parent.node.find(key.text))
-                reason = report_.because(first->key_span, "it stands here first.");
+                reason = report_.because(first->key_span, "it is here first.");
             report_.error(Code::duplicate_key, key.span,
-                          "`" + key.text + "` stands here twice; only one of them can count. Remove one.", {},
+                          "The key `" + excerpt(key.text) + "` occurs twice in one map. Remove one of the two.", {},
                           std::move(reason));
             return;
         }
@@ -349,16 +425,16 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     if (shown_ == most_shown + 1) {
         level = Diagnostic::Level::error;
         code = Code::too_many_errors;
-        message =
-            "There are more than " + std::to_string(most_shown) + " errors; the rest is not shown. Mend these first.";
+        message = "There are more than " + std::to_string(most_shown) +
+                  " errors; the others are not shown. Correct these first.";
         write.clear();
         reason.reset();
     }
     // What is missing may have been lost with the end of the file.
     if (code == Code::missing_key && !is_end_told_ && !document_.text().ends_with('\n')) {
         is_end_told_ = true;
-        message += " The file ends in the middle of line " +
-                   std::to_string(document_.place({document_.text().size()}).line) + ": is it cut off?";
+        message += " The last line, " + std::to_string(document_.place({document_.text().size()}).line) +
+                   ", has no line end: is the file cut off?";
     }
     Diagnostic diagnostic;
     diagnostic.level = level;
@@ -369,14 +445,15 @@ void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string 
     diagnostic.source_line = document_.source_line(span);
     diagnostic.reason = std::move(reason);
     if (const auto before = diagnostic.reason ? std::nullopt : document_.replaced_by(span))
-        diagnostic.reason = because(*before, "it takes the place of this.");
+        diagnostic.reason = because(*before, "it replaces this.");
     diagnostics_.push_back(std::move(diagnostic));
 }
 
 std::optional<std::string> read_text_file(const std::string& file, Diagnostics& diagnostics) {
     std::error_code failure;
     if (!std::filesystem::exists(file, failure)) {
-        report_file(Code::file_unreadable, file, "There is no such file. Check its name and its folder.", diagnostics);
+        report_file(Code::file_unreadable, file, "The file does not exist. Check its name and its folder.",
+                    diagnostics);
         return std::nullopt;
     }
     // A pipe or a device could keep us waiting for ever.
@@ -385,8 +462,8 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
     if (!stream.is_open()) {
         const bool is_folder = std::filesystem::is_directory(file, failure);
         report_file(Code::file_unreadable, file,
-                    is_folder ? "This is a folder. Name a YAML file in it."
-                              : "This is not a file that can be read. Name a YAML file, and see that you may read it.",
+                    is_folder ? "The path is a folder, expected a file. Name a YAML file in it."
+                              : "The file cannot be read. Name a YAML file, and check that you may read it.",
                     diagnostics);
         return std::nullopt;
     }
@@ -394,7 +471,7 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
     std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, largest_file)) + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) {
-        report_file(Code::file_unreadable, file, "Reading this file failed. Copy it to another disk.", diagnostics);
+        report_file(Code::file_unreadable, file, "Reading the file failed. Copy it to another disk.", diagnostics);
         return std::nullopt;
     }
     text.resize(static_cast<std::size_t>(stream.gcount()));
@@ -403,28 +480,32 @@ std::optional<std::string> read_text_file(const std::string& file, Diagnostics& 
 
 std::optional<Document> parse_document(const std::string& file, std::string text, Diagnostics& diagnostics) {
     if (text.size() > largest_file) {
-        report_file(Code::file_too_large, file,
-                    "The file is larger than 1 MB; no document needs that. Name a YAML file.", diagnostics);
+        report_file(Code::file_too_large, file, "The file is too large: got more than 1 MB. Name a YAML file.",
+                    diagnostics);
         return std::nullopt;
     }
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark would shift the first line
 
     std::optional<Document> document(std::in_place, file, std::move(text));
     Report report(*document, diagnostics);
-    if (const std::size_t at = find_not_text(document->text()); at != std::string::npos) {
-        report.error(Code::not_text, {at, 1}, "This is not text. Save the file as UTF-8, without control characters.");
+    if (const std::size_t at = find_not_utf8(document->text()); at != std::string::npos) {
+        report.error(Code::not_text, {at, 1},
+                     "The file is not UTF-8 text: got the byte " + byte_text(document->text()[at]) +
+                         ". Save it as UTF-8 in a text editor.");
         return std::nullopt;
     }
+    const std::string plain = without_controls(document->text(), report);
+    if (!has_plain_indents(*document, report)) return std::nullopt;
 
     TreeBuilder builder(*document, report);
     try {
-        std::istringstream stream(document->text());
+        std::istringstream stream(plain);
         YAML::Parser parser(stream);
         while (parser.HandleNextDocument(builder)) {
         }
         if (!builder.has_content()) {
             report_file(Code::file_empty, file,
-                        "The file says nothing. Begin it with `apiVersion: kerf/v1`, as a file of `procedures/` does.",
+                        "The file is empty. Begin it with `apiVersion: kerf/v1`, as the shipped procedures do.",
                         diagnostics);
             return std::nullopt;
         }
@@ -438,12 +519,18 @@ std::optional<Document> parse_document(const std::string& file, std::string text
             return std::nullopt;
         }
         const std::size_t begin = document->line_begin(failure.mark.line);
-        const std::size_t at = begin + static_cast<std::size_t>(std::max(0, failure.mark.column));
-        report.error(Code::syntax, {at, 1},
-                     "This is not YAML: " + explain_syntax(failure.msg, document->source_line({at})) + ".");
+        const SyntaxMistake mistake = explain_syntax(
+            failure.msg, document->text(), begin + static_cast<std::size_t>(std::max(0, failure.mark.column)));
+        const int line = document->place({mistake.at}).line;
+        const bool is_reported = std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) {
+            return d.place.file == file && d.place.line == line && d.code == code_text(Code::syntax);
+        });
+        if (!is_reported) report.error(Code::syntax, {mistake.at, mistake.size}, mistake.message, mistake.write);
         return std::nullopt;
     } catch (const std::exception& failure) {  // yaml-cpp on input that its authors did not think of
-        report_file(Code::syntax, file, std::string("This is not YAML: ") + failure.what() + ".", diagnostics);
+        report_file(Code::syntax, file,
+                    std::string("The file is not YAML: ") + excerpt(failure.what(), 100) + ". Correct it.",
+                    diagnostics);
         return std::nullopt;
     }
     return document;

@@ -75,6 +75,7 @@ public:
     void warning(Code code, TextSpan span, std::string message, std::string write = {});
     Reason because(TextSpan span, std::string message) const;  ///< a reason that stands in this document
     bool has_error() const noexcept { return errors_ > 0; }
+    int errors() const noexcept { return errors_; }
     bool is_full() const noexcept { return shown_ > most_shown; }
 
 private:

@@ -6,14 +6,14 @@
 #include <string>
 #include <string_view>
 
-/// Why a text is not YAML, in the words of somebody who wants to mend it.
+/// Why a text is not YAML, in words that say how to mend it.
 namespace kerf {
 
-/// A `{`, `[` or quotation mark that nothing closes.
+/// A `{`, `[` or quotation mark without its counterpart.
 struct Unclosed {
     std::size_t at = 0;         ///< byte in the text
     char closer = '}';          ///< what is missing
-    bool is_last_line = false;  ///< nothing follows the line it stands in
+    bool is_last_line = false;  ///< nothing follows its line
 };
 
 /// Guesses where a text that is not YAML opens something for good. Meant for such texts only: in YAML a bracket within
@@ -23,11 +23,26 @@ struct Unclosed {
 /// The same for a text in quotation marks that begins at `at`; nothing if none begins there.   [any] pure.
 [[nodiscard]] std::optional<Unclosed> find_unclosed_quote(std::string_view text, std::size_t at);
 
-/// What to tell of it, and what to write.   [any] pure.
+/// Says what is not closed, and what to write.   [any] pure.
 [[nodiscard]] std::string about(const Unclosed& unclosed, char opener);
 
-/// What a complaint of yaml-cpp about `line` means; the complaint itself where there is nothing to add.   [any] pure.
-[[nodiscard]] std::string explain_syntax(const std::string& complaint, std::string_view line);
+/// A mistake that makes a text no YAML: where it is, which need not be where a parser notices it.
+struct SyntaxMistake {
+    std::size_t at = 0;  ///< first byte
+    std::size_t size = 1;
+    std::string message;  ///< with what to do
+    std::string write{};  ///< what to write in place of it; may be empty
+};
+
+/// Finds the mistake behind a complaint of yaml-cpp at byte `at` of the text.   [any] pure.
+[[nodiscard]] SyntaxMistake explain_syntax(const std::string& complaint, std::string_view text, std::size_t at);
+
+/// Finds `key:value` at the beginning of a text, which YAML does not take for a key and its value; `key: value` is what
+/// to write.   [any] pure.
+[[nodiscard]] std::optional<SyntaxMistake> find_missing_space(std::string_view text);
+
+/// Finds `-item` at the beginning of a text, which YAML does not take for an item of a list.   [any] pure.
+[[nodiscard]] std::optional<SyntaxMistake> find_missing_dash_space(std::string_view text);
 
 /// True if the complaint may come from something that is not closed.   [any] pure.
 [[nodiscard]] bool is_about_an_end(const std::string& complaint);

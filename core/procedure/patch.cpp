@@ -10,6 +10,7 @@
 
 #include "core/procedure/printable.h"
 #include "core/procedure/read_map.h"
+#include "core/procedure/shapes.h"
 
 namespace kerf {
 namespace {
@@ -50,28 +51,50 @@ std::vector<std::string> names_within(const Node& node) {
     return names;
 }
 
+/// The shape of what is under `name` in a map or list of this shape; null where none is known.
+const ValueShape* shape_within(const ValueShape* shape, std::string_view name) {
+    if (shape == nullptr) return nullptr;
+    if (!shape->item.empty()) return &shape->item.front();
+    const KeyShape* key = shape->shape != nullptr ? shape->shape->find(name) : nullptr;
+    return key != nullptr ? &key->value : nullptr;
+}
+
+/// The keys that a map of this shape needs and `map` lacks.
+std::vector<std::string> missing_keys(const Node& map, const ValueShape* shape) {
+    std::vector<std::string> missing;
+    if (shape == nullptr || shape->shape == nullptr) return missing;
+    for (const KeyShape& key : shape->shape->keys)
+        if (key.presence == Presence::required && map.find(key.name) == nullptr) missing.push_back(key.name + ":");
+    return missing;
+}
+
+const ValueShape whole_procedure{.kind = ValueShape::Kind::map, .shape = &shapes::procedure};
+
 class Patcher {
 public:
     Patcher(Document& document, Report& report) : document_(document), report_(report) {}
 
-    void apply(Node& target, const Node& patch) {
-        for (const Node& change : patch.children) apply(target, change, change.key);
-    }
+    void apply(Node& root, const Node& patch) { apply_all(root, &whole_procedure, patch); }
 
 private:
-    /// `path` leads from `target` to what `change` is for.
-    void apply(Node& target, const Node& change, std::string_view path) {
+    void apply_all(Node& target, const ValueShape* shape, const Node& patch) {
+        for (const Node& change : patch.children) apply(target, shape, change, change.key);
+    }
+
+    /// `path` leads from `target`, which has this shape, to what `change` is for.
+    void apply(Node& target, const ValueShape* shape, const Node& change, std::string_view path) {
         if (change.is_refused) return;
         if (++changes_ > most_changes) {
             if (changes_ == most_changes + 1)
                 report_.error(Code::out_of_range, change.key_span,
-                              "This patch has more than " + std::to_string(most_changes) +
+                              "The patch is too long: got more than " + std::to_string(most_changes) +
                                   " changes. Write a procedure of its own.");
             return;
         }
         if (static_cast<std::size_t>(std::count(path.begin(), path.end(), '.')) >= most_parts) {
-            report_.error(Code::nested_too_deep, change.key_span,
-                          "This path has more than " + std::to_string(most_parts) + " parts. Name something nearer.");
+            report_.error(
+                Code::nested_too_deep, change.key_span,
+                "The path is too long: got more than " + std::to_string(most_parts) + " parts. Name something nearer.");
             return;
         }
         if (target.kind == Node::Kind::scalar || (target.kind == Node::Kind::list && !has_ids(target))) {
@@ -86,39 +109,68 @@ private:
             if (end != std::string_view::npos) found = find_within(target, path.substr(0, end));
         }
         if (found == target.children.end())
-            add(target, change, path);
+            add(target, shape, change, path);
         else if (end == path.size())
-            change_to(target, found, change);
+            change_to(target, shape_within(shape, path), found, change);
         else
-            apply(*found, change, path.substr(end + 1));
+            apply(*found, shape_within(shape, path.substr(0, end)), change, path.substr(end + 1));
     }
 
     void refuse_way_in(const Node& target, const Node& change) {
         const std::string what = target.kind == Node::Kind::list
-                                     ? "is a list whose items have no ids. Replace it as a whole."
-                                     : "is a single value, with nothing inside. End the path there.";
-        report_.error(Code::patch_nowhere, change.key_span, "What the path `" + change.key + "` leads into " + what, {},
-                      report_.because(target.span, "it leads into this."));
+                                     ? "a list whose items have no ids. Replace it as a whole."
+                                     : "a single value, with nothing inside. End the path there.";
+        report_.error(Code::patch_nowhere, change.key_span, "The path `" + excerpt(change.key) + "` leads into " + what,
+                      {}, report_.because(target.span, "the path leads into this."));
     }
 
-    void add(Node& target, const Node& change, std::string_view path) {
+    /// Something that `target` names has no such name.
+    void refuse_name(const Node& target, const Node& change, std::string_view path, const std::string& name,
+                     const std::vector<std::string>& missing) {
+        const std::vector<std::string> known = names_within(target);
+        std::string meant = closest(name, known, report_);
+        if (known.size() == 1) meant = known.front();
+        const bool is_key = change.key.data() <= path.data() && path.data() <= change.key.data() + change.key.size();
+        const std::string before =
+            is_key ? change.key.substr(0, static_cast<std::size_t>(path.data() - change.key.data())) : "";
+        const std::string rest = path.size() > name.size() ? std::string(path.substr(name.size())) : "";
+        const Node* id = change.key.empty() ? change.find("id") : nullptr;  // an item of a list
+        report_.error(Code::patch_nowhere, id != nullptr ? id->span : change.key_span,
+                      "Nothing is called `" + excerpt(name, 40) + "` here: expected " + listed(known) + "." +
+                          (missing.empty() ? "" : " To add it, write " + listed_all(missing) + " as well.") +
+                          or_choose(meant, missing.empty() ? "Write one of these." : ""),
+                      meant.empty()   ? ""
+                      : id != nullptr ? meant
+                                      : before + meant + rest + ":",
+                      report_.because(target.span, "the names are here."));
+    }
+
+    static std::string listed_all(const std::vector<std::string>& words) {
+        std::string text;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            text += (i == 0 ? "`" : i + 1 == words.size() ? " and `" : ", `") + words[i] + "`";
+        return text;
+    }
+
+    void add(Node& target, const ValueShape* shape, const Node& change, std::string_view path) {
         const std::size_t dot = path.find('.');
         const std::string name(path.substr(0, dot));
-        const std::vector<std::string> known = names_within(target);
-        const std::string meant = closest(name, known, report_);
-        if (target.kind == Node::Kind::list) {
-            const std::size_t before = static_cast<std::size_t>(path.data() - change.key.data());
-            const std::string rest = dot == std::string_view::npos ? "" : std::string(path.substr(dot));
-            report_.error(Code::patch_nowhere, change.key_span,
-                          "No item has the id `" + name + "`; there is " + listed(known) + "." +
-                              or_choose(meant, "Name one of these."),
-                          meant.empty() ? "" : change.key.substr(0, before) + meant + rest + ":",
-                          report_.because(target.span, "the list begins here."));
+        const bool is_named = shape != nullptr && shape->kind == ValueShape::Kind::named;
+        if (target.kind == Node::Kind::list || (is_named && dot != std::string_view::npos)) {
+            refuse_name(target, change, path, name, {});
             return;
         }
         if (change.is_removal) {
+            const std::string meant = closest(path, names_within(target), report_);
             report_.error(Code::nothing_to_remove, change.key_span,
-                          "There is no `" + std::string(path) + "` to remove." + or_choose("", "Remove this line."));
+                          "There is no `" + excerpt(path, 40) + "` to remove." +
+                              (meant.empty() ? " Remove this line."
+                                             : " Is `" + meant + "` meant? Write its name, or remove this line."));
+            return;
+        }
+        if (const auto missing = missing_keys(change, shape_within(shape, name));
+            is_named && change.kind == Node::Kind::map && !missing.empty() && !target.children.empty()) {
+            refuse_name(target, change, path, name, missing);
             return;
         }
         Node added;
@@ -135,16 +187,18 @@ private:
             added.key_span.size = name.size();
         }
         target.children.push_back(std::move(added));
-        if (dot != std::string_view::npos) apply(target.children.back(), change, path.substr(dot + 1));
+        if (dot != std::string_view::npos)
+            apply(target.children.back(), shape_within(shape, name), change, path.substr(dot + 1));
     }
 
-    void change_to(Node& parent, std::vector<Node>::iterator found, const Node& change) {
+    /// `shape`: of what was found.
+    void change_to(Node& parent, const ValueShape* shape, std::vector<Node>::iterator found, const Node& change) {
         if (change.is_removal) {
             parent.children.erase(found);
         } else if (change.kind == Node::Kind::map && (found->kind == Node::Kind::map || has_ids(*found))) {
-            apply(*found, change);
+            apply_all(*found, shape, change);
         } else if (change.kind == Node::Kind::list && has_ids(change) && has_ids(*found)) {
-            merge_items(*found, change);
+            merge_items(*found, shape, change);
         } else {
             document_.note_replaced(change.span, found->span);
             Node now = change;
@@ -154,12 +208,16 @@ private:
         }
     }
 
-    void merge_items(Node& list, const Node& change) {
+    void merge_items(Node& list, const ValueShape* shape, const Node& change) {
         for (const Node& item : change.children) {
             if (changes_ > most_changes) return;
-            const auto same = find_within(list, item.find("id")->text);
+            const std::string& id = item.find("id")->text;
+            const auto same = find_within(list, id);
+            const ValueShape* of_item = shape_within(shape, id);
             if (same != list.children.end())
-                apply(*same, item);
+                apply_all(*same, of_item, item);
+            else if (const auto missing = missing_keys(item, of_item); !missing.empty())
+                refuse_name(list, item, {}, id, missing);
             else
                 list.children.push_back(item);
             ++changes_;
@@ -272,10 +330,10 @@ void apply_setting(Document& document, const std::string& setting, Diagnostics& 
     for (const Node& value : change.children)
         if (value.kind == Node::Kind::scalar && value.text.empty() && !value.is_removal && !value.is_quoted)
             report.error(Code::empty_value, value.key_span,
-                         "`--set " + value.key + "` has no value. Write one behind `=`, or `~` to remove it.");
+                         "`--set " + excerpt(value.key) + "` has no value. Write one behind `=`, or `~` to remove it.");
         else if (value.key != path)
             report.error(Code::patch_nowhere, value.key_span,
-                         "`--set` changes one value. Write `--set` once for each.");
+                         "`--set` changes one value, got several. Write `--set` once for each.");
         else
             Patcher(document, report).apply(document.root, change);
 }

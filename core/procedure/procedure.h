@@ -103,12 +103,13 @@ inline constexpr double hardest_push = 500.0;  ///< [N] of a simulated hand
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.
 struct Rehearsal {
     std::string id, title;
-    std::string expect;        ///< "pass" or "fail"
-    std::string expect_limit;  ///< for "fail": the zone (or quantity) whose limit must be the only one broken
-    double feed = 1e-3;        ///< [m/s] what the hand aims at in bone
-    double approach = 10e-3;   ///< [m/s] in air
-    double push = 60.0;        ///< [N] the most it pushes, bone side; no more than `hardest_push`
-    double reaction = 0.15;    ///< [s]
+    std::string expect;         ///< "pass", "fail" or "incomplete"
+    std::string expect_limit;   ///< for "fail": the zone (or quantity) whose limit must be the only one broken
+    std::string expect_step{};  ///< for "fail": the only step in which it is broken; empty: any
+    double feed = 1e-3;         ///< [m/s] what the hand aims at in bone
+    double approach = 10e-3;    ///< [m/s] in air
+    double push = 60.0;         ///< [N] the most it pushes, bone side; no more than `hardest_push`
+    double reaction = 0.15;     ///< [s]
     std::vector<Waypoint> path;
 };
 
@@ -135,10 +136,11 @@ struct Procedure {
     std::string id, title, version, status;
     std::vector<std::string> authors;
     std::string text;  ///< the document itself, for the session; with changes applied: what came of it
-    std::shared_ptr<const Document> document;  ///< where everything stands in it; null for one that was never read
+    std::shared_ptr<const Document> document;  ///< the places of its values; null for one that was never read
     std::string variant;                       ///< id of the one that was chosen; empty: none
     std::vector<Variant> variants;
     std::vector<std::string> needs_landmarks, needs_zones, needs_tissues;
+    std::string anatomy_name;  ///< as it is written
     std::string anatomy_file;  ///< resolved against the document's folder
     double spacing = 0.25e-3;  ///< [m] of the cut field
     Accuracy accuracy;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/procedure/correct_keys.h"
 #include "core/procedure/printable.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
@@ -26,7 +27,7 @@ void read_ends(MapReader& map, Ends& ends, const std::string& name, Report& repo
     ends.to = *to;
     if (length(*to - *from) < shortest)
         report.error(Code::degenerate, map.span(),
-                     name + " goes from a point to the same point. Move one of its ends.");
+                     name + " has no length: both ends are the same point. Move one of them.");
 }
 
 Solid read_box(const Node& node, const std::string& name, Report& report) {
@@ -58,7 +59,7 @@ Solid read_elliptic_tube(const Node& node, const std::string& name, Report& repo
         const Vec3 along = normalized(tube.to - tube.from);
         if (length(cross(along, normalized(tube.up))) < 1e-3 && length(along) > 0.0)
             report.error(Code::degenerate, up->span,
-                         map.name_of("up") + " must point across the tube, not along it. Turn it.");
+                         map.name_of("up") + " points along the tube, expected across it. Turn it.");
     }
     map.finish();
     return tube;
@@ -81,14 +82,15 @@ std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
         MapReader map(item, shapes::part, item_name(item, "part"), report);
         PhantomPart part;
         part.id = map.id("id");
-        if (!part.id.empty()) ids.add(part.id, item.find("id")->span, report);
+        if (const Node* id = item.find("id"); id != nullptr && !part.id.empty()) ids.add(part.id, id->span, report);
         part.solid = read_solid(map, report);
         part.source = map.text("source");
         if (const Node* subtract = map.find("subtract")) {
             part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
             if (part.subtract && parts.empty())
-                report.error(Code::degenerate, subtract->span,
-                             "The first part has nothing to be taken away from. Put it behind what it is taken from.");
+                report.error(
+                    Code::degenerate, subtract->span,
+                    "The first part is subtracted from nothing. Put it behind the parts that it is subtracted from.");
         }
         map.finish();
         parts.push_back(std::move(part));
@@ -155,13 +157,13 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
     const std::vector<Node>& items = read_list(node, "tissues", report);
     if (items.size() > KERF_MAX_TISSUES)
         report.error(Code::out_of_range, items[KERF_MAX_TISSUES].span,
-                     "There are " + std::to_string(items.size()) + " tissues; a force model can mix at most " +
+                     "There are too many tissues: got " + std::to_string(items.size()) + ", expected at most " +
                          std::to_string(KERF_MAX_TISSUES) + ". Remove some.");
     for (const Node& item : items) {
         MapReader map(item, shapes::tissue, item_name(item, "tissue"), report);
         Tissue tissue;
         tissue.id = map.id("id");
-        if (!tissue.id.empty()) ids.add(tissue.id, item.find("id")->span, report);
+        if (const Node* id = item.find("id"); id != nullptr && !tissue.id.empty()) ids.add(tissue.id, id->span, report);
         const bool is_base = &item == &items.back();
         const bool has_own_density = !(is_base && has_density_line);
         const Node* density = has_own_density ? map.required("density") : map.find("density");
@@ -169,13 +171,13 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
             map.quantity("density", tissue.density);
         else if (density)
             report.error(Code::degenerate, density->key_span,
-                         "`ct.density` gives the last tissue its density. Remove one.");
+                         "The last tissue has two densities: this one and `ct.density`. Remove one.");
         const Node* thickness = is_base ? map.find("thickness") : map.required("thickness");
         if (!is_base)
             map.quantity("thickness", tissue.thickness);
         else if (thickness)
             report.error(Code::degenerate, thickness->key_span,
-                         "The last tissue fills what the others leave; it has no thickness. Remove it.");
+                         "The last tissue has a thickness, but it fills all that the others leave. Remove it.");
         tissue.source = map.text("source");
         map.finish();
         tissues.push_back(std::move(tissue));
@@ -252,7 +254,7 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
             landmark.normal = normalized(*normal);
             if (!(length(*normal) > 1e-6))
                 report.error(Code::degenerate, plane.span(),
-                             item.key + ".normal has no length. Point it somewhere, as in `0 0 1`.");
+                             item.key + ".normal has no length. Give it a direction, as in `0 0 1`.");
         }
         landmark.tolerance = plane.quantity("tolerance");
         plane.finish();
@@ -280,19 +282,19 @@ std::vector<Zone> read_zones(const Node& node, Report& report) {
 
 }  // namespace
 
-std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagnostics) {
-    std::optional<std::string> text = read_text_file(file, diagnostics);
-    return text ? read_anatomy_text(file, std::move(*text), diagnostics) : std::nullopt;
-}
+namespace {
 
-std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics) {
+std::optional<AnatomyDraft> draft_of_text(const std::string& file, std::string text, Diagnostics& diagnostics) {
     Diagnostics found;
-    std::optional<Anatomy> anatomy;
-    if (const std::optional<Document> document = parse_document(file, std::move(text), found)) {
+    std::optional<AnatomyDraft> draft;
+    if (std::optional<Document> document = parse_document(file, std::move(text), found)) {
         Report report(*document, found);
+        const Node* kind = document->root.find("kind");
+        if (kind == nullptr || kind->text == "Anatomy") correct_keys(document->root, shapes::anatomy, report);
         MapReader map(document->root, shapes::anatomy, "", report);
         if (read_header(map, "Anatomy", report)) {
-            anatomy.emplace();
+            draft.emplace();
+            Anatomy* anatomy = &draft->anatomy;
             anatomy->file = file;
             anatomy->text = document->text();
             if (const Node* node = map.find("metadata")) {
@@ -314,11 +316,30 @@ std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string te
             if (const Node* node = map.find("landmarks")) read_landmarks(*node, *anatomy, report);
             if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, report);
             map.finish();
+            draft->is_sound = !has_error(found);
         }
     }
-    if (has_error(found)) anatomy.reset();
     diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-    return anatomy;
+    return draft;
+}
+
+std::optional<Anatomy> sound(std::optional<AnatomyDraft> draft) {
+    return draft && draft->is_sound ? std::optional(std::move(draft->anatomy)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<AnatomyDraft> read_anatomy_draft(const std::string& file, Diagnostics& diagnostics) {
+    std::optional<std::string> text = read_text_file(file, diagnostics);
+    return text ? draft_of_text(file, std::move(*text), diagnostics) : std::nullopt;
+}
+
+std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagnostics) {
+    return sound(read_anatomy_draft(file, diagnostics));
+}
+
+std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics) {
+    return sound(draft_of_text(file, std::move(text), diagnostics));
 }
 
 MeshSource read_mesh(const Node& node, const std::string& where, Report& report) {

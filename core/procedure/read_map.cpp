@@ -8,6 +8,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/procedure/explain_syntax.h"
+#include "core/procedure/look_alike.h"
+#include "core/procedure/printable.h"
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 
@@ -46,7 +49,7 @@ const char* kind_name(Node::Kind kind) {
     return "a single value";
 }
 
-/// How to turn a value into one of this kind.
+/// How to write a value of this kind.
 const char* way_to(Node::Kind kind) {
     switch (kind) {
         case Node::Kind::map:
@@ -59,10 +62,10 @@ const char* way_to(Node::Kind kind) {
     return "Write a single value.";
 }
 
-/// The id that somebody meant who wrote `text`; empty if there is none.
+/// The id nearest to `text`; empty if there is none.
 std::string id_of(std::string_view text) {
     std::string id;
-    for (const char c : text.substr(0, 64)) {
+    for (const char c : straightened(text.substr(0, 64))) {
         const bool is_alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
         if (is_alphanumeric || ((c == '.' || c == '_' || c == '-') && !id.empty()))
             id += c;
@@ -118,19 +121,58 @@ std::string listed(const std::vector<std::string>& words) {
         if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
         text += "`" + words[i] + "`";
     }
-    return words.size() > most ? text + ", …" : text;
+    return words.size() > most ? text + " or " + std::to_string(words.size() - most) + " more" : text;
+}
+
+namespace {
+
+/// " `−` is U+2212 (minus sign), not `-`." for a text with such a character.
+std::string named_look_alike(std::string_view text) {
+    const std::optional<LookAlike> found = find_look_alike(text);
+    if (!found) return {};
+    std::string named = about(*found);
+    if (named[0] == 'i') named[0] = 'I';
+    return " " + named + ".";
+}
+
+std::string got(std::string_view text) { return "got `" + excerpt(text, 40) + "`"; }
+
+}  // namespace
+
+void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report) {
+    std::vector<std::string> known, choices;
+    for (const KeyShape& key : shape.keys) {
+        known.push_back(key.name);
+        if (key.presence == Presence::one_of) choices.push_back(key.name);
+    }
+    // Where one of several keys is needed, an unknown one is most likely meant as one of them.
+    const bool is_choice = meant.empty() && !choices.empty();
+    report.error(
+        Code::unknown_key, child.key_span,
+        "The key `" + excerpt(child.key, 40) + "` is unknown" +
+            (known.empty() ? "; no key is allowed here." : ": expected " + listed(is_choice ? choices : known) + ".") +
+            named_look_alike(child.key) + or_choose(meant, is_choice ? "Write one of these." : "Remove it."),
+        meant.empty() ? "" : meant + ":");
 }
 
 bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report& report) {
     if (node.is_refused) return false;
     if (is_absent(node)) {
         report.error(Code::empty_value, node.span,
-                     name + " is empty, must be " + kind_name(kind) + ". Fill it, or remove it.");
+                     name + " is empty, expected " + kind_name(kind) + ". Fill it, or remove it.");
         return false;
     }
     if (node.kind == kind) return true;
+    if (const auto mistake = kind == Node::Kind::scalar || node.kind != Node::Kind::scalar || node.is_quoted
+                                 ? std::nullopt
+                             : kind == Node::Kind::map ? find_missing_space(node.text)
+                                                       : find_missing_dash_space(node.text)) {
+        report.error(Code::syntax, node.span, mistake->message, mistake->write);
+        return false;
+    }
     report.error(Code::wrong_shape, node.span,
-                 name + " is " + kind_name(node.kind) + ", must be " + kind_name(kind) + ". " + way_to(kind));
+                 name + " has the wrong form: got " + kind_name(node.kind) + ", expected " + kind_name(kind) + ". " +
+                     way_to(kind));
     return false;
 }
 
@@ -143,8 +185,10 @@ std::optional<std::string> read_id(const Node& node, const std::string& name, Re
     std::optional<std::string> text = read_text(node, name, report);
     if (text && !is_id(*text)) {
         report.error(Code::malformed_word, node.span,
-                     name + " must be one word of letters, digits, `.`, `_` and `-`, at most 64" +
-                         (id_of(*text).empty() ? ", a letter or digit first. Choose one." : "."),
+                     name + " is not a name: " + got(*text) +
+                         ", expected one word of at most 64 letters, digits, `.`, `_` and `-`, a letter or digit "
+                         "first." +
+                         named_look_alike(*text) + (id_of(*text).empty() ? " Choose one." : ""),
                      id_of(*text));
         return std::nullopt;
     }
@@ -161,7 +205,9 @@ std::optional<bool> read_yes_no(const Node& node, const std::string& name, Repor
         *text == "no" || *text == "off" || *text == "n" || *text == "False" || *text == "FALSE" || *text == "0";
     const std::string meant = is_yes ? "true" : is_no ? "false" : "";
     report.error(Code::unknown_word, node.span,
-                 name + " must be `true` or `false`." + or_choose(meant, "Write one of the two."), meant);
+                 name + " is unknown: " + got(*text) + ", expected `true` or `false`." + named_look_alike(*text) +
+                     or_choose(meant, "Write one of the two."),
+                 meant);
     return std::nullopt;
 }
 
@@ -180,8 +226,8 @@ std::optional<Vec3> read_vector(const Node& node, const std::string& name, const
     if (node.kind == Node::Kind::list) {
         if (node.children.size() != 3) {
             report.error(Code::not_three_numbers, node.span,
-                         name + " has " + std::to_string(node.children.size()) +
-                             " values, must have three. Write one for x, y and z each.");
+                         name + " is not three numbers: got a list of " + std::to_string(node.children.size()) +
+                             ", expected x, y and z. Write three.");
             return std::nullopt;
         }
         std::array<std::optional<double>, 3> values;
@@ -203,7 +249,7 @@ std::string read_path(const Node& node, const std::string& name, const std::stri
     const bool has_drive = text->find(':') != std::string::npos || text->find('\\') != std::string::npos;
     if (!path.is_absolute() && !has_drive && (path.empty() || *path.begin() != "..")) return path.generic_string();
     report.error(Code::path_outside, node.span,
-                 name + " must be a path inside " + where +
+                 name + " leads outside: " + got(*text) + ", expected a path inside " + where +
                      ", with `/` between folders. Put the file there, and write its path from there.");
     return {};
 }
@@ -212,7 +258,7 @@ const std::vector<Node>& read_list(const Node& node, const std::string& name, Re
     static const std::vector<Node> none;
     if (!is_kind(node, Node::Kind::list, name, report)) return none;
     if (node.children.empty())
-        report.error(Code::empty_value, node.span, name + " is an empty list. Put an item into it, or remove it.");
+        report.error(Code::empty_value, node.span, name + " is an empty list. Add an item, or remove it.");
     return node.children;
 }
 
@@ -228,7 +274,7 @@ std::vector<std::string> read_ids(const Node& node, const std::string& name, Rep
 bool UniqueIds::add(const std::string& id, TextSpan span, Report& report) {
     const auto [first, is_new] = ids_.try_emplace(id, span);
     if (is_new) return true;
-    report.error(Code::duplicate_id, span, "`" + id + "` is used already. Give this one another name.", {},
+    report.error(Code::duplicate_id, span, "The name `" + id + "` is used twice. Give this one another name.", {},
                  report.because(first->second, "it is used here first."));
     return false;
 }
@@ -243,7 +289,8 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
     bool is_right = document.is_map();
     if (const Node* node = document.required("apiVersion"))
         if (const auto text = read_text(*node, "apiVersion", report); text && *text != api_version) {
-            report.error(Code::wrong_api_version, node->span, "This is not a version that this Kerf reads.",
+            report.error(Code::wrong_api_version, node->span,
+                         "The version of the format is unknown: " + got(*text) + ", expected `" + api_version + "`.",
                          api_version);
             is_right = false;
         }
@@ -252,8 +299,8 @@ bool read_header(MapReader& document, const std::string& kind, Report& report) {
             // Only a slip of the pen is mended here; another document needs another file.
             const std::string meant = closest(*text, {kind}, report);
             report.error(Code::wrong_kind, node->span,
-                         "This document is of kind " + text->substr(0, longest_word) + ", but one of kind " + kind +
-                             " is needed here." + or_choose(meant, "Name another file."),
+                         "The document is of another kind: " + got(*text) + ", expected `" + kind + "`." +
+                             or_choose(meant, "Name another file."),
                          meant);
             is_right = false;
         }
@@ -289,8 +336,8 @@ const Node* MapReader::required(const std::string& key) {
     const Node* found = ask(key);
     if (!found && is_map_)
         report_.error(Code::missing_key, span_,
-                      (name_.empty() ? "The document" : name_) + " needs `" + key + ":`. Add it, as in `" + key + ": " +
-                          shape_of(key).example + "`.");
+                      (name_.empty() ? "The document" : name_) + " has no `" + key + ":`. Add it, as in `" + key +
+                          ": " + shape_of(key).example + "`.");
     return found;
 }
 
@@ -314,8 +361,10 @@ std::string MapReader::word(const std::string& key) {
     const std::string word = found ? read_text(*found, name_of(key), report_).value_or("") : "";
     const std::vector<std::string>& words = shape_of(key).value.words;
     if (word.empty() || std::find(words.begin(), words.end(), word) != words.end()) return word;
-    const std::string meant = closest(word, words, report_);
-    report_.error(Code::unknown_word, found->span, name_of(key) + " must be " + listed(words) + "." + or_choose(meant),
+    const std::string meant = closest(straightened(word), words, report_);
+    report_.error(Code::unknown_word, found->span,
+                  name_of(key) + " is unknown: " + got(word) + ", expected " + listed(words) + "." +
+                      named_look_alike(word) + or_choose(meant),
                   meant);
     return {};
 }
@@ -352,7 +401,8 @@ void MapReader::labels(const std::string& key, std::vector<int>& numbers, std::v
         if (*value == std::floor(*value))
             numbers.push_back(static_cast<int>(*value));
         else
-            report_.error(Code::not_a_number, item.span, name + " must be a whole number. Remove its fraction.");
+            report_.error(Code::not_a_number, item.span,
+                          name + " is not a whole number: " + got(item.text) + ". Remove the fraction.");
     }
 }
 
@@ -371,36 +421,27 @@ const Node* MapReader::one_of() {
         if (candidate && found) {
             report_.error(Code::one_of, candidate->key_span,
                           (name_.empty() ? "The document" : name_) + " has both `" + found->key + "` and `" + key.name +
-                              "`; it can have one. Remove one of them.",
+                              "`, expected one of them. Remove one.",
                           {}, report_.because(found->key_span, "the other one is here."));
         } else if (candidate) {
             found = candidate;
         }
     }
-    if (!found && is_map_)
+    const bool has_unknown = std::any_of(node_.children.begin(), node_.children.end(),
+                                         [&](const Node& child) { return shape_.find(child.key) == nullptr; });
+    if (!found && is_map_ && !has_unknown)  // an unknown key was most likely meant as one of them: finish() reports it
         report_.error(Code::one_of, span_,
-                      (name_.empty() ? "The document" : name_) + " needs " + listed(keys) + ". Add one of them.");
+                      (name_.empty() ? "The document" : name_) + " has none of " + listed(keys) + ". Add one of them.");
     return found;
 }
 
 void MapReader::finish() {
-    std::vector<std::string> known;
-    for (const KeyShape& key : shape_.keys) {
-        known.push_back(key.name);
+    for (const KeyShape& key : shape_.keys)
         KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
                     ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
-    }
     if (!is_map_) return;
-    for (const Node& child : node_.children) {
-        if (std::find(known.begin(), known.end(), child.key) != known.end()) continue;
-        const std::string meant = closest(child.key, known, report_);
-        report_.error(Code::unknown_key, child.key_span,
-                      "`" + child.key.substr(0, longest_word) + "` is not a key of " +
-                          (name_.empty() ? "the document" : name_) +
-                          (known.empty() ? "; it has none." : "; it knows " + listed(known) + ".") +
-                          or_choose(meant, "Remove it."),
-                      meant.empty() ? "" : meant + ":");
-    }
+    for (const Node& child : node_.children)
+        if (shape_.find(child.key) == nullptr) refuse_key(child, shape_, "", report_);
 }
 
 }  // namespace kerf

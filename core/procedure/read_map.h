@@ -11,27 +11,28 @@
 #include "core/procedure/quantity.h"
 #include "core/procedure/shape.h"
 
-/// Reading one map of a document, and its values, with every complaint a person could need.
-/// Each function that returns nothing has said why.
+/// Reading one map of a document, and its values. Each function that returns nothing has reported why.
 namespace kerf {
 
-/// The candidate that `word` was probably meant to be; empty if none is near, or if the report is full and nobody will
-/// see it.
+/// The candidate nearest to `word`; empty if none is near, or if the report is full and shows no more.
 std::string closest(std::string_view word, const std::vector<std::string>& candidates, const Report& report);
 std::string closest(std::string_view word, const std::vector<std::string>& candidates);  // [any]
 
-/// What to add to a message that lists what there is: empty if `meant` says already what to write.   [any]
+/// What to add to a message that lists candidates: empty if `meant` is what to write.   [any]
 std::string or_choose(const std::string& meant, const std::string& advice = "Write one of these.");
 
-/// "`a`, `b` or `c`"; shortened when there are many.   [any]
+/// "`a`, `b` or `c`"; of many the first ones and the count of the others.   [any]
 std::string listed(const std::vector<std::string>& words);
+
+/// Reports a key that its map does not have. `meant`: the key to write; empty: none is near.
+void refuse_key(const Node& child, const Shape& shape, const std::string& meant, Report& report);
 
 std::optional<std::string> read_text(const Node& node, const std::string& name, Report& report);
 /// Letters, digits, `.`, `_` and `-`, a letter or digit first.
 std::optional<std::string> read_id(const Node& node, const std::string& name, Report& report);
 /// `true` or `false`, no other spelling.
 std::optional<bool> read_yes_no(const Node& node, const std::string& name, Report& report);
-/// `declared` is shown beside a value out of range.
+/// `declared` is shown with a value out of range.
 std::optional<double> read_quantity(const Node& node, const std::string& name, const QuantityNeed& need, Report& report,
                                     std::optional<Reason> declared = {});
 /// `3.0 193.0 -60.5 mm`, or a list of three quantities.
@@ -48,7 +49,7 @@ std::string item_name(const Node& item, const std::string& sort);
 
 class MapReader;
 
-/// Checks `apiVersion` and `kind`. False if this is another sort of document: nothing else is worth saying then.
+/// Checks `apiVersion` and `kind`. False if this is another sort of document, whose other keys mean nothing here.
 bool read_header(MapReader& document, const std::string& kind, Report& report);
 
 /// True unless the node is of another kind, or was refused already.
@@ -57,15 +58,15 @@ bool is_kind(const Node& node, Node::Kind kind, const std::string& name, Report&
 /// Ids that must differ.
 class UniqueIds {
 public:
-    /// False, and said so, if `id` is there already.
+    /// Reports an `id` that is there already, and returns false.
     bool add(const std::string& id, TextSpan span, Report& report);
 
 private:
     std::map<std::string, TextSpan> ids_;
 };
 
-/// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Asking for a key
-/// that the shape lacks, or finishing without having asked for all, is an error of the programmer.
+/// One map, read by its shape: which keys there are, which of them must be there, and what they hold. Reading a key
+/// that the shape lacks, or finishing without having read all, is an error of the programmer.
 class MapReader {
 public:
     /// `name` is what messages call the map. A node that is no map is reported, and read as an empty map.

@@ -10,7 +10,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/procedure/correct_keys.h"
+#include "core/procedure/look_alike.h"
 #include "core/procedure/patch.h"
+#include "core/procedure/printable.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
@@ -51,7 +54,10 @@ void read_metadata(const Node& node, Procedure& procedure, Report& report) {
     if (const Node* version = map.find("version")) {
         procedure.version = read_text(*version, "metadata.version", report).value_or("");
         if (!procedure.version.empty() && !is_version(procedure.version))
-            report.error(Code::malformed_word, version->span, "metadata.version must be three numbers.", "0.1.0");
+            report.error(Code::malformed_word, version->span,
+                         "metadata.version is no version: got `" + excerpt(procedure.version, 40) +
+                             "`, expected three numbers, as in `0.1.0`. Write three.",
+                         {});
     }
     procedure.status = map.word("status");
     if (const Node* authors = map.find("authors"))
@@ -69,9 +75,11 @@ void read_needs(const Node& node, Procedure& procedure, Report& report) {
 }
 
 /// Inside the document's folder, so that a procedure can be handed on, and cannot reach for other files.
-std::string read_anatomy_file(const Node& node, const std::string& document_file, Report& report) {
-    const std::string path = read_path(node, node.key, "the document's own folder", report);
-    return path.empty() ? path : (std::filesystem::path(document_file).parent_path() / path).generic_string();
+void read_anatomy_file(const Node& node, const std::string& document_file, Procedure& procedure, Report& report) {
+    procedure.anatomy_name = read_path(node, node.key, "the document's own folder", report);
+    if (procedure.anatomy_name.empty()) return;
+    procedure.anatomy_file =
+        (std::filesystem::path(document_file).parent_path() / procedure.anatomy_name).generic_string();
 }
 
 // ---- instruments -------------------------------------------------------------------------------------------------
@@ -102,10 +110,9 @@ public:
         if (tool) instrument.drives = defaults(tool->drives);
         if (force) instrument.force_parameters = defaults(force->parameters);
 
-        // Without both components nobody knows which parameters there should be.
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
-        if (parameters && tool && force) read_parameters(*parameters, *tool, *force, instrument);
+        if (parameters) read_parameters(*parameters, tool, force, instrument);
         if (drives && tool) read_drives(*drives, *tool, instrument);
         map.finish();
         return instrument;
@@ -148,10 +155,13 @@ private:
             if (!contains(known, component.plugin)) known.push_back(component.plugin);
         if (contains(known, id)) return true;
         const std::string meant = closest(id, known, report_);
-        report_.error(Code::unknown_plugin, node.span,
-                      "No such plugin was found; there is " + listed(known) + "." +
-                          or_choose(meant, "Write one of these, or name the folder that holds it in KERF_PLUGIN_PATH."),
-                      meant);
+        report_.error(
+            Code::unknown_plugin, node.span,
+            "The plugin `" + excerpt(id, 40) +
+                "` is unknown: " + (known.empty() ? "no plugin was found." : "expected " + listed(known) + ".") +
+                or_choose(meant, known.empty() ? "Name the folder that holds it in KERF_PLUGIN_PATH."
+                                               : "Write one of these, or name its folder in KERF_PLUGIN_PATH."),
+            meant);
         return false;
     }
 
@@ -167,11 +177,11 @@ private:
             known.push_back(component.id);
         }
         const std::string meant = closest(id, known, report_);
-        report_.error(
-            is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
-            plugin + " has no such " + (is_tool ? "tool" : "force") +
-                (known.empty() ? ". Choose another plugin." : "; it has " + listed(known) + "." + or_choose(meant)),
-            meant);
+        report_.error(is_tool ? Code::unknown_tool : Code::unknown_force, node->span,
+                      std::string("The ") + (is_tool ? "tool" : "force") + " `" + excerpt(id, 40) + "` is unknown: " +
+                          (known.empty() ? plugin + " has none. Choose another plugin."
+                                         : "expected " + listed(known) + " of " + plugin + "." + or_choose(meant)),
+                      meant);
         return nullptr;
     }
 
@@ -185,9 +195,9 @@ private:
         SourcePlace where;
         where.file = component.plugin + "/" + component.id;
         Reason declared{std::move(where),
-                        found->id + " is declared there from " + quantity_text(need.min, need.unit) + " to " +
-                            quantity_text(need.max, need.unit) + ", " + quantity_text(found->def, need.unit) +
-                            " if not given.",
+                        found->id + " is declared from " + quantity_text(need.min, need.unit) + " to " +
+                            quantity_text(need.max, need.unit) + ", default " + quantity_text(found->def, need.unit) +
+                            ".",
                         {}};
         if (const std::optional<double> value =
                 read_quantity(node, instrument + "." + found->id, need, report_, std::move(declared)))
@@ -195,23 +205,29 @@ private:
         return true;
     }
 
-    void read_parameters(const Node& node, const ComponentInfo& tool, const ComponentInfo& force,
+    /// Of an unknown component (null) no parameter is known, and none is refused.
+    void read_parameters(const Node& node, const ComponentInfo* tool, const ComponentInfo* force,
                          Instrument& instrument) {
         if (!is_kind(node, Node::Kind::map, instrument.id + ".parameters", report_)) return;
-        std::vector<std::string> known = ids_of(tool.parameters);
-        for (const std::string& id : ids_of(force.parameters))
-            if (!contains(known, id)) known.push_back(id);
+        std::vector<std::string> known;
+        for (const ComponentInfo* component : {tool, force})
+            if (component != nullptr)
+                for (const std::string& id : ids_of(component->parameters))
+                    if (!contains(known, id)) known.push_back(id);
         for (const Node& child : node.children) {
             // The same quantity may matter to both, as a diameter does.
-            const bool is_of_tool = set(child, instrument.id, tool, tool.parameters, instrument.tool_parameters);
-            const bool is_of_force = set(child, instrument.id, force, force.parameters, instrument.force_parameters);
-            if (is_of_tool || is_of_force) continue;
+            const bool is_of_tool =
+                tool != nullptr && set(child, instrument.id, *tool, tool->parameters, instrument.tool_parameters);
+            const bool is_of_force =
+                force != nullptr && set(child, instrument.id, *force, force->parameters, instrument.force_parameters);
+            if (is_of_tool || is_of_force || tool == nullptr || force == nullptr) continue;
             const std::string meant = suggestion(child.key, known);
-            report_.error(
-                Code::unknown_parameter, child.key_span,
-                "Neither " + tool.id + " nor " + force.id + " has such a parameter" +
-                    (known.empty() ? ". Remove it." : "; they have " + listed(known) + "." + or_choose(meant)),
-                meant);
+            report_.error(Code::unknown_parameter, child.key_span,
+                          "The parameter `" + excerpt(child.key, 40) + "` is unknown: " +
+                              (known.empty() ? tool->id + " and " + force->id + " have none. Remove it."
+                                             : "expected " + listed(known) + " of " + tool->id + " or " + force->id +
+                                                   "." + or_choose(meant)),
+                          meant);
         }
     }
 
@@ -225,8 +241,9 @@ private:
                 const std::string meant = suggestion(child.key, known);
                 report_.error(
                     Code::unknown_drive, child.key_span,
-                    tool.id + " has no such drive" +
-                        (known.empty() ? ". Remove it." : "; it has " + listed(known) + "." + or_choose(meant)),
+                    "The drive `" + excerpt(child.key, 40) + "` is unknown: " +
+                        (known.empty() ? tool.id + " has none. Remove it."
+                                       : "expected " + listed(known) + " of " + tool.id + "." + or_choose(meant)),
                     meant);
             }
     }
@@ -238,11 +255,13 @@ private:
             if (drive.id != node.key || !(value > 0.0 && value < drive.least)) continue;
             const std::string least = quantity_text(drive.least, drive.display_unit);
             report_.warning(Code::too_slow_to_cut, node.span,
-                            "Under " + least + " " + tool.id +
-                                " does not cut: it rubs, and is pushed in by force alone. Write " + least +
-                                " or more, or 0 to switch it off.");
+                            found_drive(drive.id) + " is too slow to cut: got " +
+                                quantity_text(value, drive.display_unit) + ", expected " + least +
+                                " or more. Write such a value, or 0 to switch it off.");
         }
     }
+
+    static std::string found_drive(const std::string& id) { return "The drive `" + id + "`"; }
 
     std::string suggestion(const std::string& key, const std::vector<std::string>& known) const {
         const std::string meant = closest(key, known, report_);
@@ -266,10 +285,10 @@ void read_bound_values(MapReader& map, const Shape& shape, const std::string& na
     read_end("at_least", bound.at_least);
     read_end("at_most", bound.at_most);
     if (!is_bounded && map.is_map())
-        report.error(Code::empty_bound, map.span(), name + " needs `at_least` or `at_most`. Add one.");
+        report.error(Code::empty_bound, map.span(), name + " has no bound. Add `at_least` or `at_most`.");
     if (bound.at_least && bound.at_most && *bound.at_least > *bound.at_most)
         report.error(Code::empty_bound, map.span(),
-                     name + " has `at_least` above `at_most`: nothing can fulfil it. Exchange the two.");
+                     name + " has `at_least` above `at_most`, so no value fits. Exchange the two.");
 }
 
 Goal read_goal(const Node& item, const Document& document, Report& report) {
@@ -283,9 +302,8 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
         if (!shape.keys.empty()) read_bound_values(bound, shape, quantity->key, goal.bound, report);
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
             report.error(Code::empty_bound, quantity->find("at_most")->span,
-                         "By this goal `depth` must be at most " + quantity->find("at_most")->text +
-                             ", but a goal's depth is the deepest that the tip has been in bone: nothing fulfils it. "
-                             "Remove it: a step ends with the tool "
+                         "No depth fits this goal: got at most " + quantity->find("at_most")->text +
+                             ", but a depth in bone is never below 0 mm. Remove `at_most`: a step ends with the tool "
                              "outside again.");
         bound.finish();
     }
@@ -293,27 +311,37 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
     return goal;
 }
 
-/// A name of a step or limit that the procedure does not say it needs. The reason is the list in which it should stand.
+/// Whether a list of the document holds this text, even if it was refused there.
+bool is_written(const Node* list, const std::string& text) {
+    return list != nullptr && std::any_of(list->children.begin(), list->children.end(),
+                                          [&](const Node& item) { return item.text == text || item.key == text; });
+}
+
+/// Refuses a name of a step or limit that is not under `needs`. Says nothing if that list is itself at fault.
 void refuse_undeclared(Code code, const Node& name, const std::string& what, const std::vector<std::string>& declared,
                        const Document& document, Report& report) {
-    const std::string list = what + "s", meant = closest(name.text, declared, report);
+    const std::string list = what + "s", meant = closest(straightened(name.text), declared, report);
     const Node* needs = document.root.find("needs");
     const Node* place = needs ? needs->find(list) : nullptr;
-    report.error(code, name.span,
-                 "This " + what + " is not listed under needs." + list + "." + or_choose(meant, "Add it there."), meant,
-                 place ? std::optional(report.because(place->key_span, "what the procedure needs is listed here."))
-                       : std::nullopt);
+    const bool is_list = place == nullptr || place->kind == Node::Kind::list;
+    if (needs == nullptr || needs->kind != Node::Kind::map || !is_list || is_written(place, name.text)) return;
+    report.error(
+        code, name.span,
+        "The " + what + " `" + name.text + "` is not declared: expected one of `needs." + list + "`" +
+            (declared.empty() ? std::string() : ", " + listed(declared)) + "." + or_choose(meant, "Add it there."),
+        meant,
+        place ? std::optional(report.because(place->key_span, "the procedure lists its needs here.")) : std::nullopt);
 }
 
 void refuse_instrument(const Node& name, const std::vector<std::string>& instruments, const Document& document,
                        Report& report) {
-    const std::string meant = closest(name.text, instruments, report);
+    const std::string meant = closest(straightened(name.text), instruments, report);
     const Node* place = document.root.find("instruments");
+    if (place == nullptr || place->kind != Node::Kind::map || place->children.empty()) return;  // reported there
     report.error(
         Code::unknown_instrument, name.span,
-        instruments.empty() ? "There are no instruments. Add one under `instruments:`."
-                            : "There is no such instrument; there is " + listed(instruments) + "." + or_choose(meant),
-        meant, place ? std::optional(report.because(place->key_span, "the instruments stand here.")) : std::nullopt);
+        "The instrument `" + name.text + "` is unknown: expected " + listed(instruments) + "." + or_choose(meant),
+        meant, report.because(place->key_span, "the instruments are here."));
 }
 
 Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
@@ -338,7 +366,7 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
     return limit;
 }
 
-/// A goal or limit of a step, and where it stands. What is refused already has no node.
+/// A goal or limit of a step, and its place. What is refused already has no node.
 struct PlacedBound {
     const Bound* bound = nullptr;
     const Node* node = nullptr;
@@ -366,16 +394,15 @@ void refuse_goals_apart(const std::vector<PlacedBound>& bounds, Report& report) 
                 continue;
             const Node *least = first.node->find("at_least"), *most = then.node->find("at_most");
             if (!least || !most) continue;
-            report.error(
-                Code::contradiction, most->span,
-                "By this goal `depth` must be at most " + most->text + ", and by an earlier one at least " +
-                    least->text +
-                    "; a depth is the deepest that the tip has been, so nothing fulfils both. Change one of the two.",
-                {}, report.because(least->span, "the earlier goal stands here."));
+            report.error(Code::contradiction, most->span,
+                         "The goals exclude each other: got a depth of at most " + most->text +
+                             " after one of at least " + least->text +
+                             ", but a depth never decreases within a step. Change one of the two.",
+                         {}, report.because(least->span, "the earlier goal is here."));
         }
 }
 
-/// Who reaches a goal must be able to keep the limits of its step, and who keeps one limit the others.
+/// Refuses goals that break a limit of their step, and limits that exclude each other.
 void refuse_contradictions(const Step& step, const Node& item, Report& report) {
     std::vector<PlacedBound> bounds;
     place_bounds(step.goals, item.find("goals"), true, bounds);
@@ -387,16 +414,14 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
         const auto words = [](const Node& bound, const char* key) {
             return std::string(key == std::string_view("at_least") ? "at least " : "at most ") + bound.text;
         };
-        const std::string got = quoted_id(one.name) + " must be " + words(*value, end),
+        const std::string got = quoted_id(one.name) + " " + words(*value, end),
                           allowed = words(*limit_value, other_end);
-        report.error(
-            Code::contradiction, value->span,
-            one.is_goal
-                ? "By this goal " + got + ", and by a limit of the same step " + allowed +
-                      ": whoever reaches the goal breaks the limit. Write a goal within the limit, or move the limit."
-                : "By this limit " + got + ", and by another of the same step " + allowed +
-                      ": nothing keeps both. Change one of the two.",
-            {}, report.because(limit_value->span, "the limit stands here."));
+        report.error(Code::contradiction, value->span,
+                     one.is_goal ? "The goal breaks a limit of its step: got " + got + ", expected " + allowed +
+                                       ". Write a goal within the limit, or move the limit."
+                                 : "The limits exclude each other: got " + got + ", expected " + allowed +
+                                       ". Change one of the two.",
+                     {}, report.because(limit_value->span, "the limit is here."));
     };
     for (std::size_t l = 0; l < bounds.size(); ++l) {
         const PlacedBound& limit = bounds[l];
@@ -448,31 +473,82 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
 // ---- rehearsals --------------------------------------------------------------------------------------------------
 
 /// The names by which a rehearsal can expect a limit to break: the zone, or else the quantity.
-std::vector<std::string> limit_names(const std::vector<Step>& steps) {
-    std::vector<std::string> names;
-    for (const Step& step : steps)
-        for (const Limit& limit : step.limits)
-            if (!contains(names, limit.name())) names.push_back(limit.name());
+struct LimitNames {
+    std::vector<std::string> known;
+    std::set<std::string> refused;  ///< of limits that are reported already
+
+    [[nodiscard]] bool has(const std::string& name) const { return contains(known, name); }
+};
+
+LimitNames limit_names(const Procedure& procedure, const Document& document) {
+    LimitNames names;
+    for (const Step& step : procedure.steps)
+        for (const Limit& limit : step.limits) {
+            const bool is_sound = !limit.quantity.empty() && (limit.quantity != "clearance" || !limit.zone.empty()) &&
+                                  (limit.zone.empty() || contains(procedure.needs_zones, limit.zone));
+            if (is_sound && !names.has(limit.name())) names.known.push_back(limit.name());
+        }
+    const Node* steps = document.root.find("steps");
+    for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
+        if (const Node* limits = step.find("limits"))
+            for (const Node& limit : limits->children)
+                for (const Node& quantity : limit.children) {
+                    const Node* zone = quantity.find("zone");
+                    names.refused.insert(zone != nullptr ? zone->text : quantity.key);
+                }
     return names;
 }
 
-void refuse_limit(const Node& name, const std::vector<std::string>& limits, Report& report) {
-    const std::string meant = closest(name.text, limits, report);
+void refuse_limit(const Node& name, const LimitNames& limits, Report& report) {
+    if (limits.refused.contains(name.text)) return;
+    const std::string meant = closest(straightened(name.text), limits.known, report);
     report.error(Code::unknown_limit, name.span,
-                 limits.empty() ? "No step has a limit that could be broken. Add one to a step."
-                                : "No step has such a limit; there is " + listed(limits) + "." + or_choose(meant),
+                 "The limit `" + name.text + "` is unknown: " +
+                     (limits.known.empty() ? "no step has a limit. Add one to a step."
+                                           : "expected " + listed(limits.known) + "." + or_choose(meant)),
                  meant);
 }
 
-/// `expect: pass`, or `expect: {fail: canal}`.
-void read_expectation(const Node& node, const std::vector<std::string>& limits, Rehearsal& rehearsal, Report& report) {
+void refuse_step(const Node& name, const Procedure& procedure, const Document& document, Report& report) {
+    std::vector<std::string> known;
+    for (const Step& step : procedure.steps)
+        if (!step.id.empty() && !contains(known, step.id)) known.push_back(step.id);
+    const Node* steps = document.root.find("steps");
+    for (const Node& step : steps != nullptr ? steps->children : std::vector<Node>{})
+        if (const Node* id = step.find("id"); id != nullptr && id->text == name.text) return;  // refused there
+    if (known.empty()) return;
+    const std::string meant = closest(straightened(name.text), known, report);
+    report.error(Code::unknown_step, name.span,
+                 "The step `" + name.text + "` is unknown: expected " + listed(known) + "." + or_choose(meant), meant);
+}
+
+/// A limit that breaks in a step must be a limit of that step.
+void refuse_other_step(const Node& name, const Step& step, const std::string& limit, Report& report) {
+    if (std::any_of(step.limits.begin(), step.limits.end(), [&](const Limit& l) { return l.name() == limit; })) return;
+    report.error(Code::unknown_limit, name.span,
+                 "The step " + quoted_id(step.id) + " has no limit " + quoted_id(limit) +
+                     ". Name a step that has it, or add the limit.");
+}
+
+/// `expect: pass`, `expect: incomplete`, or `expect: {fail: canal, step: drill}`.
+void read_expectation(const Node& node, const LimitNames& limits, const Procedure& procedure, const Document& document,
+                      Rehearsal& rehearsal, Report& report) {
     if (node.kind == Node::Kind::map) {
         MapReader map(node, shapes::expectation, "expect", report);
         rehearsal.expect = "fail";
         if (const Node* limit = map.find("fail")) {
             rehearsal.expect_limit = read_id(*limit, "expect.fail", report).value_or("");
-            if (!rehearsal.expect_limit.empty() && !contains(limits, rehearsal.expect_limit))
+            if (!rehearsal.expect_limit.empty() && !limits.has(rehearsal.expect_limit))
                 refuse_limit(*limit, limits, report);
+        }
+        if (const Node* step = map.find("step")) {
+            rehearsal.expect_step = read_id(*step, "expect.step", report).value_or("");
+            const auto is_it = [&](const Step& s) { return s.id == rehearsal.expect_step; };
+            const auto found = std::find_if(procedure.steps.begin(), procedure.steps.end(), is_it);
+            if (!rehearsal.expect_step.empty() && found == procedure.steps.end())
+                refuse_step(*step, procedure, document, report);
+            else if (found != procedure.steps.end() && limits.has(rehearsal.expect_limit))
+                refuse_other_step(*step, *found, rehearsal.expect_limit, report);
         }
         map.finish();
         return;
@@ -480,32 +556,27 @@ void read_expectation(const Node& node, const std::vector<std::string>& limits, 
     const std::optional<std::string> text = read_text(node, "expect", report);
     if (!text) return;
     rehearsal.expect = *text;
-    if (*text != "pass")
+    if (*text != "pass" && *text != "incomplete")
         report.error(Code::unknown_word, node.span,
-                     "expect must be `pass`, or `{fail: …}` with the limit that breaks. Write one of the two.");
-}
-
-void refuse_step(const Node& name, const std::vector<Step>& steps, Report& report) {
-    std::vector<std::string> known;
-    for (const Step& step : steps) known.push_back(step.id);
-    const std::string meant = closest(name.text, known, report);
-    report.error(Code::unknown_step, name.span,
-                 "There is no such step; there is " + listed(known) + "." + or_choose(meant), meant);
+                     "expect is unknown: got `" + excerpt(*text, 40) +
+                         "`, expected `pass`, `incomplete`, or `{fail: …}` with the limit that breaks. Write one of "
+                         "these.");
 }
 
 void refuse_implant(const Node& name, const std::vector<Implant>& implants, Report& report) {
     std::vector<std::string> known;
     for (const Implant& implant : implants) known.push_back(implant.id);
-    const std::string meant = closest(name.text, known, report);
+    const std::string meant = closest(straightened(name.text), known, report);
     report.error(Code::unknown_implant, name.span,
-                 known.empty() ? "There are no implants. Add one under `implants:`."
-                               : "There is no such implant; there is " + listed(known) + "." + or_choose(meant),
+                 "The implant `" + name.text + "` is unknown: " +
+                     (known.empty() ? "the procedure has none. Add one under `implants:`."
+                                    : "expected " + listed(known) + "." + or_choose(meant)),
                  meant);
 }
 
 /// `step` is that of the waypoint before.
-Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, InstrumentReader& instruments,
-                       Report& report) {
+Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, const Document& document,
+                       InstrumentReader& instruments, Report& report) {
     const std::vector<Step>& steps = procedure.steps;
     MapReader waypoint(point, shapes::waypoint, "waypoint", report);
     Waypoint at;
@@ -515,8 +586,8 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
             const auto found = std::find_if(steps.begin(), steps.end(), [&](const Step& s) { return s.id == id; });
             if (found != steps.end())
                 at.step = static_cast<std::size_t>(found - steps.begin());
-            else if (!steps.empty())
-                refuse_step(*name, steps, report);
+            else
+                refuse_step(*name, procedure, document, report);
         }
     at.depth = waypoint.quantity("depth");
     waypoint.quantity("medial", at.medial);
@@ -540,13 +611,14 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     return at;
 }
 
-Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limits, const Procedure& procedure,
-                         InstrumentReader& instruments, Report& report) {
+Rehearsal read_rehearsal(const Node& item, const LimitNames& limits, const Procedure& procedure,
+                         const Document& document, InstrumentReader& instruments, Report& report) {
     MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
     rehearsal.title = map.text("title");
-    if (const Node* expect = map.find("expect")) read_expectation(*expect, limits, rehearsal, report);
+    if (const Node* expect = map.find("expect"))
+        read_expectation(*expect, limits, procedure, document, rehearsal, report);
     if (const Node* node = map.find("hand")) {
         MapReader hand(*node, shapes::hand, "hand", report);
         hand.quantity("feed", rehearsal.feed);
@@ -558,36 +630,41 @@ Rehearsal read_rehearsal(const Node& item, const std::vector<std::string>& limit
     if (const Node* path = map.find("path"))
         for (const Node& point : read_list(*path, "path", report))
             rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step,
-                                                   procedure, instruments, report));
+                                                   procedure, document, instruments, report));
     map.finish();
     return rehearsal;
 }
 
 // ---- the whole ---------------------------------------------------------------------------------------------------
 
+/// Things stay in the order of the document, so that an index leads to the same item in both.
 template <class T>
 void add_unique(T thing, const Node& item, UniqueIds& ids, std::vector<T>& things, Report& report) {
-    if (!thing.id.empty() && !ids.add(thing.id, item.find("id")->span, report)) return;
+    if (const Node* id = item.find("id"); id != nullptr && !thing.id.empty()) ids.add(thing.id, id->span, report);
     things.push_back(std::move(thing));
 }
 
 void warn_of_unused(const Node& instruments, const std::vector<Step>& steps, Report& report) {
     std::set<std::string> used;
     for (const Step& step : steps) used.insert(step.instrument);
+    const auto is_known = [&](const std::string& id) { return instruments.find(id) != nullptr; };
+    if (!std::all_of(used.begin(), used.end(), is_known)) return;  // one of these may be meant
     for (const Node& child : instruments.children)
         if (!used.contains(child.key))
             report.warning(Code::unused_instrument, child.key_span,
-                           "No step uses this instrument. Remove it, or name it in a step.");
+                           "The instrument `" + excerpt(child.key, 40) +
+                               "` is not used by any step. Remove it, or name it in a step.");
 }
 
-/// The patches themselves are looked at where one is applied.
+/// The patches themselves are checked where one is applied.
 std::vector<Variant> read_variants(const Node& node, Report& report) {
     std::vector<Variant> variants;
     if (!is_kind(node, Node::Kind::map, "variants", report)) return variants;
     if (node.children.size() > most_variants)  // each is read and checked like a procedure
         report.error(Code::out_of_range, node.children[most_variants].key_span,
-                     "There are " + std::to_string(node.children.size()) + " variants, must be at most " +
-                         std::to_string(most_variants) + ". Move some into a procedure of their own.");
+                     "There are too many variants: got " + std::to_string(node.children.size()) +
+                         ", expected at most " + std::to_string(most_variants) +
+                         ". Move some into a procedure of their own.");
     for (const Node& child : node.children) {
         Node key;
         key.text = child.key;
@@ -615,26 +692,27 @@ void apply(const ProcedureChanges& changes, Document& document, Diagnostics& fou
                 for (const Node& variant : variants->children) known.push_back(variant.key);
             const std::string meant = closest(changes.variant, known);
             report.error(Code::unknown_variant, variants ? variants->key_span : TextSpan{},
-                         "There is no variant `" + changes.variant + "`" +
-                             (known.empty() ? "; this procedure has none. Run it without."
-                                            : "; there is " + listed(known) + "." + or_choose(meant)),
+                         "The variant `" + excerpt(changes.variant, 40) + "` is unknown: " +
+                             (known.empty() ? "the procedure has none. Run it without."
+                                            : "expected " + listed(known) + "." + or_choose(meant)),
                          meant);
         } else if (patch && patch->kind == Node::Kind::map) {
-            const Node changed = *patch;  // the tree it stands in changes
+            const Node changed = *patch;  // the tree that holds it changes
             apply_patch(document, document.root, changed, report);
         }
     }
     for (const std::string& setting : changes.settings) apply_setting(document, setting, found);
 }
 
-Procedure read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report) {
-    Procedure procedure;
+void read_body(MapReader& map, const Document& document, const ComponentCatalog& catalog, Report& report,
+               ProcedureDraft& draft) {
+    Procedure& procedure = draft.procedure;
     procedure.file = document.file();
     procedure.text = document.text();
     if (const Node* node = map.find("metadata")) read_metadata(*node, procedure, report);
     if (const Node* node = map.find("needs")) read_needs(*node, procedure, report);
-    if (const Node* node = map.find("anatomy"))
-        procedure.anatomy_file = read_anatomy_file(*node, document.file(), report);
+    if (const Node* node = map.find("anatomy")) read_anatomy_file(*node, document.file(), procedure, report);
+    const int errors_before_accuracy = report.errors();
     if (const Node* node = map.find("accuracy")) {
         MapReader accuracy(*node, shapes::accuracy, "accuracy", report);
         accuracy.quantity("spacing", procedure.spacing);
@@ -642,6 +720,7 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
         accuracy.quantity("volume", procedure.accuracy.volume);
         accuracy.finish();
     }
+    draft.has_spacing = report.errors() == errors_before_accuracy;
     if (const Node* node = map.find("budget")) {
         MapReader budget(*node, shapes::budget, "budget", report);
         budget.quantity("tick", procedure.budget.tick);
@@ -664,9 +743,11 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
     InstrumentReader reader(catalog, report);
     if (instruments && is_kind(*instruments, Node::Kind::map, "instruments", report)) {
         if (instruments->children.empty())
-            report.error(Code::empty_value, instruments->span, "There are no instruments. Add one.");
+            report.error(Code::empty_value, instruments->span, "The list of instruments is empty. Add one.");
         for (const Node& child : instruments->children) {
+            const int errors_before = report.errors();
             procedure.instruments.push_back(reader.read(child));
+            draft.sound_instruments.push_back(report.errors() == errors_before);
             instrument_ids.push_back(child.key);
         }
     }
@@ -690,14 +771,13 @@ Procedure read_body(MapReader& map, const Document& document, const ComponentCat
                        report);
     if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
     if (const Node* node = map.find("rehearsals")) {
-        const std::vector<std::string> limits = limit_names(procedure.steps);
+        const LimitNames limits = limit_names(procedure, document);
         for (const Node& item : read_list(*node, "rehearsals", report))
-            add_unique(read_rehearsal(item, limits, procedure, reader, report), item, rehearsal_ids,
+            add_unique(read_rehearsal(item, limits, procedure, document, reader, report), item, rehearsal_ids,
                        procedure.rehearsals, report);
     }
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
-    return procedure;
 }
 
 // ---- what the procedure needs of the anatomy -----------------------------------------------------------------------
@@ -707,24 +787,30 @@ void append_ids(const std::vector<T>& things, std::vector<std::string>& ids) {
     for (const T& thing : things) ids.push_back(thing.id);
 }
 
-/// The place of item `index` of `list`, or of the whole document if its text does not have it.
+/// The place of `text` in `list`, or of the whole document if it is not there.
+TextSpan span_of_text(const Node* list, const std::string& text) {
+    for (const Node& item : list != nullptr ? list->children : std::vector<Node>{})
+        if (item.text == text) return item.span;
+    return {};
+}
+
 TextSpan span_of_item(const Node* list, std::size_t index) {
     return list && index < list->children.size() ? list->children[index].span : TextSpan{};
 }
 
-void check_names(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
-                 Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
-    for (std::size_t i = 0; i < needed.size(); ++i) {
-        if (contains(present, needed[i])) continue;
-        const std::string meant = closest(needed[i], present, report);
-        report.error(code, span_of_item(list, i),
-                     "The anatomy has no " + what + " " + quoted_id(needed[i]) +
-                         (present.empty() ? "." : "; it has " + listed(present) + ".") +
+void check_list(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
+                Code code, const std::string& what, const Anatomy& anatomy, Report& report) {
+    for (const std::string& name : needed) {
+        if (contains(present, name)) continue;
+        const std::string meant = closest(name, present, report);
+        report.error(code, span_of_text(list, name),
+                     "The anatomy has no " + what + " " + quoted_id(name) +
+                         (present.empty() ? "." : ": expected " + listed(present) + ".") +
                          or_choose(meant, "Add it there, or choose another anatomy."),
                      meant,
                      report.is_full()
                          ? std::nullopt
-                         : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s stand here.")));
+                         : std::optional(in_anatomy(anatomy, {what + "s"}, "its " + what + "s are here.")));
     }
 }
 
@@ -744,27 +830,27 @@ void check_lies_in(const LandmarkAxis& axis, const LandmarkPlane& plane, TextSpa
     const auto rounded = [](double value, double step, const char* unit) {
         return quantity_text(std::round(value / step) * step, unit);
     };
-    const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis stands here.");
+    const Reason here = in_anatomy(anatomy, {"landmarks", "axes", axis.id}, "the axis is here.");
     if (angle > most_angle)
         report.error(Code::axis_off_plane, span,
-                     "The axis " + quoted_id(axis.id) + " leads out of the plane " + quoted_id(plane.id) + " by " +
-                         rounded(angle, 0.1_deg, "deg") +
-                         ", must be at most 3 deg: a blade fed along it would bind. Turn one of the two.",
+                     "The axis " + quoted_id(axis.id) + " leaves the plane " + quoted_id(plane.id) +
+                         ": got an angle of " + rounded(angle, 0.1_deg, "deg") +
+                         ", expected at most 3 deg, or the blade binds. Turn one of the two.",
                      {}, here);
     else if (off > most_off + 1e-9)
         report.error(Code::axis_off_plane, span,
-                     "The axis " + quoted_id(axis.id) + " runs " + rounded(off, 0.1_mm, "mm") + " beside the plane " +
-                         quoted_id(plane.id) + ", must be at most " + rounded(most_off, 0.1_mm, "mm") +
-                         ", their tolerances together. Move one of the two.",
+                     "The axis " + quoted_id(axis.id) + " is not in the plane " + quoted_id(plane.id) +
+                         ": got a distance of " + rounded(off, 0.1_mm, "mm") + ", expected at most " +
+                         rounded(most_off, 0.1_mm, "mm") + ", the sum of their tolerances. Move one of the two.",
                      {}, here);
 }
 
 /// What is measured in the plane of a step needs one. `step` may be null.
 void refuse_without_plane(const Node& what, const std::string& step_id, const Node* step, Report& report) {
     report.error(Code::needs_plane, what.key_span,
-                 quoted_id(what.key) + " is measured in the plane of the step, and the step " + quoted_id(step_id) +
-                     " names none. Give it a `plane:`, or remove " + quoted_id(what.key) + ".",
-                 {}, step ? std::optional(report.because(step->span, "the step stands here.")) : std::nullopt);
+                 quoted_id(what.key) + " needs a plane, and the step " + quoted_id(step_id) +
+                     " has none. Give the step a `plane:`, or remove " + quoted_id(what.key) + ".",
+                 {}, step ? std::optional(report.because(step->span, "the step is here.")) : std::nullopt);
 }
 
 void check_planes(const Procedure& procedure, const Document& document, Report& report) {
@@ -780,7 +866,7 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             const Limit& limit = procedure.steps[s].limits[l];
             const Node* written = item(limits, l);
             const Node* node = written ? written->find(limit.quantity) : nullptr;
-            if (node && limit.is_of_wall() && procedure.steps[s].plane.empty())
+            if (node && limit.is_of_wall() && step->find("plane") == nullptr)
                 refuse_without_plane(*node, procedure.steps[s].id, step, report);
         }
     }
@@ -790,7 +876,8 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const std::size_t s = procedure.rehearsals[r].path[w].step;
             const Node* waypoint = item(path, w);
-            if (!waypoint || !procedure.steps[s].plane.empty()) continue;
+            if (!waypoint || s >= procedure.steps.size() || !procedure.steps[s].plane.empty()) continue;
+            if (const Node* step = item(steps, s); step != nullptr && step->find("plane") != nullptr) continue;
             for (const char* key : {"aside", "tilt"})
                 if (const Node* node = waypoint->find(key))
                     refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
@@ -811,7 +898,7 @@ void check_pieces(const Procedure& procedure, const Document& document, Report& 
             const Node* goal = goals && g < goals->children.size() ? goals->children[g].find(quantity) : nullptr;
             report.error(Code::needs_piece, goal ? goal->key_span : TextSpan{},
                          "The step " + quoted_id(procedure.steps[s].id) +
-                             " takes a piece, and until then the bone is whole: no step before it has the goal "
+                             " takes a piece of a bone that is still whole: no step before it has the goal "
                              "`separated`. Add it to the step that parts the bone.");
             return;
         }
@@ -819,31 +906,57 @@ void check_pieces(const Procedure& procedure, const Document& document, Report& 
 
 }  // namespace
 
+namespace {
+
+std::optional<ProcedureDraft> draft_of_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
+                                            Diagnostics& diagnostics, const ProcedureChanges& changes) {
+    Diagnostics found;
+    std::optional<ProcedureDraft> draft;
+    if (std::optional<Document> parsed = parse_document(file, std::move(text), found)) {
+        const auto document = std::make_shared<Document>(std::move(*parsed));
+        const auto correct = [&] {
+            const Node* kind = document->root.find("kind");
+            Report report(*document, found);
+            if (kind == nullptr || kind->text == "Procedure") correct_keys(document->root, shapes::procedure, report);
+        };
+        correct();
+        if (document->root.kind == Node::Kind::map) apply(changes, *document, found);
+        if (changes.any()) correct();
+        Report report(*document, found);
+        MapReader map(document->root, shapes::procedure, "", report);
+        if (read_header(map, "Procedure", report)) {
+            draft.emplace();
+            read_body(map, *document, catalog, report, *draft);
+            draft->procedure.document = document;
+            draft->procedure.variant = changes.variant;
+            if (changes.any()) draft->procedure.text = emitted(*document, false);
+            draft->is_sound = !has_error(found);
+        }
+    }
+    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+    return draft;
+}
+
+std::optional<Procedure> sound(std::optional<ProcedureDraft> draft) {
+    return draft && draft->is_sound ? std::optional(std::move(draft->procedure)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ProcedureDraft> read_procedure_draft(const std::string& file, const ComponentCatalog& catalog,
+                                                   Diagnostics& diagnostics, const ProcedureChanges& changes) {
+    std::optional<std::string> text = read_text_file(file, diagnostics);
+    return text ? draft_of_text(file, std::move(*text), catalog, diagnostics, changes) : std::nullopt;
+}
+
 std::optional<Procedure> read_procedure(const std::string& file, const ComponentCatalog& catalog,
                                         Diagnostics& diagnostics, const ProcedureChanges& changes) {
-    std::optional<std::string> text = read_text_file(file, diagnostics);
-    return text ? read_procedure_text(file, std::move(*text), catalog, diagnostics, changes) : std::nullopt;
+    return sound(read_procedure_draft(file, catalog, diagnostics, changes));
 }
 
 std::optional<Procedure> read_procedure_text(const std::string& file, std::string text, const ComponentCatalog& catalog,
                                              Diagnostics& diagnostics, const ProcedureChanges& changes) {
-    Diagnostics found;
-    std::optional<Procedure> procedure;
-    if (std::optional<Document> parsed = parse_document(file, std::move(text), found)) {
-        const auto document = std::make_shared<Document>(std::move(*parsed));
-        if (document->root.kind == Node::Kind::map) apply(changes, *document, found);
-        Report report(*document, found);
-        MapReader map(document->root, shapes::procedure, "", report);
-        if (read_header(map, "Procedure", report)) {
-            procedure = read_body(map, *document, catalog, report);
-            procedure->document = document;
-            procedure->variant = changes.variant;
-            if (changes.any()) procedure->text = emitted(*document, false);
-        }
-    }
-    if (has_error(found)) procedure.reset();
-    diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-    return procedure;
+    return sound(draft_of_text(file, std::move(text), catalog, diagnostics, changes));
 }
 
 std::shared_ptr<const Document> document_of(const Procedure& procedure) {
@@ -851,25 +964,36 @@ std::shared_ptr<const Document> document_of(const Procedure& procedure) {
                               : std::make_shared<const Document>(read_again(procedure.file, procedure.text));
 }
 
+void check_names(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report report(*document, diagnostics);
+    const Node* needs = document->root.find("needs");
+    const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };
+    std::vector<std::string> landmarks, zones, tissues;
+    append_ids(anatomy.axes, landmarks);
+    append_ids(anatomy.points, landmarks);
+    append_ids(anatomy.planes, landmarks);
+    append_ids(anatomy.zones, zones);
+    append_ids(anatomy.tissues, tissues);
+    check_list(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy,
+               report);
+    check_list(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", anatomy, report);
+    check_list(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
+}
+
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+    check_names(procedure, anatomy, diagnostics);
     const auto read = document_of(procedure);
     const Document& document = *read;
     Report report(document, diagnostics);
-    const Node* needs = document.root.find("needs");
-    const auto list = [&](const char* key) { return needs ? needs->find(key) : nullptr; };
-
-    std::vector<std::string> axes, points, planes, landmarks, zones, tissues;
+    std::vector<std::string> axes, points, planes, landmarks;
     append_ids(anatomy.axes, axes);
     append_ids(anatomy.points, points);
     append_ids(anatomy.planes, planes);
     for (const auto* some : {&axes, &points, &planes}) landmarks.insert(landmarks.end(), some->begin(), some->end());
-    append_ids(anatomy.zones, zones);
-    append_ids(anatomy.tissues, tissues);
-    check_names(procedure.needs_landmarks, landmarks, list("landmarks"), Code::missing_landmark, "landmark", anatomy,
-                report);
-    check_names(procedure.needs_zones, zones, list("zones"), Code::missing_zone, "zone", anatomy, report);
-    check_names(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
 
+    // A name that is not declared was refused when the procedure was read.
+    const auto is_declared = [&](const std::string& name) { return contains(procedure.needs_landmarks, name); };
     const Node* steps = document.root.find("steps");
     for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
         const std::string& axis = procedure.steps[i].axis;
@@ -877,24 +1001,24 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         const Node* step = steps && i < steps->children.size() ? &steps->children[i] : nullptr;
         const Node* node = step ? step->find("axis") : nullptr;
         if (const bool is_point = contains(points, axis);
-            (is_point || contains(planes, axis)) && !contains(axes, axis)) {
+            (is_point || contains(planes, axis)) && !contains(axes, axis) && is_declared(axis)) {
             const std::string meant = closest(axis, axes, report);
             report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                         "The landmark " + quoted_id(axis) + " is a " + (is_point ? "point" : "plane") +
-                             " of the anatomy; a step follows an axis." +
+                         "The landmark " + quoted_id(axis) + " is of the wrong kind: got a " +
+                             (is_point ? "point" : "plane") + ", expected an axis." +
                              or_choose(meant, "Name an axis, or give the anatomy one."),
                          meant,
                          in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis},
                                     is_point ? "it is a point here." : "it is a plane here."));
         }
-        if (plane.empty() || !contains(landmarks, plane)) continue;
+        if (plane.empty() || !contains(landmarks, plane) || !is_declared(plane)) continue;
         const Node* plane_node = step ? step->find("plane") : nullptr;
         if (!contains(planes, plane)) {
             const bool is_point = contains(points, plane);
             const std::string meant = closest(plane, planes, report);
             report.error(Code::not_a_plane, plane_node ? plane_node->span : TextSpan{},
-                         "The landmark " + quoted_id(plane) + " is " + (is_point ? "a point" : "an axis") +
-                             " of the anatomy; a blade lies in a plane." +
+                         "The landmark " + quoted_id(plane) + " is of the wrong kind: got " +
+                             (is_point ? "a point" : "an axis") + ", expected a plane." +
                              or_choose(meant, "Name a plane, or give the anatomy one."),
                          meant,
                          in_anatomy(anatomy, {"landmarks", is_point ? "points" : "axes", plane},
@@ -917,11 +1041,11 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         if (shifted == path.end()) continue;
         const Node* node =
             rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
-        report.error(Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
-                     "The rehearsal moves towards the midline, but the anatomy has no point landmark `midline`. Add it "
-                     "there, or remove `" +
-                         std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.",
-                     {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks stand here."));
+        report.error(
+            Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
+            "The anatomy has no point `midline`, which the rehearsal moves towards. Add it there, or remove `" +
+                std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.",
+            {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks are here."));
     }
 }
 

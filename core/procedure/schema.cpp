@@ -105,9 +105,13 @@ private:
 
     Json of_key(const KeyShape& key) {
         Json schema = of_value(key.value);
-        if (schema.contains("$ref")) schema = {{"allOf", {schema}}};  // what stands beside a $ref is not looked at
+        if (schema.contains("$ref")) schema = {{"allOf", {schema}}};  // draft-07 ignores the keywords next to a $ref
         schema["description"] =
             key.help + (key.value.kind == Kind::quantity ? " " + range_text(key.value.need) + "." : "");
+        if (!key.fallback.empty()) {
+            schema["description"].get_ref<std::string&>() += " Default: " + key.fallback + ".";
+            schema["default"] = key.fallback;
+        }
         if (const Json example = example_of(key); !example.is_null())
             schema["examples"] = {example};
         else
@@ -170,8 +174,7 @@ private:
         Json properties = Json::object();
         for (const auto* table : tables)
             for (const ParameterInfo& p : *table) {
-                if (properties.contains(p.id))
-                    continue;  // tool and force may share one; the reader holds it against both
+                if (properties.contains(p.id)) continue;  // tool and force may share one; the reader checks it for both
                 const QuantityNeed need{p.dimension, p.display_unit, p.min, p.max};
                 Json schema = quantity_schema(need);
                 schema["description"] =
@@ -182,7 +185,7 @@ private:
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     }
 
-    /// Drives of whatever tool; where two tools have one of the same name, either's values.
+    /// Drives of any tool; where two tools have one of the same name, the values of either.
     [[nodiscard]] Json any_drives() const {
         Json properties = Json::object();
         for (const ComponentInfo& tool : catalog_) {

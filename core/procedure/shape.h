@@ -7,7 +7,7 @@
 
 #include "core/procedure/quantity.h"
 
-/// What a map of a document may hold, as data: the reader asks by it, `kerf schema` prints it.
+/// What a map of a document may hold, as data: the reader reads by it, `kerf schema` prints it.
 /// The table itself: core/procedure/shapes.h.
 namespace kerf {
 
@@ -52,8 +52,9 @@ struct KeyShape {
     Presence presence = Presence::optional;
     std::string name;
     ValueShape value;
-    std::string help;     ///< one sentence
-    std::string example;  ///< as it stands behind the key
+    std::string help;        ///< one sentence
+    std::string example;     ///< as it is written behind the key
+    std::string fallback{};  ///< the value that holds if the key is absent; empty: none
 };
 
 struct Shape {

@@ -22,8 +22,8 @@ ValueShape version() { return of_kind(Kind::version); }
 ValueShape path() { return of_kind(Kind::path); }
 ValueShape yes_no() { return of_kind(Kind::yes_no); }
 ValueShape word(std::vector<std::string> words) { return {.kind = Kind::word, .words = std::move(words)}; }
-ValueShape word_or(std::string word, const Shape& shape) {
-    return {.kind = Kind::word, .words = {std::move(word)}, .shape = &shape};
+ValueShape word_or(std::vector<std::string> words, const Shape& shape) {
+    return {.kind = Kind::word, .words = std::move(words), .shape = &shape};
 }
 ValueShape map(const Shape& shape) { return {.kind = Kind::map, .shape = &shape}; }
 ValueShape list(ValueShape item) { return {.kind = Kind::list, .item = {std::move(item)}}; }
@@ -53,20 +53,20 @@ const char* const api_version_help = "The version of the format.";
 // ---- procedures: innermost first, since a shape names those within it
 // ------------------------------------------------
 
-const Shape metadata{
-    "metadata",
-    "What the procedure is called, and how far it may be relied on.",
-    {
-        {required, "id", id(), "The name that files and results use.", "pilot-hole"},
-        {required, "title", text(), "The name that people read.", "Pilot hole for a pedicle screw"},
-        {required, "version", version(), "Raised whenever the procedure changes.", "0.1.0"},
-        {required, "status", word({"draft", "piloted", "validated"}), "How far it was tried with people.", "draft"},
-        {optional, "authors", list(text()), "Who wrote it.", "[The Kerf authors]"},
-    }};
+const Shape metadata{"metadata",
+                     "The name of the procedure, and its status.",
+                     {
+                         {required, "id", id(), "The name that files and results use.", "pilot-hole"},
+                         {required, "title", text(), "The name that people read.", "Pilot hole for a pedicle screw"},
+                         {required, "version", version(), "Increased with every change of the procedure.", "0.1.0"},
+                         {required, "status", word({"draft", "piloted", "validated"}),
+                          "How far it has been tested with people.", "draft"},
+                         {optional, "authors", list(text()), "The authors.", "[The Kerf authors]"},
+                     }};
 
 const Shape needs{
     "needs",
-    "What the anatomy must have, by name: no coordinates stand in a procedure.",
+    "What the anatomy must have, by name: a procedure holds no coordinates.",
     {
         {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
         {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
@@ -75,45 +75,47 @@ const Shape needs{
 
 const Shape accuracy{
     "accuracy",
-    "How true the simulation is asked to be.",
+    "The accuracy that the simulation needs.",
     {
-        {optional, "spacing", length(0.05_mm, 2.0_mm), "Between the samples of the bone's distance field.", "0.25 mm"},
+        {optional, "spacing", length(0.05_mm, 2.0_mm), "Between the samples of the bone's distance field.", "0.25 mm",
+         "0.25 mm"},
         {optional, "force", quantity(dimension::none, "%", 0.001, 0.5),
-         "How far a force, and where there is one a torque, may be off what the finest field gives, for `kerf plan`.",
-         "7 %"},
+         "The largest error of force and torque that `kerf plan` may accept, against the finest field.", "7 %", "7 %"},
         {optional, "volume", quantity(dimension::none, "%", 0.0005, 0.5),
-         "How far the removed volume may be off, for `kerf plan`.", "2 %"},
+         "The largest error of the removed volume that `kerf plan` may accept.", "2 %", "2 %"},
     }};
 
-const Shape budget{"budget",
-                   "What the simulation may cost.",
-                   {
-                       {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms),
-                        "Of the processor, in 999 ticks of 1000: `kerf plan` looks for what keeps it.", "300 us"},
-                   }};
+const Shape budget{
+    "budget",
+    "The processor time that the simulation may use.",
+    {
+        {optional, "tick", quantity(dimension::time, "us", 1e-6, 1.0_ms),
+         "Processor time of 999 ticks of 1000; `kerf plan` searches for settings that keep it.", "300 us", "300 us"},
+    }};
 
 const Shape haptics{
     "haptics",
-    "What the hand holds, and how the tool hangs on it.",
+    "The haptic device, and its coupling to the tool.",
     {
-        {required, "device", id(), "Whose inertia, friction and greatest force the simulation takes.", "touch"},
-        {optional, "coupling", word({"solved", "direct"}), "`solved`, or `direct` to see how the papers' way fails.",
+        {required, "device", id(), "The device whose inertia, friction and greatest force are simulated.", "touch"},
+        {optional, "coupling", word({"solved", "direct"}),
+         "`solved`, or `direct` to apply the force law to the device's own motion, as published methods do.", "solved",
          "solved"},
         {optional, "force_scale", number(1e-4, 10.0),
-         "Device newton per bone newton; made to fit the device if not given.", "1/50"},
+         "Device newton per bone newton; computed from the device's greatest force if not given.", "1/50"},
     }};
 
-const Shape instrument{
-    "instrument",
-    "A tool and the law of its force, from a plugin.",
-    {
-        {required, "plugin", id(), "Where both come from; `kerf list` names them.", "example.drilling"},
-        {required, "tool", id(), "Its tool.", "twist_drill"},
-        {required, "force", id(), "Its law of force.", "drill_cutting"},
-        {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` tells them.",
-         "{diameter: 3.2 mm}"},
-        {optional, "drives", of_kind(Kind::drives), "What motors do.", "{spindle_speed: 1000 rpm}"},
-    }};
+const Shape instrument{"instrument",
+                       "A tool and its force law, from a plugin.",
+                       {
+                           {required, "plugin", id(), "The plugin of both; `kerf list` names all.", "example.drilling"},
+                           {required, "tool", id(), "The tool of the plugin.", "twist_drill"},
+                           {required, "force", id(), "The force law of the plugin.", "drill_cutting"},
+                           {optional, "parameters", of_kind(Kind::parameters),
+                            "Of tool and force; `kerf describe` lists them.", "{diameter: 3.2 mm}"},
+                           {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
+                            "{spindle_speed: 1000 rpm}"},
+                       }};
 
 const Shape entry_goal{"entry_goal", "The tool has met bone for the first time.", {}};
 
@@ -125,7 +127,7 @@ const Shape depth_bound{"depth_bound",
                         }};
 
 const Shape clearance_bound{"clearance_bound",
-                            "Distance of what cuts to a zone, negative inside.",
+                            "Distance of the cutting region to a zone, negative inside.",
                             {
                                 {required, "zone", id(), "One of `needs.zones`.", "canal"},
                                 {any_of, "at_least", length(-50.0_mm, 50.0_mm), "No nearer than this.", "0 mm"},
@@ -137,34 +139,34 @@ const Shape separated_goal{"separated_goal", "The bone has come apart, in this s
 const Shape held_goal{"held_goal", "The tool holds the piece that the step's axis leads into.", {}};
 
 const Shape moved_bound{"moved_bound",
-                        "How far that piece is from where it was, where the axis meets it.",
+                        "The displacement of that piece, at the point where the axis meets it.",
                         {
                             {required, "at_least", length(0.1_mm, 500.0_mm), "As far as this.", "60 mm"},
                         }};
 
 const Shape thrust_bound{
     "thrust_bound",
-    "Of the bone on the tool, against its feed.",
+    "The force of the bone on the tool, against its feed.",
     {
         {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "60 N"},
     }};
 
 const Shape angle_bound{
     "angle_bound",
-    "Between the wall that the cut left and the step's plane.",
+    "The angle between the cut's wall and the step's plane.",
     {
         {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 45.0_deg), "No more than this.", "3 deg"},
     }};
 
 const Shape offset_bound{
     "offset_bound",
-    "Of the wall that the cut left from where a blade in the step's plane would leave it, to either side.",
+    "Distance of the cut's wall from the wall that a blade in the step's plane leaves, to either side.",
     {
         {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
     }};
 
 const Shape flatness_bound{"flatness_bound",
-                           "Between two parallel planes that hold the wall that the cut left.",
+                           "Distance between two parallel planes that enclose the cut's wall.",
                            {
                                {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
                            }};
@@ -176,23 +178,24 @@ const Shape goal{"goal",
                      {one_of, "depth", map(depth_bound), "The tip is as deep as this.", "{at_least: 30 mm}"},
                      {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
                      {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
-                     {one_of, "moved", map(moved_bound), "The piece is away from where it was.", "{at_least: 60 mm}"},
+                     {one_of, "moved", map(moved_bound), "The piece has been moved.", "{at_least: 60 mm}"},
                  }};
 
 const Shape limit{
     "limit",
-    "What must not happen meanwhile.",
+    "What must not happen during the step.",
     {
-        {one_of, "clearance", map(clearance_bound), "How near what cuts may come to a zone.",
+        {one_of, "clearance", map(clearance_bound), "The distance of the cutting region to a zone.",
          "{zone: canal, at_least: 0 mm}"},
-        {one_of, "depth", map(depth_bound), "How deep the tip may be.", "{at_most: 38 mm}"},
-        {one_of, "thrust", map(thrust_bound), "How hard the running tool may be pushed.", "{at_most: 60 N}"},
+        {one_of, "depth", map(depth_bound), "The depth of the tip.", "{at_most: 38 mm}"},
+        {one_of, "thrust", map(thrust_bound), "The thrust of the bone on the running tool.", "{at_most: 60 N}"},
         {one_of, "plane_angle", map(angle_bound),
-         "How far the cut may be tilted out of the step's plane, measured on its wall when the step has ended.",
+         "The angle between the cut's wall and the step's plane, measured when the step has ended.",
          "{at_most: 3 deg}"},
-        {one_of, "plane_offset", map(offset_bound), "How far it may lie beside the plane, measured likewise.",
-         "{at_most: 1 mm}"},
-        {one_of, "flatness", map(flatness_bound), "How uneven it may be, measured likewise.", "{at_most: 0.5 mm}"},
+        {one_of, "plane_offset", map(offset_bound),
+         "The distance of the cut from the plane, measured when the step has ended.", "{at_most: 1 mm}"},
+        {one_of, "flatness", map(flatness_bound), "The unevenness of the cut, measured when the step has ended.",
+         "{at_most: 0.5 mm}"},
         {required, "reason", text(), "The sentence that a trainee reads when it happens.",
          "The hole is deeper than planned."},
     }};
@@ -210,70 +213,71 @@ const Shape step{
          "resection"},
         {required, "goals", list(map(goal)), "What must be reached, in this order.",
          "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
-        {optional, "limits", list(map(limit)), "What must not happen meanwhile.",
+        {optional, "limits", list(map(limit)), "What must not happen during the step.",
          "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
     }};
 
 const Shape expectation{
     "expectation",
-    "How the rehearsal fails.",
+    "The expected failure.",
     {
         {required, "fail", id(), "The one limit that breaks: its zone, or else its quantity.", "canal"},
+        {optional, "step", id(), "The one step in which it breaks; any step if not given.", "drill"},
     }};
 
-const Shape hand{
-    "hand",
-    "What the simulated hand is like.",
-    {
-        {optional, "feed", speed(), "What it aims at in bone.", "1 mm/s"},
-        {optional, "approach", speed(), "Its speed in air.", "10 mm/s"},
-        {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push), "The most it pushes, at the bone.",
-         "60 N"},
-        {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "How late it notices.", "150 ms"},
-    }};
+const Shape hand{"hand",
+                 "The properties of the simulated hand.",
+                 {
+                     {optional, "feed", speed(), "The speed that it aims at in bone.", "1 mm/s", "1 mm/s"},
+                     {optional, "approach", speed(), "Its speed in air.", "10 mm/s", "10 mm/s"},
+                     {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push),
+                      "Its largest push, at the bone.", "60 N", "60 N"},
+                     {optional, "reaction", quantity(dimension::time, "ms", 0.0_ms, 2000.0_ms), "Its reaction time.",
+                      "150 ms", "150 ms"},
+                 }};
 
 const Shape waypoint{
     "waypoint",
-    "Where the hand goes, seen along a step's axis.",
+    "A position of the tool in the frame of a step's axis.",
     {
-        {optional, "step", id(), "Along whose axis, from here on; the first step's until one is named.", "drill"},
-        {required, "depth", depth(), "From where the axis meets bone; negative outside.", "32 mm"},
+        {optional, "step", id(), "The step whose frame holds from here on; the first step until one is named.",
+         "drill"},
+        {required, "depth", depth(), "From the point where the axis meets bone; negative outside.", "32 mm"},
         {optional, "medial", length(-100.0_mm, 100.0_mm), "Sideways, towards the landmark `midline`.", "5 mm"},
         {optional, "medial_angle", quantity(dimension::angle, "deg", -60.0_deg, 60.0_deg),
-         "How far all of it is aimed beside the axis, towards the landmark `midline`, about where the axis meets bone.",
+         "The angle of the whole approach from the axis towards the landmark `midline`, about the point where the axis "
+         "meets bone.",
          "20 deg"},
-        {optional, "aside", length(-100.0_mm, 100.0_mm),
-         "Sideways in the step's plane, along the tool's x: the plane's normal and the axis span the rest.", "2 mm"},
+        {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x.", "2 mm"},
         {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg),
-         "How far the blade is turned about the axis, out of the step's plane.", "6 deg"},
-        {optional, "drives", of_kind(Kind::drives), "What the step's tool is set to on arrival.",
+         "The rotation of the blade about the axis, out of the step's plane.", "6 deg"},
+        {optional, "drives", of_kind(Kind::drives), "The drives of the step's tool, set on arrival.",
          "{spindle_speed: 500 rpm}"},
-        {optional, "insert", id(), "One of `implants`, which comes in on arrival, where the tool is.", "plate"},
+        {optional, "insert", id(), "One of `implants`, which is inserted on arrival, at the tool.", "plate"},
         {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract"}),
-         "On arrival: takes back the last change of the bone, or does it again; takes what is held out of the scene, "
-         "or lets it grow together with the piece beside it; or takes away what the cutting part of the tool holds "
-         "there.",
+         "On arrival: undo or redo the last change of the bone, remove the held piece from the scene, fuse it with the "
+         "piece next to it, or subtract the tool's cutting region from the bone.",
          "undo"},
     }};
 
 const Shape rehearsal{
     "rehearsal",
-    "What a simulated hand does, and how that should end.",
+    "The path of a simulated hand, and its expected result.",
     {
         {required, "id", id(), "Its name, for `--hand`.", "expert"},
         {optional, "title", text(), "What it shows.", "Along the planned axis"},
-        {required, "expect", word_or("pass", expectation), "`pass`, or the limit that breaks.", "{fail: canal}"},
-        {optional, "hand", map(hand), "What the simulated hand is like.", "{feed: 1 mm/s, push: 60 N}"},
-        {required, "path", list(map(waypoint)), "Where it goes: at least from where and to where.",
-         "[{depth: -5 mm}, {depth: 32 mm}]"},
+        {required, "expect", word_or({"pass", "incomplete"}, expectation),
+         "`pass`, `incomplete` for goals that are not reached, or the limit that breaks.", "{fail: canal}"},
+        {optional, "hand", map(hand), "The properties of the simulated hand.", "{feed: 1 mm/s, push: 60 N}"},
+        {required, "path", list(map(waypoint)), "The waypoints, at least two.", "[{depth: -5 mm}, {depth: 32 mm}]"},
     }};
 
 const Shape variant{"variant",
                     "The procedure with a few values changed.",
                     {
-                        {optional, "title", text(), "What is different.", "Osteoporotic bone"},
+                        {optional, "title", text(), "The difference from the procedure.", "Osteoporotic bone"},
                         {required, "patch", of_kind(Kind::patch),
-                         "Paths of values, and what they are instead; ids address the items of lists, `~` removes.",
+                         "Paths of values, and the new values; ids address the items of lists, `~` removes.",
                          "{accuracy.spacing: 0.5 mm}"},
                     }};
 
@@ -285,27 +289,28 @@ const Shape implant{"implant",
 
 const Shape procedure{
     "procedure",
-    "An operation: what to do, by the names of an anatomy.",
+    "An operation, in terms of an anatomy's names.",
     {
         {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
         {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
-        {required, "metadata", map(metadata), "What it is called, and how far it may be relied on.",
+        {required, "metadata", map(metadata), "Its name and status.",
          "{id: hole, title: A hole, version: 0.1.0, status: draft}"},
         {required, "needs", map(needs), "What the anatomy must have.", "{landmarks: [right_pedicle], zones: [canal]}"},
-        {required, "anatomy", path(), "The anatomy that it runs on unless told otherwise, from this document's folder.",
+        {required, "anatomy", path(),
+         "The anatomy that it runs on without `--anatomy`: a file in this document's folder, or a shipped one.",
          "anatomy/vertebra-phantom.yaml"},
-        {optional, "accuracy", map(accuracy), "How true the simulation is asked to be.", "{spacing: 0.25 mm}"},
-        {optional, "budget", map(budget), "What the simulation may cost.", "{tick: 300 us}"},
-        {required, "haptics", map(haptics), "What the hand holds.", "{device: touch}"},
+        {optional, "accuracy", map(accuracy), "The accuracy that the simulation needs.", "{spacing: 0.25 mm}"},
+        {optional, "budget", map(budget), "The processor time that the simulation may use.", "{tick: 300 us}"},
+        {required, "haptics", map(haptics), "The haptic device.", "{device: touch}"},
         {optional, "time_limit", quantity(dimension::time, "s", 1.0_s, 3600.0_s),
-         "When the run ends at the latest, simulated.", "120 s"},
+         "The simulated time after which the run ends.", "120 s", "120 s"},
         {required, "instruments", named(map(instrument)), "The tools, under names that steps use.",
          "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
         {optional, "implants", named(map(implant)), "Solids that waypoints bring in.",
          "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
         {required, "steps", list(map(step)), "What to do, in this order.",
          "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
-        {optional, "rehearsals", list(map(rehearsal)), "What simulated hands do, and how that should end.",
+        {optional, "rehearsals", list(map(rehearsal)), "Simulated hands, and their expected results.",
          "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
         {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.",
          "{coarse: {patch: {accuracy.spacing: 0.5 mm}}}"},
@@ -345,7 +350,7 @@ const Shape elliptic_tube{"elliptic_tube",
                               {required, "width", extent(), "The whole section across `up`.", "10.3 mm"},
                               {required, "height", extent(), "The whole section along `up`.", "14.9 mm"},
                               {optional, "up", vector(dimension::none, "", -1.0, 1.0),
-                               "Which way `height` is measured; towards the head if not given.", "0 0 1"},
+                               "The direction in which `height` is measured; towards the head if not given.", "0 0 1"},
                           }};
 
 const Shape zone_solid{
@@ -366,7 +371,7 @@ const Shape part{"part",
                      {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
                      {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
                       "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
-                     {optional, "source", text(), "Where its figures come from.", "Panjabi 1992."},
+                     {optional, "source", text(), "The source of its figures.", "Panjabi 1992."},
                      {optional, "subtract", yes_no(), "Taken away instead of added.", "true"},
                  }};
 
@@ -398,7 +403,7 @@ const Shape density_line{
         {required, "at_zero", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "Where the value is 0.", "-0.1 g/cm3"},
         {required, "per_unit", density(-3.0_g_per_cm3, 3.0_g_per_cm3), "For each HU or grey level.", "0.001 g/cm3"},
         {required, "floor", density(0.01_g_per_cm3, 3.0_g_per_cm3), "Never less than this.", "0.1 g/cm3"},
-        {required, "source", text(), "Who found this line.", "Rho et al. 1995."},
+        {required, "source", text(), "The source of this line.", "Rho et al. 1995."},
     }};
 
 const Shape ct{
@@ -424,22 +429,22 @@ const Shape ct{
         {optional, "fill", yes_no(), "Cavities without a way out count as bone.", "true"},
         {optional, "density", map(density_line), "Density of the last tissue, voxel by voxel.",
          "{at_zero: -0.1 g/cm3, per_unit: 0.001 g/cm3, floor: 0.1 g/cm3, source: A book.}"},
-        {optional, "source", text(), "Where the scan comes from.", "A public collection."},
+        {optional, "source", text(), "The source of the scan.", "A public collection."},
     }};
 
 const Shape repair{
     "repair",
-    "What may be mended of a surface beyond what is safe.",
+    "Repairs of a surface beyond those that are always safe.",
     {
         {optional, "holes_up_to", length(0.0_mm, 20.0_mm), "Holes no wider than this are closed.", "3 mm"},
         {optional, "pieces_under", quantity(dimension::volume, "mm3", 0.0, 1e-6), "Smaller pieces are left out.",
          "10 mm3"},
         {optional, "inner", word({"hollow", "solid"}),
-         "What surfaces inside the outer one are: rooms, or drawings on solid bone.", "hollow"},
+         "The meaning of surfaces inside the outer one: cavities, or marks in solid bone.", "hollow"},
     }};
 
 const Shape canal{"canal",
-                  "The marrow's room: there is no bone in it.",
+                  "The marrow cavity: it holds no bone.",
                   {
                       {one_of, "file", path(), "A second surface, in the same unit and frame.", "meshes/canal.stl"},
                       {one_of, "tube", map(tube), "A round rod.", "{from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}"},
@@ -450,51 +455,53 @@ const Shape mesh{
     "Bone out of a closed surface.",
     {
         {required, "file", path(), "STL, OBJ or PLY, in this document's folder or in KERF_DATA.", "meshes/femur.stl"},
-        {required, "unit", word({"mm", "cm", "m", "um"}), "What a 1 in the file is: no such file says it.", "mm"},
-        {optional, "frame", word({"LPS", "RAS"}), "Which way its axes point; LPS is supposed, and said, if not given.",
-         "LPS"},
-        {optional, "repair", map(repair), "What may be mended.", "{holes_up_to: 3 mm}"},
-        {optional, "canal", map(canal), "The marrow's room.",
+        {required, "unit", word({"mm", "cm", "m", "um"}), "The length of 1 in the file: the formats do not store it.",
+         "mm"},
+        {optional, "frame", word({"LPS", "RAS"}),
+         "The direction of its axes; LPS is assumed, and reported, if not given.", "LPS"},
+        {optional, "repair", map(repair), "Repairs that are allowed.", "{holes_up_to: 3 mm}"},
+        {optional, "canal", map(canal), "The marrow cavity.",
          "{tube: {from: 0 0 -100 mm, to: 0 0 100 mm, radius: 6 mm}}"},
-        {optional, "source", text(), "Where the surface comes from.", "A public collection."},
+        {optional, "source", text(), "The source of the surface.", "A public collection."},
     }};
 
 const Shape tissue{"tissue",
-                   "What bone is made of: shells from the surface inwards, and last what fills the rest.",
+                   "The tissues of bone: shells from the surface inwards, the last one fills the rest.",
                    {
                        {required, "id", id(), "Its name.", "cortical"},
                        {optional, "thickness", length(0.1_mm, 20.0_mm),
                         "Of the shell; the last tissue has none, all others need it.", "1.5 mm"},
                        {optional, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3),
                         "Needed, unless `ct.density` gives it to the last tissue.", "1.85 g/cm3"},
-                       {optional, "source", text(), "Where its figures come from.", "Silva et al. 1994."},
+                       {optional, "source", text(), "The source of its figures.", "Silva et al. 1994."},
                    }};
 
 const Shape point{"point",
-                  "A place.",
+                  "A point.",
                   {
                       {required, "at", position(),
                        "Where it is: LPS, x to the patient's left, y to the back, z to the head.", "0 26 5 mm"},
-                      {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+                      {required, "tolerance", tolerance(), "The uncertainty of its position.", "1.5 mm"},
                       {optional, "lies", word({"on_bone", "in_bone", "off_bone"}),
-                       "What is known of it, and checked within the tolerance.", "on_bone"},
+                       "Its relation to the bone, which import checks within the tolerance.", "on_bone"},
                   }};
 
 const Shape axis{"axis",
-                 "A way into the bone.",
+                 "An axis into the bone.",
                  {
                      {required, "from", position(), "Where it begins, outside the bone.", "-23.5 47 5 mm"},
                      {required, "to", position(), "Where it ends, inside the bone.", "-9.9 -6 5 mm"},
-                     {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
+                     {required, "tolerance", tolerance(), "The uncertainty of its position.", "1.5 mm"},
                  }};
 
-const Shape plane{"plane",
-                  "A flat cut, or a face.",
-                  {
-                      {required, "at", position(), "A place in it.", "0 0 120 mm"},
-                      {required, "normal", vector(dimension::none, "", -1.0, 1.0), "Which way it looks.", "0 0 1"},
-                      {required, "tolerance", tolerance(), "How well that is known.", "1.5 mm"},
-                  }};
+const Shape plane{
+    "plane",
+    "A flat cut, or a face.",
+    {
+        {required, "at", position(), "A point in it.", "0 0 120 mm"},
+        {required, "normal", vector(dimension::none, "", -1.0, 1.0), "The direction of its normal.", "0 0 1"},
+        {required, "tolerance", tolerance(), "The uncertainty of its position.", "1.5 mm"},
+    }};
 
 const Shape markup_name{"markup_name",
                         "What a markup is called here.",
@@ -509,16 +516,16 @@ const Shape markups{
     {
         {required, "file", path(), "`.mrk.json` or `.fcsv`, in this document's folder or in KERF_DATA.",
          "scans/entry.mrk.json"},
-        {required, "tolerance", tolerance(), "How well all of them are known.", "2 mm"},
+        {required, "tolerance", tolerance(), "The uncertainty of all of them.", "2 mm"},
         {optional, "names", list(map(markup_name)), "Other names than the file's.", "[{label: F-1, id: entry}]"},
     }};
 
 const Shape landmarks{
     "landmarks",
-    "Places that procedures name.",
+    "Named positions that procedures use.",
     {
-        {optional, "points", named(map(point)), "Places.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
-        {optional, "axes", named(map(axis)), "Ways into the bone.",
+        {optional, "points", named(map(point)), "Points.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
+        {optional, "axes", named(map(axis)), "Axes into the bone.",
          "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
         {optional, "planes", named(map(plane)), "Flat cuts.",
          "{resection: {at: 0 0 120 mm, normal: 0 0 1, tolerance: 1.5 mm}}"},
@@ -528,7 +535,7 @@ const Shape landmarks{
 
 const Shape anatomy{
     "anatomy",
-    "What there is: bone, tissues, and places with names.",
+    "Bone, tissues, and named positions.",
     {
         {required, "apiVersion", word({"kerf/v1"}), api_version_help, "kerf/v1"},
         {required, "kind", word({"Anatomy"}), "What this document describes.", "Anatomy"},
@@ -539,7 +546,7 @@ const Shape anatomy{
         {one_of, "mesh", map(mesh), "Bone out of a closed surface.", "{file: meshes/femur.stl, unit: mm}"},
         {required, "tissues", list(map(tissue)), "From the surface inwards.",
          "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
-        {required, "landmarks", map(landmarks), "Places that procedures name.",
+        {required, "landmarks", map(landmarks), "Named positions that procedures use.",
          "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
         {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.",
          "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},

@@ -2,26 +2,56 @@
 #include "core/procedure/source.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 
+#include "core/procedure/printable.h"
+
 namespace kerf {
+
+std::string shown(std::string_view text) {
+    std::string safe;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
+        safe += printable(text.substr(0, end));
+        if (end < text.size()) safe += text[end];
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return safe;
+}
+
 namespace {
 
-bool starts_character(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }
+/// Characters of printable text.
+std::size_t width_of(std::string_view text) noexcept {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u; }));
+}
+
+/// The bytes of the first `characters` characters of a text.
+std::size_t bytes_of(std::string_view text, int characters) noexcept {
+    std::size_t at = 0;
+    for (int seen = 0; at < text.size(); ++at) {
+        const bool starts = (static_cast<unsigned char>(text[at]) & 0xC0u) != 0x80u;
+        if (starts && seen++ == characters) break;
+    }
+    return at;
+}
 
 /// The source line, and under it a caret line. Tabs are kept, so that both lines are indented alike.
 std::string underlined(const SourcePlace& place, const std::string& line) {
+    const std::size_t begin = bytes_of(line, std::max(0, place.column - 1));
+    const std::string_view marked =
+        std::string_view(line).substr(begin, bytes_of(std::string_view(line).substr(begin), std::max(1, place.length)));
     std::string carets;
-    int column = 1;
-    for (const char c : line) {
-        if (column >= place.column) break;
-        if (!starts_character(c)) continue;
-        carets += c == '\t' ? '\t' : ' ';
-        ++column;
-    }
-    const int room = static_cast<int>(std::count_if(line.begin(), line.end(), starts_character)) - (place.column - 1);
-    carets += std::string(static_cast<std::size_t>(std::clamp(place.length, 1, std::max(1, room))), '^');
-    return "    " + line + "\n    " + carets + "\n";
+    for (const char c : shown(std::string_view(line).substr(0, begin)))
+        if (c == '\t')
+            carets += c;
+        else if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u)
+            carets += ' ';
+    carets += std::string(std::max<std::size_t>(1, width_of(shown(marked))), '^');
+    return "    " + shown(line) + "\n    " + carets + "\n";
 }
 
 }  // namespace
@@ -68,12 +98,12 @@ bool has_error(const Diagnostics& diagnostics) noexcept {
 std::string to_text(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& d : diagnostics) {
-        text += d.code + " " + to_text(d.place) + ": " + d.message;
-        if (!d.write.empty()) text += " Write `" + d.write + "`.";
+        text += d.code + " " + shown(to_text(d.place)) + ": " + shown(d.message);
+        if (!d.write.empty()) text += " Write `" + shown(d.write) + "`.";
         text += "\n";
         if (!d.source_line.empty()) text += underlined(d.place, d.source_line);
         if (!d.reason) continue;
-        text += "  because of " + to_text(d.reason->place) + ": " + d.reason->message + "\n";
+        text += "  because of " + shown(to_text(d.reason->place)) + ": " + shown(d.reason->message) + "\n";
         if (!d.reason->source_line.empty()) text += underlined(d.reason->place, d.reason->source_line);
     }
     return text;

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-/// Where things stand in a document, and what is wrong with them.
+/// Places in a document, and what is wrong there.
 namespace kerf {
 
 /// A place in a text file, counted from 1; line 0 means "the file as a whole".
@@ -17,7 +18,7 @@ struct SourcePlace {
     int length = 1;  ///< characters to underline
 };
 
-/// Why something is wrong, where that is decided elsewhere: the limits a plugin declares, what stands there first.
+/// Why something is wrong, if that is decided elsewhere: the limits that a plugin declares, the first of two keys.
 struct Reason {
     SourcePlace place;        ///< its `file` may be a plugin's component
     std::string message;      ///< one sentence
@@ -38,11 +39,11 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// What is wrong with a file as a whole. `message` says what to do, too.
+/// An error or warning about a file as a whole. `message` says what to do, too.
 [[nodiscard]] Diagnostic error_about(const std::string& file, std::string code, std::string message);
 [[nodiscard]] Diagnostic warning_about(const std::string& file, std::string code, std::string message);
 
-/// The same where a place is known: that of `at`, whose message is not used.
+/// The same at the place of `at`, whose message is not used.
 [[nodiscard]] Diagnostic error_at(const Reason& at, std::string code, std::string message);
 [[nodiscard]] Diagnostic warning_at(const Reason& at, std::string code, std::string message);
 
@@ -54,6 +55,10 @@ void because_of(const Reason& named, Diagnostics& diagnostics, std::size_t first
 std::string to_text(const SourcePlace& place);
 
 bool has_error(const Diagnostics& diagnostics) noexcept;
+
+/// Returns a text of messages, which may quote files, as a terminal, a page or JSON may show it: printable but for line
+/// ends and tabs.   [any] pure.
+std::string shown(std::string_view text);
 
 /// `E0412 file:14:22: message Write `6.5 mm`.` followed by the source line and a caret, and by the reason likewise.
 std::string to_text(const Diagnostics& diagnostics);

@@ -263,7 +263,7 @@ TEST(Program, AReplayDoesNotTakeThePlaceOfItsRecording) {
     const std::string before = contents_of(out + "/session.db");
     const Ended replay = kerf("run " + file + " --replay " + out + "/session.db --out " + out);
     EXPECT_EQ(replay.exit_code, 2);
-    EXPECT_TRUE(has(replay.err, "would take the place of its recording")) << replay.err;
+    EXPECT_TRUE(has(replay.err, "would overwrite its recording")) << replay.err;
     EXPECT_EQ(contents_of(out + "/session.db"), before);
 }
 
@@ -323,7 +323,8 @@ TEST(Program, ValidateLooksIntoEveryVariantAndMakesTheBoneWhenAsked) {
         variant(folder, "rehearsals:\n", "variants:\n  short: {patch: {time_limit: 1}}\nrehearsals:\n");
     const Ended checked = kerf("validate " + file);
     EXPECT_EQ(checked.exit_code, 2);
-    EXPECT_TRUE(has(checked.out, "In the variant `short`: time_limit is `1`, which has no unit. Write `1 s`."))
+    EXPECT_TRUE(
+        has(checked.out, "In the variant `short`: time_limit has no unit: got `1`, expected a time in s. Write `1 s`."))
         << checked.out;
     EXPECT_EQ(kerf("validate " + file + " --set 'time_limit=2 s'").exit_code, 0);
 
@@ -406,19 +407,20 @@ TEST(Program, OnATerminalMakingTheBoneShowsASignOfLife) {
 TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
     const Ended rehearsed = kerf("rehearse " + pedicle_screw);
     EXPECT_EQ(rehearsed.exit_code, 0) << rehearsed.err;
-    EXPECT_TRUE(has(rehearsed.out, "expert: ended as it says\n  expected  pass\n  ended     pass\n")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "expert: ended as expected\n  expected  pass\n  ended     pass\n")) << rehearsed.out;
     EXPECT_TRUE(
         has(rehearsed.out,
-            "expected  fail, because of the limit `canal` alone\n  ended     fail\n            The drill entered"))
+            "expected  fail by the limit `canal` alone\n  ended     fail\n            Step `pilot-hole`: The drill "
+            "entered"))
         << rehearsed.out;
-    EXPECT_TRUE(has(rehearsed.out, "2 of 2 rehearsals ended as they say")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "2 of 2 rehearsals ended as expected")) << rehearsed.out;
 }
 
 TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
     const TemporaryFolder folder;
     const Ended rehearsed = kerf("rehearse " + variant(folder, "expect: pass", "expect: {fail: canal}"));
     EXPECT_EQ(rehearsed.exit_code, 1) << rehearsed.err;
-    EXPECT_TRUE(has(rehearsed.out, "expert: DID NOT END AS IT SAYS")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "expert: NOT AS EXPECTED")) << rehearsed.out;
     EXPECT_TRUE(has(rehearsed.out, "1 of 2")) << rehearsed.out;
 }
 

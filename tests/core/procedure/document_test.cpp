@@ -107,7 +107,7 @@ TEST(Document, WhatTheFileEndsInTheMiddleOfIsPointedAt) {
          {"a: 1\nb: «{»c: 1", "a: [1]\nb: «[»1, 2", "a: 1\nb: «\"»x", "a: 1\nb: «'»it''s", "a: 1\nb: {c: «{»d:"}) {
         expect_refused(Code::syntax, text);
         const std::string said = said_of(MarkedText(text).text);
-        EXPECT_NE(said.find("The file ends in the middle of"), std::string::npos) << said;
+        EXPECT_NE(said.find("is not closed before the file ends"), std::string::npos) << said;
     }
 }
 
@@ -137,20 +137,53 @@ TEST(Report, WhatIsMissingFromAFileWithoutALineEndMayBeCutOffAndThatIsSaidOnce) 
         report.error(Code::missing_key, {0, 1}, "It needs `c:`.");
         report.error(Code::missing_key, {0, 1}, "It needs `d:`.");
         EXPECT_EQ(diagnostics[0].message,
-                  is_cut ? "It needs `c:`. The file ends in the middle of line 2: is it cut off?" : "It needs `c:`.");
+                  is_cut ? "It needs `c:`. The last line, 2, has no line end: is the file cut off?" : "It needs `c:`.");
         EXPECT_EQ(diagnostics[1].message, "It needs `d:`.");
     }
 }
 
 TEST(Document, SyntaxErrorsAreSaidInWords) {
     EXPECT_NE(said_of("a:\n\tb: 1\n").find("Indent with spaces"), std::string::npos) << said_of("a:\n\tb: 1\n");
-    EXPECT_NE(said_of("a: b: c\n").find("needs quotation marks"), std::string::npos);
+    EXPECT_NE(said_of("a: b: c\n").find("into quotation marks"), std::string::npos);
     EXPECT_NE(said_of("a:\n    b: 1\n  c: 2\n").find("indented like none above it"), std::string::npos)
         << said_of("a:\n    b: 1\n  c: 2\n");
     EXPECT_NE(said_of("a: [@b]\n").find("quotation marks"), std::string::npos);
 }
 
 TEST(Document, RefusesWhatIsNotYaml) { expect_refused(Code::syntax, "a: 1\nb: 2«:» 3\n"); }
+TEST(Document, ReportsAMissingSpaceOnItsOwnLine) {
+    expect_refused(Code::syntax, "a: 1\n«title:Drill»\nb: 2\n");
+    expect_refused(Code::syntax, "steps:\n  - id: drill\n    «title:Drill»\n    axis: way\n");
+    expect_refused(Code::syntax, "steps:\n  - id: drill\n    «title:Drill»\n  - id: b\n");
+    expect_refused(Code::syntax, "hand: {«feed:1 mm/s», push: 5 N}\n");
+    expect_refused(Code::syntax, "path:\n  - {depth: 1 mm}\n  «-{depth: 2 mm}»\nb: 1\n");
+    Diagnostics diagnostics;
+    parse_document("file.yaml", "a: 1\ntitle:Drill\nb: 2\n", diagnostics);
+    EXPECT_EQ(diagnostics.at(0).write, "title: Drill");
+}
+
+TEST(Document, ReportsAMissingColonOnItsOwnLine) {
+    expect_refused(Code::syntax, "a: 1\n«b 2»\nc: 3\n");
+    expect_refused(Code::syntax, "a: 1\n«b = 2»  # why\n\nc: 3\n");
+}
+
+TEST(Document, NamesBlanksThatAreNoneByTheirCodePoint) {
+    EXPECT_NE(said_of("depth:\u00A05 mm\nb: 1\n").find("U+00A0 (no-break space)"), std::string::npos);
+    EXPECT_NE(said_of("a:\n  b: 1\n\u00A0 c: 2\n").find("begins with U+00A0"), std::string::npos);
+    EXPECT_NE(said_of("title: \u201CHole: deep\u201D\n").find("U+201C (quotation mark)"), std::string::npos);
+}
+
+TEST(Document, RefusesSignsThatShowNothingAndReadsOn) {
+    expect_refused(Code::not_text, "a: x«\u2028»y\n");
+    expect_refused(Code::not_text, "a: x  # «\u202E»comment\n");
+    expect_refused(Code::not_text, "a: x«\u0085»\n");
+    expect_refused(Code::not_text, "a: «\"\\x1b[31m\"»\n");
+    Diagnostics diagnostics;
+    parse_document("file.yaml", "a: x\u2028\na: 1\n", diagnostics);
+    ASSERT_EQ(diagnostics.size(), 2u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[1].code, code_text(Code::duplicate_key));
+}
+
 TEST(Document, RefusesBytesThatAreNotUtf8) { expect_refused(Code::not_text, "a: b\nc: «\xFF»\n"); }
 TEST(Document, RefusesControlCharacters) { expect_refused(Code::not_text, "a: b\nc: x«\x04»\n"); }
 
@@ -217,6 +250,19 @@ TEST(DiagnosticText, UnderlinesTheSourceLine) {
               "E0412 knee.yaml:14:13: drill.diameter is 65 mm, must be 0.5 mm … 20 mm. Write `6.5 mm`.\n"
               "      diameter: 65 mm\n"
               "                ^^^^^\n");
+}
+
+TEST(DiagnosticText, SendsNoControlCharacterOfAFile) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E0209";
+    diagnostic.place = {"a\x1b.yaml", 1, 9, 1};
+    diagnostic.message = "got `\x1b[31m`\u202E.";
+    diagnostic.write = "\x07";
+    diagnostic.source_line = "title: \x1b[31m";
+    const std::string text = to_text({diagnostic});
+    EXPECT_EQ(text, "E0209 a\\x1b.yaml:1:9: got `\\x1b[31m`\\u202e. Write `\\x07`.\n"
+                    "    title: \\x1b[31m\n"
+                    "               ^\n");
 }
 
 }  // namespace

@@ -130,6 +130,24 @@ TEST(Patch, RefusesAPathThatLeadsNowhere) {
     expect_refused(Code::patch_nowhere, "«metadata.title.text»: A hole");
     expect_refused(Code::patch_nowhere, "«steps.deepen.goals.depth»: {at_least: 20 mm}");
 }
+TEST(Patch, RefusesAPathThroughAnUnknownName) {
+    expect_refused(Code::patch_nowhere, "«instruments.dril.drives.spindle_speed»: 900 rpm");
+    expect_refused(Code::patch_nowhere, "instruments: {«pilot»: {parameters: {diameter: 5 mm}}}");
+    expect_refused(Code::patch_nowhere, "steps: [{id: «deepn», title: Go on}]");
+    Diagnostics found;
+    EXPECT_FALSE(read(with_patch("instruments.pilot.drives.spindle_speed: 900 rpm"), found));
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].write, "instruments.drill.drives.spindle_speed:") << "the only name that there is";
+}
+TEST(Patch, AddsAWholeInstrument) {
+    Diagnostics found;
+    const auto p =
+        read(with_patch("{instruments.thin: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting}, "
+                        "steps.enter.instrument: thin}"),
+             found);
+    ASSERT_TRUE(p) << to_text(found);
+    EXPECT_EQ(p->instruments.size(), 2u);
+}
 TEST(Patch, RefusesToRemoveWhatIsNotThere) { expect_refused(Code::nothing_to_remove, "«steps.deepen.limit»: ~"); }
 TEST(Patch, RefusesAPathWithoutEnd) {
     std::string path = "a";
@@ -159,10 +177,10 @@ TEST(Patch, AMistakeInItIsShownWhereItStandsTogetherWithWhatItReplaces) {
     EXPECT_FALSE(read(with_patch("instruments.drill.parameters: {diameter: 5}"), found));
     EXPECT_EQ(
         to_text(found),
-        "E0402 hole.yaml:20:48: drill.diameter is `5`, which has no unit. Write `5 mm`.\n"
+        "E0402 hole.yaml:20:48: drill.diameter has no unit: got `5`, expected a length in mm. Write `5 mm`.\n"
         "          instruments.drill.parameters: {diameter: 5}\n"
         "                                                   ^\n"
-        "  because of hole.yaml:8:98: it takes the place of this.\n"
+        "  because of hole.yaml:8:98: it replaces this.\n"
         "      drill: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting, parameters: {diameter: 4 mm}}\n"
         "                                                                                                     ^^^^\n");
 }
@@ -194,8 +212,9 @@ TEST(Setting, ComesAfterTheVariant) {
 TEST(Setting, ShowsItsMistakesInItself) {
     Diagnostics found;
     EXPECT_FALSE(read(base, found, {"", {"time_limit=20"}}));
-    EXPECT_EQ(to_text(found), "E0402 --set:1:13: time_limit is `20`, which has no unit. Write `20 s`.\n    time_limit: "
-                              "20\n                ^^\n");
+    EXPECT_EQ(to_text(found),
+              "E0402 --set:1:13: time_limit has no unit: got `20`, expected a time in s. Write `20 s`.\n    "
+              "time_limit: 20\n                ^^\n");
     for (const char* wrong :
          {"time_limit=", "time_limit=[", "time_limit=&a 3 s", "time_limit=\"", "steps.none=3", "time_limit.x=3 s", "=",
           "a", "", "time_limit=20 s\nsteps: ~", "time_limit={", "nothing=~"}) {

@@ -200,6 +200,26 @@ TEST(Schema, TakesWhateverUnitTheReaderTakes) {
     }
 }
 
+TEST(Schema, NamesTheDefaultOfEveryKeyThatHasOne) {
+    const auto schema = test::Json::parse(schema_text(shapes::procedure, drilling_catalog(), "a comment"));
+    EXPECT_EQ(schema["properties"]["time_limit"]["default"], "120 s");
+    const Procedure procedure;
+    const Rehearsal rehearsal;
+    const auto default_of = [](const Shape& shape, const char* key) {
+        const KeyShape& k = *shape.find(key);
+        return parse_quantity(k.fallback, key, k.value.need).value;
+    };
+    EXPECT_EQ(default_of(shapes::procedure, "time_limit"), procedure.time_limit);
+    EXPECT_EQ(default_of(shapes::accuracy, "spacing"), procedure.spacing);
+    EXPECT_EQ(default_of(shapes::accuracy, "force"), procedure.accuracy.force);
+    EXPECT_EQ(default_of(shapes::accuracy, "volume"), procedure.accuracy.volume);
+    EXPECT_EQ(default_of(shapes::budget, "tick"), procedure.budget.tick);
+    EXPECT_EQ(default_of(shapes::hand, "feed"), rehearsal.feed);
+    EXPECT_EQ(default_of(shapes::hand, "approach"), rehearsal.approach);
+    EXPECT_EQ(default_of(shapes::hand, "push"), rehearsal.push);
+    EXPECT_EQ(default_of(shapes::hand, "reaction"), rehearsal.reaction);
+}
+
 TEST(Schema, TellsOfEveryParameterWithItsRangeAndDefault) {
     const auto schema = test::Json::parse(schema_text(shapes::procedure, drilling_catalog(), "a comment"));
     EXPECT_EQ(schema["$comment"], "a comment");
