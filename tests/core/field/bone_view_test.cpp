@@ -157,7 +157,7 @@ struct Swung {
     }
 };
 
-TEST(BoneView, NearestSeesTurnedPendingPosesAsBruteForceDoes) {
+TEST(BoneView, NearestMatchesBruteForceForTurnedPendingPoses) {
     const Swung swung;
     ASSERT_GT(swung.tracker.pending_count(), 5u);
     std::mt19937 random(9);
@@ -180,7 +180,7 @@ TEST(BoneView, NearestSeesTurnedPendingPosesAsBruteForceDoes) {
     EXPECT_GT(risen, 1000) << "pending poses were seen";
 }
 
-TEST(BoneView, TheSpreadOfPendingPosesBoundsWhereEachPointMoves) {
+TEST(BoneView, SpreadBoundsTheMotionOfEachPoint) {
     const Swung swung;
     const CutTracker::Spread& spread = swung.tracker.spread();
     const Frame newest = swung.tracker.solid_from_tool(swung.tracker.solid_count() - 1, Swung::pose(0.0));

@@ -38,7 +38,7 @@ CutField cut_to(const Body& body, double depth) {
     return cut;
 }
 
-TEST(BoneVolume, AFlatCutThatDoesNotReachTheFaceTakesNothing) {
+TEST(BoneVolume, FlatCutShortOfTheFaceTakesNothing) {
     const Body body = half_space();
     const double whole = bone_volume(body, CutField(body, 0));
     for (const double above : {0.45 * h, 0.3 * h, 0.2 * h, 0.1 * h, 0.02 * h})
@@ -65,7 +65,7 @@ TEST(RemovedVolume, IsWhatTheBoneLost) {
     }
 }
 
-TEST(RemovedVolume, OfACutThatGrazesTheBoneIsNeverNegative) {
+TEST(RemovedVolume, IsNeverNegativeForAGrazingCut) {
     const Body body = test::block({-4.0_mm, -4.0_mm, -4.0_mm}, {4.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73});
     const double whole = bone_volume(body, CutField(body, 0));
     const ToolSolid drill = test::drill_outline(1.3_mm, 59.0_deg, 3.0_mm), flat({{0.0, 1.3_mm}, {-3.0_mm, 1.3_mm}});

@@ -27,7 +27,7 @@ kerf_channel channel(std::uint32_t kind) {
 }
 ChannelForce at(const kerf_channel& c, double s) { return channel_force(c, s, dt); }
 
-TEST(Cut, BuildsUpOverItsWidthAndThenRisesEvenly) {
+TEST(Cut, BuildsUpOverItsWidthThenRisesEvenly) {
     const kerf_channel c = channel(KERF_CUT);
     const double kept = std::exp(-2.0);
     EXPECT_NEAR(at(c, 0.02).lambda, 100.0 * (1.0 - kept) + 500.0 * 0.02, 1e-9);
@@ -44,7 +44,7 @@ TEST(Cut, BeginsBeyondItsGap) {
     EXPECT_EQ(at(channel(KERF_CUT), -0.02).lambda, 0.0) << "a cut does not pull";
 }
 
-TEST(ContactChannel, IsASpringAndADamperThatDoNotPull) {
+TEST(ContactChannel, NeverPulls) {
     kerf_channel c = channel(KERF_CONTACT);
     c.delta = 0.5e-3;
     EXPECT_NEAR(at(c, 0.0).lambda, 2000.0 * 0.5e-3, 1e-12);
@@ -125,7 +125,7 @@ TEST(SoundChannel, AnyComponentIsADirection) {
     }
 }
 
-TEST(SoundChannel, CutAndFrictionHaveAWidthOfAMicrometreASecondAtLeast) {
+TEST(SoundChannel, NeedsAWidthForCutAndFriction) {
     for (const std::uint32_t kind : {KERF_CUT, KERF_FRICTION}) {
         kerf_channel c = channel(kind);
         c.w = 1e-6;

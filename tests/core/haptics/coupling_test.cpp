@@ -88,7 +88,7 @@ TEST(Coupling, DampsTheMotionOfTheGrip) {
     expect_near(b.torque.pull, {0, 2.5e-3 * 2.0 * 0.5, 0});
 }
 
-TEST(Coupling, IsStifferOnTheBonesSideByTheForceScale) {
+TEST(Coupling, ScalesGainsToTheBonesSide) {
     CouplingGains scaled = gains();
     scaled.force_scale = 0.25;
     const Balance b = held({scaled, grip}, moved({1.0_mm, 0, 0}));
@@ -152,7 +152,7 @@ TEST(Anchor, SlidesByWhatIsBeyondTheLimit) {
     expect_near(held(coupling, moved({0, 10.0_mm, 0})).force.pull, {0, -2.0, 0});
 }
 
-TEST(Anchor, SlipsInRotationByWhatIsBeyondTheLimit) {
+TEST(Anchor, SlipsInRotationBeyondTheLimit) {
     Coupling coupling(gains(), grip);
     const Pose handle = turned_about_grip({0.3, 0, 0});
     coupling.slide(handle, origin);
@@ -219,13 +219,13 @@ DeviceRecord device() {
             .source = ""};
 }
 
-TEST(Gains, KeepToTheDeviceAndToTheWallItCanHold) {
+TEST(Gains, KeepToTheDeviceAndItsWall) {
     EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 0).stiffness, 600.0) << "0.6 of the device's";
     EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 1).stiffness, 500.0) << "half of the wall's";
     EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 2).stiffness, 250.0);
 }
 
-TEST(Gains, DampingIsNeverBelowZeroAndAtMostHalfTheDevices) {
+TEST(Gains, ClampDampingToZeroAndHalfTheDevices) {
     DeviceRecord fine = device(), middle = device(), coarse = device();
     fine.resolution = 10e-6;     // T (0.08 N / Δ − K) = 7.4 N·s/m
     middle.resolution = 0.1_mm;  // 0.2 N·s/m
@@ -237,7 +237,7 @@ TEST(Gains, DampingIsNeverBelowZeroAndAtMostHalfTheDevices) {
     EXPECT_EQ(gains_for(coarse, 1.0).damping, 0.0);
 }
 
-TEST(Gains, ReleaseIsBoundByTheMassOfTheHandle) {
+TEST(Gains, BoundReleaseByTheHandlesMass) {
     DeviceRecord heavy = device();
     heavy.mass = 1.0;
     EXPECT_NEAR(gains_for(device(), 1.0).release_damping, 0.22 * 0.1 / 1e-3, 1e-9);

@@ -120,7 +120,7 @@ TEST(Fault, TwoMissedTicksAreHeldAndThreeFadeTheForce) {
 }
 
 // What the fading force gave a hand that went with it is not taken back from a hand that is not to blame.
-TEST(Fault, AnchoredAgainTheBalanceIsZeroAndNothingIsCorrected) {
+TEST(Fault, RestartsTheBalanceWhenAnchoredAgain) {
     // Given missed ticks, and a hand that goes out with the force while that fades
     Pressed rig;
     double depth = 1.0_mm;

@@ -41,7 +41,7 @@ TEST(Following, BeginsWithTheLawsOwnWrench) {
     expect_near(Following().wrench(held.balance, own), own);
 }
 
-TEST(Following, ComesNearerTheForceItFollowsTickByTick) {
+TEST(Following, ApproachesItsForceTickByTick) {
     // μ = 0.5, so α = 1/(1 + 0.25)
     Held held;
     held.channels[0].follow[0] = 0.5;
@@ -84,7 +84,7 @@ TEST(Following, IsSlowerTheMoreFollows) {
     EXPECT_NEAR(share_after_one({0.0, 0.0}, 0.1), 1.0 / (1.0 + 0.8 * 0.01 / 0.01), 1e-12);
 }
 
-TEST(Following, GivesAtMostHalfOfWhatTheCouplingCarries) {
+TEST(Following, GivesAtMostHalfOfTheLimit) {
     const Held held;
     const Following following;
     // A force through the grip, whose torque is about the tip alone

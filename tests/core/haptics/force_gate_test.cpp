@@ -41,7 +41,7 @@ TEST(ForceGate, ClosesInFiveTicks) {
     EXPECT_TRUE(gate.is_barred());
 }
 
-TEST(ForceGate, AFaultOfOneTickClosesItAllTheWay) {
+TEST(ForceGate, ClosesFullyAfterAFaultOfOneTick) {
     ForceGate gate;
     gate.step(false, dt);
     for (int i = 0; i < 4; ++i) {
@@ -81,7 +81,7 @@ TEST(ForceGate, AFaultWhileItOpensClosesItAgain) {
     EXPECT_NEAR(gate.gain(), 0.3, 1e-9) << "half open, less a fifth";
 }
 
-TEST(ForceGate, AllowsFourTenthsOfANewtonMoreInATick) {
+TEST(ForceGate, AllowsFourTenthsOfANewtonATick) {
     ForceGate gate = shut();
     for (int i = 0; i < 49; ++i) gate.step(true, dt);
     // The gain would allow 7.84 N
@@ -91,7 +91,7 @@ TEST(ForceGate, AllowsFourTenthsOfANewtonMoreInATick) {
     EXPECT_NEAR(gate.share(limit, 7.9, dt), 0.98, 1e-9) << "but the gain bounds it still";
 }
 
-TEST(ForceGate, IsOpenWhenTheRiseDoesNotHoldTheForceAnyMore) {
+TEST(ForceGate, OpensWhenTheRiseBoundIsNotReached) {
     // Given a gate that has had its 50 ms, and a force that is at the bound on the rise
     ForceGate gate = shut();
     for (int i = 0; i < 60; ++i) gate.step(true, dt);

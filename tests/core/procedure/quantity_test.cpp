@@ -149,7 +149,7 @@ TEST(Unit, HasAtMostSixFactors) {
     EXPECT_FALSE(parse_unit("m m m m m m m"));
 }
 
-TEST(Quantity, EachEndOfItsRangeIsAllowedAndNothingBeyond) {
+TEST(Quantity, AllowsEachEndOfItsRangeAndNoMore) {
     const QuantityNeed between{dimension::none, "", -2.0, 5.0};
     for (const char* text : {"-2", "5", "-1.9", "4.9"}) EXPECT_TRUE(parse_quantity(text, "it", between).value) << text;
     for (const char* text : {"-2.000001", "5.000001", "-3", "6"})
@@ -160,7 +160,7 @@ TEST(Quantity, EachEndOfItsRangeIsAllowedAndNothingBeyond) {
         EXPECT_EQ(parse_vector(text, "it", between).problem.code, Code::out_of_range) << text;
 }
 
-TEST(Quantity, OutOfRangeIsAnsweredWithTheSlipThatIsMostLikely) {
+TEST(Quantity, SuggestsTheLikelySlipWhenOutOfRange) {
     const QuantityNeed between{dimension::none, "", 10.0, 40.0};
     EXPECT_EQ(problem("-20", between).write, "20") << "the sign";
     EXPECT_EQ(problem("200", between).write, "20") << "ten times too much";
@@ -184,7 +184,7 @@ TEST(Quantity, APlainNumberMayHaveAFractionAndPercent) {
     EXPECT_EQ(problem("1/2 mm", any_length).code, Code::unknown_unit) << "no fraction of a length";
 }
 
-TEST(Quantity, ALongTextIsCutWhereAMessageQuotesIt) {
+TEST(Quantity, CutsALongTextThatItQuotes) {
     const std::string forty(40, 'x'), more(41, 'x');
     EXPECT_TRUE(problem(forty, any_length).message.starts_with("it is `" + forty + "`, "));
     EXPECT_FALSE(problem(more, any_length).message.starts_with("it is `" + more + "`, "));

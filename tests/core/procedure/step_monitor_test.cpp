@@ -345,7 +345,7 @@ struct OneGoal {
     }
 };
 
-TEST(StepMonitor, ADepthExactlyAtEitherEndOfItsGoalIsReached) {
+TEST(StepMonitor, ReachesADepthGoalAtEitherBound) {
     const OneGoal goal({"depth", {0.25, 0.5}, {}});
     EXPECT_FALSE(goal.is_reached_after({cutting_at(std::nextafter(0.25, 0.0))}));
     EXPECT_TRUE(goal.is_reached_after({cutting_at(0.25)}));
@@ -428,7 +428,7 @@ TEST(StepMonitor, AfterItsLastStepItSeesNothing) {
     EXPECT_LT(monitor.steps()[1].deepest, 1.0_mm);
 }
 
-TEST(StepMonitor, TimesOfAStepAreThoseOfItsFirstAndLastTick) {
+TEST(StepMonitor, TakesStepTimesFromFirstAndLastTick) {
     OneGoal goal({"entry", {}, {}});
     StepMonitor monitor(goal.scene.procedure, goal.scene.anatomy, goal.scene.frames);
     for (const auto& [time, depth] : {std::pair{1.0, -0.5}, {2.0, 0.5}, {3.0, 0.25}, {4.0, -0.5}, {5.0, -0.5}}) {

@@ -231,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(
                               &RecorderLosses::cuts}),
     [](const auto& one) { return std::string(one.param.table); });
 
-TEST(Recorder, EveryValueOfARowComesBackFromItsOwnColumn) {
+TEST(Recorder, StoresEachValueInItsOwnColumn) {
     // Given rows whose numbers are all different
     TickRow row;
     row.tick = 41;
@@ -301,7 +301,7 @@ TEST(Recorder, EveryValueOfARowComesBackFromItsOwnColumn) {
     EXPECT_EQ(ask(path, "SELECT id || '|' || detail FROM events"), "entry|first bone met");
 }
 
-TEST(Recorder, EveryEntryOfTheHeaderComesBackUnderItsOwnKey) {
+TEST(Recorder, StoresEachHeaderEntryUnderItsOwnKey) {
     SessionHeader full = header();
     full.procedure = "p1";
     full.procedure_version = "p2";

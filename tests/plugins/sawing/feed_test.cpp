@@ -218,7 +218,7 @@ Vec3 in_tool(const Feeding& saw, const Vec6& wrench) {
     return rotate(conjugate(saw.simulation.world_from_tool().rotation), linear(wrench));
 }
 
-TEST(SawThrust, AToothSetToOneSidePushesTheSawToTheOther) {
+TEST(SawThrust, UnpairedToothPushesAgainstItsSet) {
     // Given 17 teeth, of which the first and the last are set to +y
     const ToolSetup setup = test::saw({{"tooth_count", 17.0}});
     ASSERT_GT(sawing::teeth_of(sawing::blade_of(setup.tool_parameters), 0.0).tooth[0].side, 0.0);

@@ -151,7 +151,7 @@ Sides near_front(const Simulation& simulation) {
     return sides;
 }
 
-TEST(BladeInItsSlot, PushedAsideTheSideItIsPushedToAlonePushesBack) {
+TEST(BladeInItsSlot, OnlyTheSidePushedToPushesBack) {
     for (const double way : {1.0, -1.0}) {
         InItsSlot saw(0.25_mm);
         saw.switch_off();
@@ -165,7 +165,7 @@ TEST(BladeInItsSlot, PushedAsideTheSideItIsPushedToAlonePushesBack) {
     }
 }
 
-TEST(BladeInItsSlot, TurnedAboutItsLengthEachSidePushesBackWhereItMeetsTheWall) {
+TEST(BladeInItsSlot, EachEndMeetsItsWallWhenTwisted) {
     InItsSlot saw(0.25_mm);
     saw.switch_off();
     TickResult last;
