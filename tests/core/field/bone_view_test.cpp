@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 
 #include "tests/support/block.h"
 #include "tests/support/scalar_bone_query.h"
@@ -134,6 +135,66 @@ TEST(BoneView, NearestSeesTheHoleAsItIsNow) {
     hole.view.nearest(&inside, 1, &wall);
     EXPECT_NEAR(wall.distance, 0.1_mm, 0.02 * hole.h);
     EXPECT_LT(wall.normal.x, -0.98) << "outwards of the bone is towards the drill's axis";
+}
+
+/// A long drill that has swung about its tip within bone, and nobody has committed it.
+struct Swung {
+    static constexpr double length = 14.0_mm, widest = 1.5_mm, swing = 0.15;
+    Body body = test::block({-8.0_mm, -8.0_mm, -18.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.5_mm);
+    ToolSolid tool = test::drill_outline(widest, 59.0_deg, length);
+    CutField committed{body, 512};
+    CutTracker tracker{body, tool, committed};
+    BoneView view{body, committed, tracker};
+
+    static Pose pose(double tilt) {
+        return test::pointing({0, 0, -16.0_mm}, {std::sin(tilt), 0.3 * std::sin(tilt), -std::cos(tilt)});
+    }
+    Swung() {
+        tracker.restart(pose(-swing));
+        std::uint64_t tick = 0;
+        for (double tilt = -swing; tilt <= swing + 1e-9; tilt += 0.01) tracker.advance(pose(tilt), tick++);
+        view.place(pose(swing));
+    }
+};
+
+TEST(BoneView, NearestMatchesBruteForceForTurnedPendingPoses) {
+    const Swung swung;
+    ASSERT_GT(swung.tracker.pending_count(), 5u);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const double clamp = swung.body.grid().clamp();
+    int risen = 0;
+    for (int i = 0; i < 20000; ++i) {
+        // A point of the tool at some pose of its swing, as the tool of now sees it
+        const double angle = 2.0 * pi * unit(random), r = 1.1 * Swung::widest * unit(random);
+        const Vec3 on_tool{r * std::cos(angle), r * std::sin(angle), -Swung::length * unit(random)};
+        const Vec3 in_body = Swung::pose(Swung::swing * (2.0 * unit(random) - 1.0)) * on_tool;
+        const Vec3 in_tool = inverse(Swung::pose(Swung::swing)) * in_body;
+        const double exact = swung.view.present_distance(in_body);
+        if (exact >= clamp) continue;
+        kerf_surface_point at;
+        swung.view.nearest(&in_tool, 1, &at);
+        ASSERT_NEAR(at.distance, exact, 1.0_um /* single precision, and the grid's own steps */) << i;
+        risen += swung.tracker.depth_in_pending(in_body) > swung.committed.at(locate(swung.body, in_body));
+    }
+    EXPECT_GT(risen, 1000) << "pending poses were seen";
+}
+
+TEST(BoneView, SpreadBoundsTheMotionOfEachPoint) {
+    const Swung swung;
+    const CutTracker::Spread& spread = swung.tracker.spread();
+    const Frame newest = swung.tracker.solid_from_tool(swung.tracker.solid_count() - 1, Swung::pose(0.0));
+    double tightest = 1e300;
+    for (std::size_t i = 0; i + 1 < swung.tracker.solid_count(); ++i)
+        for (const Vec3 p : {Vec3{0, 0, -14.0_mm}, {3.0_mm, 0, -7.0_mm}, {0, 3.0_mm, -7.0_mm}, {}}) {
+            // From where a point of the newest solid is to where it is in another
+            const Frame other = swung.tracker.solid_from_tool(i, Swung::pose(0.0));
+            const Vec3 moved = other * p - newest * p;
+            const double way = length(moved), origin = std::max(length(spread.low), length(spread.high));
+            EXPECT_LE(way, origin + spread.turn * length(newest * p) + 1e-9);
+            if (i == 0 && p.z == -14.0_mm) tightest = origin + spread.turn * length(newest * p) - way;
+        }
+    EXPECT_LT(tightest, 0.1_mm) << "and by no more than needs be: the oldest has turned farthest";
 }
 
 /// Angle between two unit vectors [rad], small.

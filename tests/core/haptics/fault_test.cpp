@@ -119,6 +119,27 @@ TEST(Fault, TwoMissedTicksAreHeldAndThreeFadeTheForce) {
     }
 }
 
+// What the fading force gave a hand that went with it is not taken back from a hand that is not to blame.
+TEST(Fault, RestartsTheBalanceWhenAnchoredAgain) {
+    // Given missed ticks, and a hand that goes out with the force while that fades
+    Pressed rig;
+    double depth = 1.0_mm;
+    (void)rig.simulation.tick({test::at_depth(depth), 100});
+    rig.simulation.after_tick();
+    const auto go_out = [&] { return rig.tick(test::at_depth(depth -= 1.0_mm)); };
+    while (go_out().is_barred) {
+    }
+
+    // Then the balance begins at nothing, though more than is tolerated was given
+    EXPECT_LT(rig.simulation.passivity().least_energy(), -PassivityGuard::tolerance);
+    EXPECT_EQ(rig.simulation.passivity().energy(), 0.0);
+
+    // And a hand that goes on in air feels no damper
+    const std::uint64_t corrections = rig.simulation.passivity().corrections();
+    for (int i = 0; i < 20; ++i) EXPECT_LT(felt(go_out()), 0.1) << i;
+    EXPECT_EQ(rig.simulation.passivity().corrections(), corrections);
+}
+
 TEST(Fault, ARotationThatIsNoneIsNoPose) {
     Pressed rig;
     EXPECT_TRUE(rig.tick({{0, 0, -1.0_mm}, {0, 0, 0, 0}}).is_barred);

@@ -191,6 +191,25 @@ TEST(CtBody, KeepsTheLargestPieceOrTheOneAtALandmark) {
     }
 }
 
+TEST(CtBody, VoxelsOfExactlyTheThresholdAreBone) {
+    // Given two balls that a row of single voxels joins, which have the value of the threshold or just less
+    const auto joined_by = [](double value) {
+        const VoxelImage balls = two_balls();
+        const VoxelImage image = image_of([&](Vec3 p) {
+            const double ball = balls.sample_trilinear(p, 0.0);
+            const bool is_between = std::abs(p.y) < 0.1_mm && std::abs(p.z) < 0.1_mm && std::abs(p.x) < 9.0_mm;
+            return is_between ? std::max(ball, value) : ball;
+        });
+        Diagnostics diagnostics;
+        const auto bone = make_ct_bone(anatomy(), image, nullptr, diagnostics);
+        EXPECT_TRUE(bone) << to_text(diagnostics);
+        return bone && bone->distance.sample_trilinear({9.0_mm, 0.0, 0.0}, 1.0) < 0.0;
+    };
+    constexpr double threshold = bright / 2.0;
+    EXPECT_TRUE(joined_by(threshold));
+    EXPECT_FALSE(joined_by(threshold - 1e-3)) << "the smaller ball is another piece";
+}
+
 TEST(CtBody, DoubtsValuesThatAreNoHounsfieldUnits) {
     Anatomy one = anatomy();
     one.ct->intensity = CtSource::Intensity::hounsfield;

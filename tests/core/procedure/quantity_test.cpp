@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <initializer_list>
 #include <locale>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -61,6 +64,151 @@ TEST(Quantity, AcceptsTheUsualWaysToWriteAPower) {
 TEST(Quantity, RevolutionsPerMinuteAreRevolutionsPerSecond) {
     EXPECT_EQ(value("60 rpm", need(dimension::frequency, "Hz")), 1.0);
     EXPECT_EQ(value("60 1/min", need(dimension::frequency, "Hz")), 1.0);
+}
+
+/// The exponents of length, mass, time and angle, as SI writes them.
+kerf_dimension product(std::initializer_list<std::pair<kerf_dimension, int>> factors) {
+    kerf_dimension all{};
+    for (const auto& [dimension, power] : factors)
+        for (int i = 0; i < 8; ++i)
+            all.exponent[i] = static_cast<std::int8_t>(all.exponent[i] + power * dimension.exponent[i]);
+    return all;
+}
+
+TEST(Unit, ASlashDividesByTheNextFactorAlone) {
+    const auto unit = parse_unit("N/m*s"), other = parse_unit("N*s/m"), divided = parse_unit("N/m/s");
+    ASSERT_TRUE(unit && other && divided);
+    EXPECT_TRUE(unit->dimension == product({{dimension::force, 1}, {dimension::length, -1}, {dimension::time, 1}}));
+    EXPECT_TRUE(unit->dimension == other->dimension);
+    EXPECT_TRUE(divided->dimension == product({{dimension::force, 1}, {dimension::length, -1}, {dimension::time, -1}}));
+}
+
+TEST(Unit, FactorsOfAProductAndAQuotientMultiply) {
+    EXPECT_DOUBLE_EQ(parse_unit("N/mm*ms")->factor, 1.0) << "1000 N/m of 1 ms";
+    EXPECT_DOUBLE_EQ(parse_unit("mN mm")->factor, 1e-6);
+    EXPECT_DOUBLE_EQ(parse_unit("kN/mm2")->factor, 1e9);
+    EXPECT_DOUBLE_EQ(parse_unit("1/ms^2")->factor, 1e6);
+    EXPECT_DOUBLE_EQ(parse_unit("min/mm/s")->factor, 60e3);
+    EXPECT_DOUBLE_EQ(parse_unit("mm^4")->factor, 1e-12);
+    EXPECT_DOUBLE_EQ(parse_unit("%/s")->factor, 0.01);
+}
+
+TEST(Unit, HasTheFactorAndTheDimensionOfItsName) {
+    const struct {
+        const char* name;
+        double factor;
+        kerf_dimension dimension;
+    } units[] = {{"1", 1.0, dimension::none},
+                 {"%", 0.01, dimension::none},
+                 {"m", 1.0, dimension::length},
+                 {"cm", 0.01, dimension::length},
+                 {"mm", 1e-3, dimension::length},
+                 {"um", 1e-6, dimension::length},
+                 {"µm", 1e-6, dimension::length},
+                 {"rad", 1.0, dimension::angle},
+                 {"deg", pi / 180, dimension::angle},
+                 {"s", 1.0, dimension::time},
+                 {"ms", 1e-3, dimension::time},
+                 {"us", 1e-6, dimension::time},
+                 {"µs", 1e-6, dimension::time},
+                 {"min", 60.0, dimension::time},
+                 {"Hz", 1.0, dimension::frequency},
+                 {"kHz", 1e3, dimension::frequency},
+                 {"rpm", 1.0 / 60, dimension::frequency},
+                 {"kg", 1.0, dimension::mass},
+                 {"g", 1e-3, dimension::mass},
+                 {"mg", 1e-6, dimension::mass},
+                 {"N", 1.0, dimension::force},
+                 {"mN", 1e-3, dimension::force},
+                 {"kN", 1e3, dimension::force},
+                 {"Nm", 1.0, dimension::torque},
+                 {"Nmm", 1e-3, dimension::torque},
+                 {"J", 1.0, dimension::torque},
+                 {"mJ", 1e-3, dimension::torque},
+                 {"Pa", 1.0, dimension::pressure},
+                 {"kPa", 1e3, dimension::pressure},
+                 {"MPa", 1e6, dimension::pressure},
+                 {"GPa", 1e9, dimension::pressure},
+                 {"ml", 1e-6, dimension::volume}};
+    for (const auto& [name, factor, dimension] : units) {
+        const auto unit = parse_unit(name);
+        ASSERT_TRUE(unit) << name;
+        EXPECT_DOUBLE_EQ(unit->factor, factor) << name;
+        EXPECT_TRUE(unit->dimension == dimension) << name;
+    }
+}
+
+TEST(Unit, HasPowersFromTwoToFourAndNoOthers) {
+    for (const char* text : {"mm2", "mm^2", "mm²"}) EXPECT_DOUBLE_EQ(parse_unit(text)->factor, 1e-6) << text;
+    for (const char* text : {"mm3", "mm^3", "mm³"}) EXPECT_DOUBLE_EQ(parse_unit(text)->factor, 1e-9) << text;
+    for (const char* text : {"mm1", "mm5", "mm^1", "mm^", "2", "mm22", "", " ", "mm*", "*mm"})
+        EXPECT_FALSE(parse_unit(text)) << text;
+}
+
+TEST(Unit, HasAtMostSixFactors) {
+    EXPECT_TRUE(parse_unit("m m m m m m"));
+    EXPECT_FALSE(parse_unit("m m m m m m m"));
+}
+
+TEST(Quantity, AllowsEachEndOfItsRangeAndNoMore) {
+    const QuantityNeed between{dimension::none, "", -2.0, 5.0};
+    for (const char* text : {"-2", "5", "-1.9", "4.9"}) EXPECT_TRUE(parse_quantity(text, "it", between).value) << text;
+    for (const char* text : {"-2.000001", "5.000001", "-3", "6"})
+        EXPECT_EQ(problem(text, between).code, Code::out_of_range) << text;
+    const Parsed<Vec3> inside = parse_vector("-2 5 0", "it", between);
+    EXPECT_TRUE(inside.value);
+    for (const char* text : {"-2.1 0 0", "0 5.1 0", "0 0 6"})
+        EXPECT_EQ(parse_vector(text, "it", between).problem.code, Code::out_of_range) << text;
+}
+
+TEST(Quantity, SuggestsTheLikelySlipWhenOutOfRange) {
+    const QuantityNeed between{dimension::none, "", 10.0, 40.0};
+    EXPECT_EQ(problem("-20", between).write, "20") << "the sign";
+    EXPECT_EQ(problem("200", between).write, "20") << "ten times too much";
+    EXPECT_EQ(problem("400", between).write, "40");
+    EXPECT_EQ(problem("80", between).write, "40") << "twice too much is no slip of the point";
+    EXPECT_EQ(problem("81", between).write, "40") << "a tenth of it would be too little";
+    EXPECT_EQ(problem("500", between).write, "40");
+    EXPECT_EQ(problem("2", between).write, "20") << "ten times too little";
+    EXPECT_EQ(problem("1", between).write, "10");
+    EXPECT_EQ(problem("5", between).write, "10") << "half is no slip of the point";
+    EXPECT_EQ(problem("0.5", between).write, "10");
+    EXPECT_EQ(problem("0", between).write, "10");
+}
+
+TEST(Quantity, APlainNumberMayHaveAFractionAndPercent) {
+    EXPECT_EQ(value("-3/4", any_number), -0.75);
+    EXPECT_EQ(value("50 %", any_number), 0.5);
+    EXPECT_EQ(value("1/2 %", any_number), 0.005);
+    EXPECT_EQ(value(" 7 ", any_number), 7.0);
+    for (const char* text : {"1/", "1/x", "/2", "1//2"}) EXPECT_EQ(problem(text, any_number).code, Code::not_a_number);
+    EXPECT_EQ(problem("1/2 mm", any_length).code, Code::unknown_unit) << "no fraction of a length";
+}
+
+TEST(Quantity, CutsALongTextThatItQuotes) {
+    const std::string forty(40, 'x'), more(41, 'x');
+    EXPECT_TRUE(problem(forty, any_length).message.starts_with("it is `" + forty + "`, "));
+    EXPECT_FALSE(problem(more, any_length).message.starts_with("it is `" + more + "`, "));
+}
+
+TEST(QuantityPattern, TakesWhatIsReadAndRefusesWhatIsNot) {
+    const std::regex length(quantity_pattern(any_length)), number(quantity_pattern(any_number)),
+        vector(vector_pattern(any_length)), direction(vector_pattern(any_number)),
+        volume(quantity_pattern(need(dimension::volume, "ml")));
+    for (const char* text : {"3.2 mm", "-3 mm", ".5 m", "3. cm", "1e-3 um", " 3 mm ", "3 mm^2/mm"})
+        EXPECT_TRUE(std::regex_match(text, length)) << text;
+    for (const char* text : {"3.2", "mm", "3 s", "3,2 mm", "3 mm2", "1/2 mm", "--3 mm"})
+        EXPECT_FALSE(std::regex_match(text, length)) << text;
+    for (const char* text : {"3.2", "1/50", "50 %", "-1 / 3"}) EXPECT_TRUE(std::regex_match(text, number)) << text;
+    for (const char* text : {"3 mm", "x", "1/", "3 %2"}) EXPECT_FALSE(std::regex_match(text, number)) << text;
+    for (const char* text : {"1 2 3 mm", "-1 .5 3e2 cm"}) EXPECT_TRUE(std::regex_match(text, vector)) << text;
+    for (const char* text : {"1 2 mm", "1 2 3", "1 2 3 4 mm", "1 2 3 s"})
+        EXPECT_FALSE(std::regex_match(text, vector)) << text;
+    EXPECT_TRUE(std::regex_match("0 0 1", direction));
+    EXPECT_FALSE(std::regex_match("0 0 1 mm", direction));
+    for (const char* text : {"3 ml", "3 mm3", "3 mm^3", "3 mm³", "3 m cm2"})
+        EXPECT_TRUE(std::regex_match(text, volume)) << text;
+    for (const char* text : {"3 mm", "3 mm2", "3 ml2"}) EXPECT_FALSE(std::regex_match(text, volume)) << text;
 }
 
 TEST(Quantity, APlainNumberMayBeAFraction) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kerf/units.hpp"
@@ -217,6 +219,243 @@ TEST(StepMonitor, ALimitOnDepthIsBrokenByGoingDeeper) {
     run.show(12.5_mm);
     EXPECT_TRUE(run.monitor.steps()[0].limits[1].broken_at);
     EXPECT_NEAR(run.monitor.steps()[0].limits[1].worst, 12.5_mm, 1e-12);
+}
+
+// ---- values exactly at a bound -----------------------------------------------------------------------------------
+
+/// A step with one limit and no goal, shown at a depth of its own.
+struct OneLimit {
+    Case scene;
+    explicit OneLimit(const Limit& limit) {
+        scene.procedure.steps[0].goals = {{"depth", {1.0, {}}, {}}};  // never reached
+        scene.procedure.steps[0].limits = {limit};
+    }
+    LimitState after(const std::vector<Observation>& shown) const {
+        StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+        for (const Observation& one : shown) monitor.observe(one, scene.drill);
+        return monitor.steps()[0].limits[0];
+    }
+};
+
+Observation cutting_at(double depth, double thrust = 0.0, double aside = 0.0) {
+    return {.time = 0.25,
+            .world_from_tool = {{aside, 0, depth}, {1, 0, 0, 0}},
+            .is_running = true,
+            .is_resisted = true,
+            .thrust = thrust};
+}
+
+// Numbers that a double holds exactly
+TEST(StepMonitor, AtItsUpperBoundALimitHolds) {
+    const OneLimit depth({"depth", "", {{}, 0.25}, "", {}}), thrust({"thrust", "", {{}, 60.0}, "", {}});
+    EXPECT_FALSE(depth.after({cutting_at(0.25)}).broken_at);
+    EXPECT_TRUE(depth.after({cutting_at(std::nextafter(0.25, 1.0))}).broken_at);
+    EXPECT_FALSE(thrust.after({cutting_at(0.0, 60.0)}).broken_at);
+    EXPECT_TRUE(thrust.after({cutting_at(0.0, std::nextafter(60.0, 61.0))}).broken_at);
+}
+
+TEST(StepMonitor, AtItsLowerBoundALimitHolds) {
+    const OneLimit depth({"depth", "", {0.25, {}}, "", {}}), thrust({"thrust", "", {60.0, {}}, "", {}});
+    EXPECT_FALSE(depth.after({cutting_at(0.25)}).broken_at);
+    EXPECT_TRUE(depth.after({cutting_at(std::nextafter(0.25, 0.0))}).broken_at);
+    EXPECT_FALSE(thrust.after({cutting_at(0.0, 60.0)}).broken_at);
+    EXPECT_TRUE(thrust.after({cutting_at(0.0, std::nextafter(60.0, 59.0))}).broken_at);
+}
+
+TEST(StepMonitor, AClearanceOfExactlyItsLowerBoundHolds) {
+    // The zone's nearest point stands 2.5 mm from the axis; the drill's wall 1.5 mm
+    const auto clearance_of = [](double aside) {
+        return OneLimit({"clearance", "nerve", {0.0, {}}, "", {}}).after({cutting_at(5.0_mm, 0.0, aside)});
+    };
+    const double nearest = clearance_of(0.0).worst;
+    ASSERT_GT(nearest, 0.0);
+    const OneLimit at({"clearance", "nerve", {nearest, {}}, "", {}}),
+        above({"clearance", "nerve", {std::nextafter(nearest, 1.0), {}}, "", {}});
+    EXPECT_FALSE(at.after({cutting_at(5.0_mm)}).broken_at);
+    EXPECT_TRUE(above.after({cutting_at(5.0_mm)}).broken_at);
+}
+
+TEST(StepMonitor, AWallExactlyAtItsBoundHolds) {
+    const CutWall wall{.angle = 0.125, .offset = -0.25, .flatness = 0.5, .points = 100};
+    const auto broken = [&](const char* quantity, const Bound& bound) {
+        Case scene;
+        scene.procedure.steps[0].limits = {{quantity, "", bound, "", {}}};
+        StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+        monitor.judge_cut(0, wall, 0.0, 1.0);
+        return monitor.steps()[0].limits[0].broken_at.has_value();
+    };
+    const auto below = [](double v) { return std::nextafter(v, -1.0); };
+    for (const auto& [quantity, value] :
+         {std::pair{"plane_angle", 0.125}, {"plane_offset", -0.25}, {"flatness", 0.5}}) {
+        EXPECT_FALSE(broken(quantity, {{}, value})) << quantity;
+        EXPECT_TRUE(broken(quantity, {{}, below(value)})) << quantity;
+        EXPECT_FALSE(broken(quantity, {value, {}})) << quantity;
+        EXPECT_TRUE(broken(quantity, {std::nextafter(value, 1.0), {}})) << quantity;
+        EXPECT_FALSE(broken(quantity, {value, value})) << quantity;
+    }
+}
+
+TEST(StepMonitor, WithoutAWallNothingIsJudged) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"flatness", "", {{}, -1.0}, "", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    monitor.judge_cut(0, std::nullopt, 3e-9, 1.0);
+    EXPECT_FALSE(monitor.steps()[0].limits[0].is_seen);
+    EXPECT_FALSE(monitor.steps()[0].wall);
+    EXPECT_EQ(monitor.steps()[0].removed, 3e-9);
+}
+
+TEST(StepMonitor, KeepsTheWorstOfEachSide) {
+    const OneLimit upper({"thrust", "", {{}, 60.0}, "", {}}), lower({"thrust", "", {60.0, {}}, "", {}});
+    const std::vector<Observation> shown{cutting_at(0.0, 50.0), cutting_at(0.0, 70.0), cutting_at(0.0, 65.0),
+                                         cutting_at(0.0, 40.0), cutting_at(0.0, 45.0)};
+    EXPECT_EQ(upper.after(shown).worst, 70.0);
+    EXPECT_EQ(lower.after(shown).worst, 40.0);
+    EXPECT_EQ(upper.after({cutting_at(0.0, -5.0)}).worst, -5.0) << "the first value, whatever it is";
+    EXPECT_EQ(lower.after({cutting_at(0.0, 99.0)}).worst, 99.0);
+}
+
+TEST(StepMonitor, ALimitIsBrokenOnceAtItsFirstTime) {
+    OneLimit limit({"thrust", "", {{}, 60.0}, "", {}});
+    StepMonitor monitor(limit.scene.procedure, limit.scene.anatomy, limit.scene.frames);
+    std::size_t told = 0;
+    for (const auto& [time, thrust] : {std::pair{1.0, 50.0}, {2.0, 61.0}, {3.0, 50.0}, {4.0, 62.0}}) {
+        Observation now = cutting_at(0.0, thrust);
+        now.time = time;
+        monitor.observe(now, limit.scene.drill);
+        for (const auto& [id, detail] : monitor.news()) told += id == "limit_broken";
+    }
+    EXPECT_EQ(monitor.steps()[0].limits[0].broken_at, 2.0);
+    EXPECT_EQ(told, 1u);
+}
+
+// ---- goals -------------------------------------------------------------------------------------------------------
+
+struct OneGoal {
+    Case scene;
+    explicit OneGoal(const Goal& goal) {
+        scene.procedure.steps[0].goals = {goal};
+        scene.procedure.steps[0].limits = {};
+    }
+    bool is_reached_after(const std::vector<Observation>& shown, std::size_t owner = 0) const {
+        StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+        monitor.belong({.zone = {0}, .step = {owner, owner}});
+        for (const Observation& one : shown) monitor.observe(one, scene.drill);
+        return monitor.steps()[0].goal_done[0];
+    }
+};
+
+TEST(StepMonitor, ReachesADepthGoalAtEitherBound) {
+    const OneGoal goal({"depth", {0.25, 0.5}, {}});
+    EXPECT_FALSE(goal.is_reached_after({cutting_at(std::nextafter(0.25, 0.0))}));
+    EXPECT_TRUE(goal.is_reached_after({cutting_at(0.25)}));
+    EXPECT_TRUE(goal.is_reached_after({cutting_at(0.5)}));
+    EXPECT_FALSE(goal.is_reached_after({cutting_at(std::nextafter(0.5, 1.0))}));
+}
+
+TEST(StepMonitor, ADepthGoalWithoutABoundNeedsBone) {
+    const OneGoal goal({"depth", {}, {}});
+    Observation in_air = cutting_at(5.0_mm);
+    in_air.is_resisted = false;
+    EXPECT_FALSE(goal.is_reached_after({in_air}));
+    EXPECT_TRUE(goal.is_reached_after({cutting_at(5.0_mm)}));
+    EXPECT_TRUE(goal.is_reached_after({cutting_at(0.0)})) << "bone at the entry itself";
+}
+
+TEST(StepMonitor, AGoalOfMovingIsReachedAtItsLeastWay) {
+    const OneGoal goal({"moved", {0.25, {}}, {}});
+    const auto after = [&](double way) {
+        const std::vector<Pose> bodies{{{way, 0, 0}, {1, 0, 0, 0}}};
+        Observation now = cutting_at(5.0_mm);
+        now.world_from_body = bodies;
+        return goal.is_reached_after({now});
+    };
+    EXPECT_FALSE(after(std::nextafter(0.25, 0.0)));
+    EXPECT_TRUE(after(0.25));
+    EXPECT_TRUE(after(-0.25)) << "whichever way";
+}
+
+TEST(StepMonitor, MovedIsTheFarthestAndNotTheLast) {
+    const OneGoal goal({"moved", {0.25, {}}, {}});
+    StepMonitor monitor(goal.scene.procedure, goal.scene.anatomy, goal.scene.frames);
+    for (const double way : {0.125, 0.0625}) {
+        const Pose body{{0, way, 0}, {1, 0, 0, 0}};
+        Observation now = cutting_at(5.0_mm);
+        now.world_from_body = {&body, 1};
+        monitor.observe(now, goal.scene.drill);
+    }
+    EXPECT_EQ(monitor.steps()[0].moved, 0.125);
+}
+
+TEST(StepMonitor, HeldIsTheBodyOfTheStepAndNoOther) {
+    const OneGoal goal({"held", {}, {}});
+    const Pose bodies[2]{identity_pose(), identity_pose()};
+    Observation now = cutting_at(5.0_mm);
+    now.world_from_body = bodies;
+    for (const int held : {-1, 0, 1}) {
+        now.held = held;
+        EXPECT_EQ(goal.is_reached_after({now}, 0), held == 0) << held;
+        EXPECT_EQ(goal.is_reached_after({now}, 1), held == 1) << held;
+    }
+}
+
+TEST(StepMonitor, AStepEndsOnlyOutsideWithNothingHeld) {
+    const auto is_done_after = [](double depth, int held) {
+        OneGoal goal({"entry", {}, {}});
+        StepMonitor monitor(goal.scene.procedure, goal.scene.anatomy, goal.scene.frames);
+        monitor.observe(cutting_at(0.5), goal.scene.drill);
+        Observation out = cutting_at(depth);
+        out.held = held;
+        monitor.observe(out, goal.scene.drill);
+        return monitor.current() == 1;
+    };
+    EXPECT_TRUE(is_done_after(std::nextafter(0.0, -1.0), -1));
+    EXPECT_FALSE(is_done_after(0.0, -1)) << "at the entry it is not outside";
+    EXPECT_FALSE(is_done_after(-1.0, 0)) << "something is held";
+}
+
+TEST(StepMonitor, AfterItsLastStepItSeesNothing) {
+    Case scene;
+    for (Step& step : scene.procedure.steps) step.goals = {{"entry", {}, {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    for (int i = 0; i < 2; ++i) {
+        monitor.observe(cutting_at(0.5_mm), scene.drill);
+        monitor.observe(cutting_at(-0.5_mm), scene.drill);
+    }
+    ASSERT_EQ(monitor.current(), 2u);
+    monitor.observe(cutting_at(50.0_mm), scene.drill);
+    EXPECT_TRUE(monitor.news().empty());
+    EXPECT_LT(monitor.steps()[1].deepest, 1.0_mm);
+}
+
+TEST(StepMonitor, TakesStepTimesFromFirstAndLastTick) {
+    OneGoal goal({"entry", {}, {}});
+    StepMonitor monitor(goal.scene.procedure, goal.scene.anatomy, goal.scene.frames);
+    for (const auto& [time, depth] : {std::pair{1.0, -0.5}, {2.0, 0.5}, {3.0, 0.25}, {4.0, -0.5}, {5.0, -0.5}}) {
+        Observation now = cutting_at(depth);
+        now.time = time;
+        now.is_resisted = depth > 0.0;
+        monitor.observe(now, goal.scene.drill);
+    }
+    EXPECT_EQ(monitor.steps()[0].start, 1.0);
+    EXPECT_EQ(monitor.steps()[0].end, 4.0);
+    EXPECT_EQ(monitor.steps()[1].start, 5.0);
+    EXPECT_EQ(monitor.steps()[0].deepest, 0.5) << "the deepest, not the last";
+}
+
+TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
+    // Given a cone of 45 degrees to 4 mm, and a cube of 2 mm beside each of its parts
+    const ToolSolid cone({{0.0, 0.0}, {-4.0_mm, 4.0_mm}, {-8.0_mm, 4.0_mm}});
+    const auto to = [&](Vec3 at) {
+        return clearance(cone, identity_pose(), {"cube", {BoxSolid{at, {2.0_mm, 2.0_mm, 2.0_mm}}}});
+    };
+    EXPECT_NEAR(to({0, 0, 3.0_mm}), 2.0_mm, 1e-9) << "ahead of the tip";
+    EXPECT_NEAR(to({7.0_mm, 0, -6.0_mm}), 2.0_mm, 1e-9) << "beside the wall, where a ring is";
+    EXPECT_NEAR(to({7.0_mm, 0, -8.0_mm}), 2.0_mm, 1e-9) << "beside the end";
+    EXPECT_NEAR(to({4.0_mm, 0, 0.0_mm}), std::sqrt(2.0) * 1.0_mm, 1e-9) << "beside the middle of the cone";
+    EXPECT_NEAR(to({4.5_mm, 0, -6.0_mm}), -0.5_mm, 1e-9) << "it is inside";
+    const Pose moved{{0, 0, 3.0_mm}, {1, 0, 0, 0}};
+    EXPECT_NEAR(clearance(cone, moved, {"cube", {BoxSolid{{0, 0, 8.0_mm}, {2.0_mm, 2.0_mm, 2.0_mm}}}}), 4.0_mm, 1e-9);
 }
 
 }  // namespace

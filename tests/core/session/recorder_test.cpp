@@ -18,11 +18,14 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/session/content_hash.h"
 #include "core/session/drawn_run.h"
@@ -198,6 +201,161 @@ TEST(Recorder, ATickThatFoundNoRoomIsCountedAndTheSessionIsIncomplete) {
     EXPECT_EQ(ask(path, "SELECT count(*) FROM ticks"), std::to_string(pushed - lost));
     EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='lost_ticks'"), std::to_string(lost));
     EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "incomplete");
+}
+
+struct QueueCase {
+    const char* table;
+    std::function<void(Recorder&, std::uint64_t)> push;
+    std::uint64_t RecorderLosses::*lost;
+};
+
+void PrintTo(const QueueCase& one, std::ostream* out) { *out << one.table; }
+
+class RecorderQueue : public testing::TestWithParam<QueueCase> {};
+
+TEST_P(RecorderQueue, OverrunAloneIsCountedAsItsOwnAlone) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+    constexpr std::uint64_t pushed = 100'000;
+    for (std::uint64_t i = 0; i < pushed; ++i) GetParam().push(*recorder, i);
+    const RecorderLosses losses = recorder->losses();
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+
+    ASSERT_GT(losses.*GetParam().lost, 0u);
+    EXPECT_EQ(losses.ticks + losses.events + losses.cuts, losses.*GetParam().lost) << "no other is lost";
+    EXPECT_TRUE(losses.any());
+    for (const char* table : {"ticks", "events", "cuts"}) {
+        const bool is_this = table == std::string(GetParam().table);
+        const std::uint64_t lost = is_this ? losses.*GetParam().lost : 0;
+        EXPECT_EQ(ask(path, std::string("SELECT value FROM session WHERE key='lost_") + table + "'"),
+                  std::to_string(lost));
+        EXPECT_EQ(ask(path, std::string("SELECT count(*) FROM ") + table), std::to_string(is_this ? pushed - lost : 0));
+    }
+    EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='state'"), "incomplete");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, RecorderQueue,
+    testing::Values(QueueCase{"ticks", [](Recorder& r, std::uint64_t i) { r.push(numbered_tick(i)); },
+                              &RecorderLosses::ticks},
+                    QueueCase{"events",
+                              [](Recorder& r, std::uint64_t i) {
+                                  r.push_event({i, 0.0, "entry", ""});
+                              },
+                              &RecorderLosses::events},
+                    QueueCase{"cuts", [](Recorder& r, std::uint64_t i) { r.push_cut({.sequence = i, .tick = i}); },
+                              &RecorderLosses::cuts}),
+    [](const auto& one) { return std::string(one.param.table); });
+
+TEST(Recorder, StoresEachValueInItsOwnColumn) {
+    // Given rows whose numbers are all different
+    TickRow row;
+    row.tick = 41;
+    row.time = 42;
+    row.step = 43;
+    row.device_from_handle = {{1, 2, 3}, {4, 5, 6, 7}};
+    row.world_from_tool = {{8, 9, 10}, {11, 12, 13, 14}};
+    row.modelled = {15, 16, 17, 18, 19, 20};
+    row.coupled = {21, 22, 23, 24, 25, 26};
+    row.limited = {27, 28, 29, 30, 31, 32};
+    row.commanded = {33, 34, 35, 36, 37, 38};
+    row.thrust = 44;
+    row.torque = 45;
+    row.depth = 46;
+    row.feed_rate = 47;
+    row.tissue = 48;
+    row.iterations = 49;
+    row.power_hand = 50;
+    row.power_drive = 51;
+    row.removed = 52;
+    row.signals[0] = 53;
+    const CutRow cut{61, 62, 63, 64, {{65, 66, 67}, {68, 69, 70, 71}}, {{72, 73, 74}, {75, 76, 77, 78}}};
+    const EventRow event{81, 82.5, "entry", "first bone met"};
+
+    // When they are recorded
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    auto recorder = new_recorder(path);
+    recorder->push(row);
+    recorder->push_cut(cut);
+    recorder->push_event(event);
+    ASSERT_EQ(recorder->finish(test::synthetic_summary()), "");
+
+    // Then each is in the column of its name
+    const auto expect_columns = [&](const std::string& table,
+                                    const std::vector<std::pair<std::string, double>>& columns) {
+        for (const auto& [name, value] : columns)
+            EXPECT_EQ(std::atof(ask(path, "SELECT " + name + " FROM " + table).c_str()), value) << table << "." << name;
+    };
+    const std::string pose[] = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+    const std::string wrench[] = {"fx", "fy", "fz", "mx", "my", "mz"};
+    std::vector<std::pair<std::string, double>> ticks{{"tick", 41},
+                                                      {"time", 42},
+                                                      {"step", 43},
+                                                      {"thrust", 44},
+                                                      {"torque", 45},
+                                                      {"depth", 46},
+                                                      {"feed_rate", 47},
+                                                      {"tissue", 48},
+                                                      {"iterations", 49},
+                                                      {"power_hand", 50},
+                                                      {"power_drive", 51},
+                                                      {"removed", 52},
+                                                      {"signal_chip_thickness", 53}};
+    double next = 1;
+    for (const char* of : {"device_from_handle_", "world_from_tool_"})
+        for (const auto& part : pose) ticks.emplace_back(of + part, next++);
+    for (const char* of : {"modelled_", "coupled_", "limited_", "commanded_"})
+        for (const auto& part : wrench) ticks.emplace_back(of + part, next++);
+    expect_columns("ticks", ticks);
+    std::vector<std::pair<std::string, double>> cuts{{"sequence", 61}, {"tick", 62}, {"body", 63}, {"solid", 64}};
+    next = 65;
+    for (const char* of : {"from_", "to_"})
+        for (const auto& part : pose) cuts.emplace_back(of + part, next++);
+    expect_columns("cuts", cuts);
+    expect_columns("events", {{"tick", 81}, {"time", 82.5}});
+    EXPECT_EQ(ask(path, "SELECT id || '|' || detail FROM events"), "entry|first bone met");
+}
+
+TEST(Recorder, StoresEachHeaderEntryUnderItsOwnKey) {
+    SessionHeader full = header();
+    full.procedure = "p1";
+    full.procedure_version = "p2";
+    full.anatomy = "p3";
+    full.rehearsal = "p4";
+    full.hand = "p5";
+    full.envelope = {"e1", "e2", "e3", "exam", "e5", "e6", "e7"};
+    full.conditions = {
+        .device = "c1", .force_scale = 0.25, .assist = "c3", .coupling_stiffness = 700.5, .variant = "c5"};
+    const TemporaryFolder folder;
+    const std::string path = folder / "session.db";
+    Recorder::create(path, full).recorder.reset();
+
+    for (const auto& [key, value] : std::map<std::string, std::string>{{"run.procedure", "p1"},
+                                                                       {"run.procedure_version", "p2"},
+                                                                       {"run.anatomy", "p3"},
+                                                                       {"run.rehearsal", "p4"},
+                                                                       {"run.hand", "p5"},
+                                                                       {"version.kerf", "0.1.0"},
+                                                                       {"condition.device", "c1"},
+                                                                       {"condition.force_scale", "0.25"},
+                                                                       {"condition.assist", "c3"},
+                                                                       {"condition.coupling_stiffness", "700.5"},
+                                                                       {"condition.variant", "c5"}})
+        EXPECT_EQ(ask(path, "SELECT value FROM session WHERE key='" + key + "'"), value) << key;
+    for (const auto& [key, value] : std::map<std::string, std::string>{{"uuid", "e1"},
+                                                                       {"learner", "e2"},
+                                                                       {"cohort", "e3"},
+                                                                       {"mode", "exam"},
+                                                                       {"station", "e5"},
+                                                                       {"start", "e6"},
+                                                                       {"consent", "e7"}})
+        EXPECT_EQ(ask(path, "SELECT value FROM envelope WHERE key='" + key + "'"), value) << key;
+    EXPECT_EQ(ask(path, "SELECT group_concat(position || id) FROM tissues"), "0cortical,1cancellous");
+    EXPECT_EQ(ask(path, "SELECT position || id || '|' || column_name || '|' || display_unit || '|' || per_unit || '|' "
+                        "|| help FROM signals"),
+              "0chip.thickness|signal_chip_thickness|um|1.0e-06|uncut chip");
 }
 
 TEST(Recorder, ASessionGivenUpIsIncompleteButWhole) {

@@ -218,6 +218,43 @@ TEST(SawThrust, HasASidewaysPartOfTheUnpairedToothOnly) {
     }
 }
 
+Vec3 in_tool(const Feeding& saw, const Vec6& wrench) {
+    return rotate(conjugate(saw.simulation.world_from_tool().rotation), linear(wrench));
+}
+
+TEST(SawThrust, UnpairedToothPushesAgainstItsSet) {
+    // Given 17 teeth, of which the first and the last are set to +y
+    const ToolSetup setup = test::saw({{"tooth_count", 17.0}});
+    ASSERT_GT(sawing::teeth_of(sawing::blade_of(setup.tool_parameters), 0.0).tooth[0].side, 0.0);
+    Feeding saw(wide_block(), setup);
+    saw.to(5.0_mm);
+    const Felt felt = saw.mean(rate, 100);
+    EXPECT_NEAR(in_tool(saw, felt.wrench).y, -0.1 * felt.thrust / 17.0, 0.03 * 0.1 * felt.thrust / 17.0);
+}
+
+TEST(SawThrust, BoneUnderOneEndPushesThatEndBack) {
+    // Given bone under the two last teeth alone, and then under the two first: they are set to either side, 1 mm apart
+    const ToolSetup setup = test::saw({{"tooth_count", 17.0}});
+    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+    const sawing::Teeth teeth = sawing::teeth_of(blade, 0.0);
+    for (const double end : {1.0, -1.0}) {
+        const double from = end * (std::abs(teeth.tooth[0].tip.x) - 1.5 * blade.pitch);
+        const Body bone = test::block({std::min(from, end * 30.0_mm), -4.0_mm, -9.0_mm},
+                                      {std::max(from, end * 30.0_mm), 4.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
+        // The tool's x is the world's, or its opposite
+        Feeding saw(bone, setup);
+        const Vec3 x = rotate(saw.simulation.world_from_tool().rotation, {1, 0, 0});
+        saw.to(4.0_mm, 4.0_mm_per_s);
+        const Felt felt = saw.mean(rate, 50);
+        ASSERT_GT(felt.thrust, 1.0);
+        // Thrust at the end in bone pushes that end back: about y of the tool, τ_y = z f_x − x f_z = x |f_z|
+        const Vec3 torque = rotate(conjugate(saw.simulation.world_from_tool().rotation), angular(felt.wrench));
+        const double in_bone_at = end * x.x;
+        EXPECT_GT(torque.y * in_bone_at, 0.5 * felt.thrust * std::abs(from)) << "end " << end;
+        EXPECT_LT(in_tool(saw, felt.wrench).z, -1.0) << "out of the bone";
+    }
+}
+
 // S-10: half the tick, the same force.
 TEST(SawThrust, IsTheSameInTicksOfAnyLength) {
     double first = 0.0;
@@ -359,6 +396,13 @@ TEST(SawOscillation, Below100HzTheForceGoesAgainstTheTeeth) {
     EXPECT_LT(std::abs(sum / ticks), 0.05 * most) << "in the mean none";
     EXPECT_NEAR(turns, 2.0 * strokes * ticks * saw.dt, 2.0);
     EXPECT_GT(std::abs(at_rate), 20.0 * std::abs(at_other)) << "swings at the strokes' rate";
+    // And it works against the teeth: they go along +x of the blade while the swing grows.
+    double against = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        const double phase = 2.0 * pi * strokes * saw.dt * static_cast<double>(saw.simulation.ticks());
+        against += in_tool(saw, saw.go(rate).wrench).x * std::cos(phase);
+    }
+    EXPECT_LT(against / 50.0, -0.4 * most);
     // And the thrust is in the mean what the averaged law would say.
     EXPECT_NEAR(thrust / ticks / exact_thrust(saw.setup, rate), 1.0, 0.05);
 }

@@ -135,6 +135,52 @@ TEST(BladeInItsSlot, BindsWhenItIsPushedFartherThanItsTeethStandOut) {
     EXPECT_GT(signals_of<sawing::SawCutting>(saw.simulation.signals()).binding, 0.2);
 }
 
+/// The wall of the blade's own slot as its contact near the front sees it: how deep each side stands in it [m], tool
+/// frame. No channel is negative: free.
+struct Sides {
+    double plus_y = 0.0, minus_y = 0.0;
+};
+Sides near_front(const Simulation& simulation) {
+    Sides sides{-1.0, -1.0};
+    for (const kerf_channel& c : test::law_now(simulation)) {
+        const bool is_near = std::abs(c.d[3]) < 10.0_mm;  // the lever about the tip, along the blade
+        if (c.kind != KERF_CONTACT || std::abs(c.d[1]) < 0.5 || !is_near) continue;
+        double& side = c.d[1] > 0.0 ? sides.plus_y : sides.minus_y;
+        side = std::max(side, c.delta);
+    }
+    return sides;
+}
+
+TEST(BladeInItsSlot, OnlyTheSidePushedToPushesBack) {
+    for (const double way : {1.0, -1.0}) {
+        InItsSlot saw(0.25_mm);
+        saw.switch_off();
+        for (double aside = 0.0; aside < 0.3_mm; aside += 2.0_um)
+            (void)saw.tick(saw.still * Pose{{0, way * aside, 0}, {1, 0, 0, 0}});
+        const Sides sides = near_front(saw.simulation);
+        const double pushed_into = way > 0.0 ? sides.plus_y : sides.minus_y;
+        const double left_behind = way > 0.0 ? sides.minus_y : sides.plus_y;
+        EXPECT_NEAR(pushed_into, 0.3_mm - 0.1_mm /* its teeth stand out */, 0.02_mm) << "towards " << way << " y";
+        EXPECT_LT(left_behind, 0.0) << "towards " << way << " y";
+    }
+}
+
+TEST(BladeInItsSlot, EachEndMeetsItsWallWhenTwisted) {
+    InItsSlot saw(0.25_mm);
+    saw.switch_off();
+    TickResult last;
+    for (double angle = 0.0; angle < 3.0_deg; angle += 0.01_deg)
+        last = saw.tick(saw.still * Pose{{0, 0, 0}, quat_from_rotation_vector({0, 0, angle})});
+    // Turned about +z, the blade's +x end goes to +y and meets the wall there; its −x end to −y
+    double plus_x = 0.0, minus_x = 0.0;
+    for (const kerf_channel& c : test::law_now(saw.simulation)) {
+        if (c.kind != KERF_CONTACT || std::abs(c.d[1]) < 0.5 || !(c.delta > 0.0)) continue;
+        (c.d[5] * c.d[1] > 0.0 ? plus_x : minus_x) += c.d[1] > 0.0 ? 1.0 : -1.0;  // d[5] = x d_y
+    }
+    EXPECT_GT(plus_x, 0.0);
+    EXPECT_LT(minus_x, 0.0);
+}
+
 TEST(BladeInItsSlot, IsTwistedBackWhenItIsTwisted) {
     InItsSlot saw(0.25_mm);
     saw.switch_off();

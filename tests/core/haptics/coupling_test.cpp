@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// Signs, bounds and clamps of the coupling, with round numbers. Each test changes one of them.
+#include "core/haptics/coupling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kerf/math.hpp"
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+constexpr Vec3 grip{0, 0, -100e-3};
+constexpr double dt = 1e-3;
+const Pose origin = identity_pose();
+
+CouplingGains gains() {
+    CouplingGains g;
+    g.stiffness = 1000.0;
+    g.damping = 2.0;
+    g.force_limit = 8.0;
+    g.torque_limit = 0.2;  // reached at 80 mrad: 1000 N/m · (50 mm)² = 2.5 N·m/rad
+    g.has_torque = true;
+    g.release_damping = 50.0;
+    return g;
+}
+
+Pose moved(Vec3 by) { return {by, {1, 0, 0, 0}}; }
+/// Turned about the grip, which stays where it is.
+Pose turned_about_grip(Vec3 by) {
+    const Quat turn = quat_from_rotation_vector(by);
+    return {grip - rotate(turn, grip), turn};
+}
+
+Balance held(const Coupling& coupling, const Pose& handle, const Vec6& hand_rate = {}, const Pose& tool = origin) {
+    Balance balance;
+    coupling.hold(handle, hand_rate, tool, dt, balance);
+    return balance;
+}
+
+void expect_near(Vec3 is, Vec3 wanted, double tolerance = 1e-9) {
+    EXPECT_NEAR(is.x, wanted.x, tolerance);
+    EXPECT_NEAR(is.y, wanted.y, tolerance);
+    EXPECT_NEAR(is.z, wanted.z, tolerance);
+}
+
+// ---- what the solve gets -----------------------------------------------------------------------------------------
+
+TEST(Coupling, PullsTheToolTowardsTheHand) {
+    for (const Vec3 way : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Balance b = held({gains(), grip}, moved(1.0_mm * way));
+        expect_near(b.force.pull, 1.0 * way);
+        expect_near(b.torque.pull, {});
+        EXPECT_DOUBLE_EQ(b.force.drag, 2.0 + 1.0) << "damping, and what the spring gains in a tick";
+        EXPECT_DOUBLE_EQ(b.force.limit, 8.0);
+        EXPECT_DOUBLE_EQ(b.dt, dt);
+        EXPECT_TRUE(b.grip == grip);
+    }
+}
+
+TEST(Coupling, StatesItsPullInTheToolsFrame) {
+    const Pose tool{{}, quat_from_rotation_vector({0, 0, 0.5 * pi})};
+    const Pose handle{{1.0_mm, 0, 0}, tool.rotation};
+    expect_near(held({gains(), grip}, handle, {}, tool).force.pull, {0, -1.0, 0});
+}
+
+TEST(Coupling, TurnsTheToolAfterTheHand) {
+    for (const Vec3 about : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Balance b = held({gains(), grip}, turned_about_grip(0.04 * about));
+        expect_near(b.torque.pull, 0.1 * about, 1e-6 /* sine for angle */);
+        expect_near(b.force.pull, {});
+        EXPECT_DOUBLE_EQ(b.torque.drag, 2.5e-3 * 3.0);
+        EXPECT_DOUBLE_EQ(b.torque.limit, 0.2);
+    }
+}
+
+TEST(Coupling, DampsTheMotionOfTheGrip) {
+    // ω × grip: 0.5 rad/s about y move a grip 100 mm behind by −50 mm/s along x
+    const Vec6 rate = make_vec6({0.1, 0.02, 0.03}, {0, 0.5, 0});
+    const Balance b = held({gains(), grip}, origin, rate);
+    expect_near(b.hand_velocity, {0.05, 0.02, 0.03});
+    expect_near(b.hand_turn, {0, 0.5, 0});
+    expect_near(b.force.pull, {0.1, 0.04, 0.06});
+    expect_near(b.torque.pull, {0, 2.5e-3 * 2.0 * 0.5, 0});
+}
+
+TEST(Coupling, ScalesGainsToTheBonesSide) {
+    CouplingGains scaled = gains();
+    scaled.force_scale = 0.25;
+    const Balance b = held({scaled, grip}, moved({1.0_mm, 0, 0}));
+    EXPECT_DOUBLE_EQ(b.force.pull.x, 4.0);
+    EXPECT_DOUBLE_EQ(b.force.drag, 12.0);
+    EXPECT_DOUBLE_EQ(b.force.limit, 32.0);
+    EXPECT_DOUBLE_EQ(b.torque.limit, 0.8);
+    EXPECT_DOUBLE_EQ(b.release_damping, 200.0);
+}
+
+// ---- release -----------------------------------------------------------------------------------------------------
+
+TEST(Release, BeginsFiveMillimetresASecondBeyondTheHand) {
+    const Coupling coupling(gains(), grip);
+    const Pose ahead = moved({0, 0, 2.0_mm});
+    const Balance rest = held(coupling, ahead), towards = held(coupling, ahead, make_vec6({0, 0, 50.0_mm_per_s}, {}));
+    expect_near(rest.release_along, {0, 0, 1});
+    EXPECT_DOUBLE_EQ(rest.release_damping, 50.0);
+    EXPECT_DOUBLE_EQ(rest.release_from, 5.0_mm_per_s);
+    EXPECT_NEAR(towards.release_from, 55.0_mm_per_s, 1e-12);
+}
+
+TEST(Release, LeavesAHandThatBacksOffAlone) {
+    // Given a hand that is 2 mm ahead of its tool, and backs off at 50 mm/s
+    const Balance b = held({gains(), grip}, moved({0, 0, 2.0_mm}), make_vec6({0, 0, -50.0_mm_per_s}, {}));
+
+    // Then a tool at rest is not released, nor one that follows by 5 mm/s; one that is faster is
+    EXPECT_DOUBLE_EQ(b.release_from, 5.0_mm_per_s);
+    EXPECT_EQ(at_rate(b, {}).release, 0.0);
+    EXPECT_EQ(at_rate(b, {0, 0, 5.0_mm_per_s, 0, 0, 0}).release, 0.0);
+    EXPECT_NEAR(at_rate(b, {0, 0, 15.0_mm_per_s, 0, 0, 0}).release, 50.0 * 10.0_mm_per_s, 1e-12);
+}
+
+TEST(Release, NeedsAPull) {
+    const Balance b = held({gains(), grip}, origin);
+    EXPECT_EQ(b.release_damping, 0.0);
+}
+
+// ---- the anchor --------------------------------------------------------------------------------------------------
+
+TEST(Anchor, StaysWhileTheStretchIsWithinTheLimit) {
+    Coupling coupling(gains(), grip);
+    const Pose handle = moved({3.0_mm, -2.0_mm, 5.0_mm});
+    coupling.slide(handle, origin);
+    expect_near(held(coupling, handle).force.pull, {3.0, -2.0, 5.0});
+    expect_near(coupling.slack_grip(origin), grip);
+}
+
+TEST(Anchor, SlidesByWhatIsBeyondTheLimit) {
+    Coupling coupling(gains(), grip);
+    const Pose handle = moved({0, 20.0_mm, 0});
+    coupling.slide(handle, origin);
+    expect_near(held(coupling, handle).force.pull, {0, 8.0, 0});
+    expect_near(coupling.slack_grip(origin), grip + Vec3{0, 12.0_mm, 0});
+
+    // A second time it is at its limit, and stays
+    coupling.slide(handle, origin);
+    expect_near(coupling.slack_grip(origin), grip + Vec3{0, 12.0_mm, 0});
+
+    // On the way back the spring is slack where the anchor is
+    expect_near(held(coupling, moved({0, 10.0_mm, 0})).force.pull, {0, -2.0, 0});
+}
+
+TEST(Anchor, SlipsInRotationBeyondTheLimit) {
+    Coupling coupling(gains(), grip);
+    const Pose handle = turned_about_grip({0.3, 0, 0});
+    coupling.slide(handle, origin);
+    expect_near(held(coupling, handle).torque.pull, {0.2, 0, 0}, 1e-3 /* sine for angle */);
+    EXPECT_LT(held(coupling, turned_about_grip({0.1, 0, 0})).torque.pull.x, 0.0) << "it has slipped by 0.22 rad";
+
+    Coupling within(gains(), grip);
+    within.slide(turned_about_grip({0.07, 0, 0}), origin);
+    expect_near(held(within, origin).torque.pull, {});
+}
+
+TEST(Anchor, LetGoNothingIsStored) {
+    Coupling coupling(gains(), grip);
+    const Pose handle{{1.0_mm, 2.0_mm, 3.0_mm}, quat_from_rotation_vector({0.02, -0.03, 0.01})};
+    const Pose tool{{-4.0_mm, 1.0_mm, 0.0}, quat_from_rotation_vector({0.1, 0.2, 0.3})};
+    coupling.let_go(handle, tool);
+    const Balance b = held(coupling, handle, {}, tool);
+    expect_near(b.force.pull, {});
+    expect_near(b.torque.pull, {});
+    EXPECT_NEAR(coupling.stored(handle, tool), 0.0, 1e-15);
+    expect_near(coupling.slack_grip(tool), handle * grip);
+}
+
+TEST(Anchor, StoresWhatSpringsDo) {
+    const Coupling coupling(gains(), grip);
+    EXPECT_NEAR(coupling.stored(moved({0, 0, 2.0_mm}), origin), 0.5 * 1000.0 * 4e-6, 1e-12);
+    EXPECT_NEAR(coupling.stored(turned_about_grip({0, 0.04, 0}), origin), 0.5 * 2.5 * 1.6e-3, 1e-6);
+    EXPECT_NEAR(coupling.stored(moved({0, 0, 50.0_mm}), origin), 0.5 * 1000.0 * 64e-6, 1e-12) << "no more than 8 mm";
+    EXPECT_NEAR(coupling.stored(turned_about_grip({0.5, 0, 0}), origin), 0.5 * 2.5 * 6.4e-3, 1e-12) << "or 80 mrad";
+
+    CouplingGains without = gains();
+    without.has_torque = false;
+    EXPECT_NEAR(Coupling(without, grip).stored(turned_about_grip({0, 0.04, 0}), origin), 0.0, 1e-15)
+        << "a device without torque gives nothing back";
+}
+
+TEST(Anchor, IsAllowedAShareOfEachLimit) {
+    Coupling coupling(gains(), grip);
+    coupling.allow(0.5, 0.25);
+    EXPECT_DOUBLE_EQ(coupling.force_limit(), 4.0);
+    EXPECT_DOUBLE_EQ(coupling.torque_limit(), 0.05);
+    const Pose handle = moved({20.0_mm, 0, 0});
+    coupling.slide(handle, origin);
+    const Balance b = held(coupling, handle);
+    expect_near(b.force.pull, {4.0, 0, 0});
+    EXPECT_DOUBLE_EQ(b.force.limit, 4.0);
+    EXPECT_DOUBLE_EQ(b.torque.limit, 0.05);
+}
+
+// ---- gains -------------------------------------------------------------------------------------------------------
+
+DeviceRecord device() {
+    return {.id = "round",
+            .peak_force = 8.0,
+            .continuous_force = 2.0,
+            .peak_torque = 0.1,
+            .largest_stiffness = 1000.0,
+            .largest_damping = 5.0,
+            .mass = 0.1,
+            .viscosity = 0.1,
+            .friction = 0.1,
+            .resolution = 10e-6,
+            .stiffest_wall = {2000.0, 1000.0, 500.0},
+            .source = ""};
+}
+
+TEST(Gains, KeepToTheDeviceAndItsWall) {
+    EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 0).stiffness, 600.0) << "0.6 of the device's";
+    EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 1).stiffness, 500.0) << "half of the wall's";
+    EXPECT_DOUBLE_EQ(gains_for(device(), 1.0, 2).stiffness, 250.0);
+}
+
+TEST(Gains, ClampDampingToZeroAndHalfTheDevices) {
+    DeviceRecord fine = device(), middle = device(), coarse = device();
+    fine.resolution = 10e-6;     // T (0.08 N / Δ − K) = 7.4 N·s/m
+    middle.resolution = 0.1_mm;  // 0.2 N·s/m
+    coarse.resolution = 1.0_mm;  // −0.52 N·s/m
+    EXPECT_DOUBLE_EQ(gains_for(fine, 1.0).damping, 2.5);
+    EXPECT_DOUBLE_EQ(gains_for(fine, 1.0).spare_damping, 2.5);
+    EXPECT_NEAR(gains_for(middle, 1.0).damping, 0.2, 1e-12);
+    EXPECT_NEAR(gains_for(middle, 1.0).spare_damping, 4.8, 1e-12);
+    EXPECT_EQ(gains_for(coarse, 1.0).damping, 0.0);
+}
+
+TEST(Gains, BoundReleaseByTheHandlesMass) {
+    DeviceRecord heavy = device();
+    heavy.mass = 1.0;
+    EXPECT_NEAR(gains_for(device(), 1.0).release_damping, 0.22 * 0.1 / 1e-3, 1e-9);
+    EXPECT_NEAR(gains_for(heavy, 1.0).release_damping, 0.15 * 600.0, 1e-9);
+}
+
+TEST(Gains, WithoutActuatedTorqueTheRotationSlips) {
+    DeviceRecord without = device();
+    without.peak_torque = 0.0;
+    EXPECT_TRUE(gains_for(device(), 1.0).has_torque);
+    EXPECT_DOUBLE_EQ(gains_for(device(), 1.0).torque_limit, 0.1);
+    EXPECT_FALSE(gains_for(without, 1.0).has_torque);
+    EXPECT_DOUBLE_EQ(gains_for(without, 1.0).torque_limit, 0.01);
+    EXPECT_DOUBLE_EQ(gains_for(without, 0.5).force_limit, 8.0);
+    EXPECT_DOUBLE_EQ(gains_for(without, 0.5).force_scale, 0.5);
+    EXPECT_DOUBLE_EQ(gains_for(without, 0.5).resolution, 10e-6);
+}
+
+TEST(Gains, TheForceScaleIsAtMostOne) {
+    EXPECT_DOUBLE_EQ(force_scale_for(device(), 60.0), 0.02) << "0.6 · 2 N of 60 N";
+    EXPECT_DOUBLE_EQ(force_scale_for(device(), 1.2), 1.0);
+    EXPECT_DOUBLE_EQ(force_scale_for(device(), 0.5), 1.0);
+    EXPECT_DOUBLE_EQ(force_scale_for(device(), 0.0), 1.0);
+}
+
+TEST(Clamped, KeepsTheDirectionAndTheLimit) {
+    expect_near(clamped({3.0, 0, 4.0}, 5.0), {3.0, 0, 4.0});
+    expect_near(clamped({-6.0, 0, 8.0}, 5.0), {-3.0, 0, 4.0});
+    expect_near(clamped({}, 0.0), {});
+}
+
+}  // namespace
+}  // namespace kerf
