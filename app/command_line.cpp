@@ -174,8 +174,7 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(import, "--unit", line.unit, "UNIT", "Unit of a surface's coordinates: mm (default), cm, m or um",
                one_of({"mm", "cm", "m", "um"}));
     add_option(import, "--frame", line.frame, "FRAME",
-               "Frame of a surface: LPS or RAS; default: what the file names, or else LPS",
-               one_of({"LPS", "RAS"}));
+               "Frame of a surface: LPS or RAS; default: what the file names, or else LPS", one_of({"LPS", "RAS"}));
     import->footer("Exit code: 0 usable, 2 refused.\n" + std::string(notice_line) + ".");
 
     CLI::App* anatomy =

@@ -78,7 +78,7 @@ const Instrument* find_instrument(const Procedure& procedure, const std::string&
 ToolSetup setup_of(const Instrument& instrument, const PluginRegistry& plugins) {
     ToolSetup setup;
     setup.tool = plugins.find(instrument.plugin, KERF_KIND_TOOL, instrument.tool);
-    setup.force = plugins.find(instrument.plugin, KERF_KIND_FORCE, instrument.force);
+    setup.force = plugins.find(instrument.force_plugin, KERF_KIND_FORCE, instrument.force);
     setup.tool_parameters = instrument.tool_parameters;
     setup.force_parameters = instrument.force_parameters;
     setup.drives = instrument.drives;

@@ -21,9 +21,10 @@ constexpr double in_air = 2e-3;  // [m] before the entry
 
 const ComponentInfo& info_of(const PluginRegistry& plugins, const Instrument& instrument, std::uint32_t kind) {
     const std::string& id = kind == KERF_KIND_TOOL ? instrument.tool : instrument.force;
+    const std::string& plugin = kind == KERF_KIND_TOOL ? instrument.plugin : instrument.force_plugin;
     const auto& catalog = plugins.catalog();
     return *std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& info) {
-        return info.plugin == instrument.plugin && info.kind == kind && info.id == id;
+        return info.plugin == plugin && info.kind == kind && info.id == id;
     });
 }
 

@@ -10,9 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "kerf/units.hpp"
-
 #include "core/plugin/plugin_call.h"
+#include "kerf/units.hpp"
 
 namespace kerf {
 

@@ -77,7 +77,7 @@ Segment only_segment(const std::vector<Segment>& segments, const std::string& as
     std::copy_if(segments.begin(), segments.end(), std::back_inserter(alike),
                  [&](const Segment& s) { return s.layer == found[0].layer && s.label == found[0].label; });
     if (alike.size() > 1)
-        refuse("E0636", "the voxels of " + asked + " cannot be told from those of others: " + list_of(alike) +
+        refuse("E0636", "the voxels of " + asked + " cannot be distinguished from those of others: " + list_of(alike) +
                             ". Export the segmentation from 3D Slicer again.");
     return found[0];
 }

@@ -339,7 +339,7 @@ Json parsed(const std::string& text) {
     };
     Json document = Json::parse(text, watch, false);
     if (!document.is_discarded() && twice)
-        throw Refusal{"E0680", "the key " + shown(*twice) + " stands twice in one object. Remove one."};
+        throw Refusal{"E0680", "the key " + shown(*twice) + " occurs twice in one object. Remove one."};
     return document;
 }
 

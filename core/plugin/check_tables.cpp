@@ -267,8 +267,7 @@ std::string fault_of_state(const kerf_force& force) {
 }
 
 std::string fault_of_needs(const kerf_force& force) {
-    if (std::string fault = fault_of_count("need_count", force.need_count, max_table_rows, force.needs);
-        !fault.empty())
+    if (std::string fault = fault_of_count("need_count", force.need_count, max_table_rows, force.needs); !fault.empty())
         return fault;
     for (std::uint32_t i = 0; i < force.need_count; ++i) {
         const kerf_need& row = force.needs[i];
@@ -283,11 +282,11 @@ std::string fault_of_needs(const kerf_force& force) {
 
 /// The tools that a law takes must be tools of its own plugin.
 std::string fault_of_own_tools(const kerf_force& force, const kerf_entry& entry) {
-    if (std::string fault = fault_of_count("tool_count", force.tool_count, max_table_rows, force.tools);
-        !fault.empty())
+    if (std::string fault = fault_of_count("tool_count", force.tool_count, max_table_rows, force.tools); !fault.empty())
         return fault;
     if (force.tool_count > 0 && force.need_count > 0)
-        return got("need_count", std::to_string(force.need_count), "0 for a law that lists `tools`", "Drop one of them.");
+        return got("need_count", std::to_string(force.need_count), "0 for a law that lists `tools`",
+                   "Drop one of them.");
     for (std::uint32_t i = 0; i < force.tool_count; ++i) {
         const char* id = force.tools[i];
         const std::string name = "tool " + std::to_string(i) + " of its law: ";

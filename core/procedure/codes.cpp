@@ -446,7 +446,8 @@ constexpr CodeEntry entries[] = {
      .write = "Write a name that the message lists, or the label's number."},
     {.number = 636,
      .name = "ambiguous structure",
-     .meaning = "Several structures of a segmentation have the same name or label, or one cannot be distinguished from another.",
+     .meaning = "Several structures of a segmentation have the same name or label, or one cannot be distinguished from "
+                "another.",
      .why = "The wrong structure could become the bone.",
      .write = "Keep one by a name or number that no other has, or rename them in 3D Slicer and export again."},
     {.number = 640,
@@ -620,7 +621,8 @@ constexpr CodeEntry entries[] = {
     {.number = 673,
      .name = "doubtful series",
      .meaning = "Something in the header makes the values or the position doubtful: another modality, lossy "
-                "compression, a tilt or distance that the positions do not show, or several acquisitions one behind the other.",
+                "compression, a tilt or distance that the positions do not show, or several acquisitions one behind "
+                "the other.",
      .why = "Forces follow the densities, and densities follow the values. Only a warning.",
      .write = "Check the series at its source.",
      .is_warning = true},

@@ -27,6 +27,7 @@ struct Instrument {
     std::string plugin;                    ///< "kerf.drilling"
     std::string tool;                      ///< component id of kind tool
     std::string force;                     ///< component id of kind force
+    std::string force_plugin;              ///< that of the force; most often `plugin`
     std::vector<double> tool_parameters;   ///< SI, declared order, defaults filled in
     std::vector<double> force_parameters;  ///< SI, declared order, defaults filled in
     std::vector<double> drives;            ///< SI, declared order, defaults filled in

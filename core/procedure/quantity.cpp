@@ -46,9 +46,7 @@ std::string lower_case(std::string_view text) {
 }
 
 /// A unit of which at least one part is foreign: "in", "lbf/in", "rev/min".
-std::optional<Unit> parse_foreign_unit(std::string_view text) {
-    return parse_unit(text, foreign_unit_symbols);
-}
+std::optional<Unit> parse_foreign_unit(std::string_view text) { return parse_unit(text, foreign_unit_symbols); }
 
 /// A value of the file: shortened, since it may be a whole paragraph, and without what a terminal would obey.
 std::string quoted(std::string_view text) { return "`" + excerpt(text, 40) + "`"; }

@@ -211,7 +211,7 @@ std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
                 const std::string label = name.text("label"), id = name.id("id");
                 if (!markups.names.emplace(label, id).second)
                     report.error(Code::duplicate_id, one.span,
-                                 "The label " + yaml_quoted(label) + " stands twice under `names`. Remove one.");
+                                 "The label " + yaml_quoted(label) + " occurs twice under `names`. Remove one.");
                 name.finish();
             }
         map.finish();

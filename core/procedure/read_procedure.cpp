@@ -100,12 +100,16 @@ public:
         const Node* plugin = map.find("plugin");
         const Node* tool_node = map.find("tool");
         const Node* force_node = map.find("force");
+        const Node* force_plugin = map.find("force_plugin");
         const ComponentInfo* tool = nullptr;
         const ComponentInfo* force = nullptr;
         if (plugin && find_plugin(*plugin, instrument.plugin)) {
             tool = find_component(tool_node, instrument.plugin, KERF_KIND_TOOL, instrument.tool);
-            force = find_component(force_node, instrument.plugin, KERF_KIND_FORCE, instrument.force);
+            instrument.force_plugin = instrument.plugin;
         }
+        if (force_plugin ? find_plugin(*force_plugin, instrument.force_plugin) : !instrument.force_plugin.empty())
+            force = find_component(force_node, instrument.force_plugin, KERF_KIND_FORCE, instrument.force);
+        if (tool && force) check_fit(*force_node, *tool, *force);
         if (tool) instrument.tool_parameters = defaults(tool->parameters);
         if (tool) instrument.drives = defaults(tool->drives);
         if (force) instrument.force_parameters = defaults(force->parameters);
@@ -183,6 +187,25 @@ private:
                                          : "expected " + listed(known) + " of " + plugin + "." + or_choose(meant)),
                       meant);
         return nullptr;
+    }
+
+    /// Whether the force takes the tool: one that it lists, or one that has all it needs.
+    void check_fit(const Node& node, const ComponentInfo& tool, const ComponentInfo& force) {
+        if (!force.tools.empty() && (tool.plugin != force.plugin || !contains(force.tools, tool.id)))
+            return report_.error(Code::unknown_force, node.span,
+                                 "The force `" + force.id + "` does not take the tool `" + tool.id + "` of " +
+                                     tool.plugin + ": expected " + listed(force.tools) + " of " + force.plugin +
+                                     ". Choose another force.");
+        for (const NeedInfo& need : force.needs) {
+            const bool is_drive = need.kind == KERF_NEED_DRIVE;
+            const auto& among = is_drive ? tool.drives : tool.parameters;
+            if (std::none_of(among.begin(), among.end(),
+                             [&](const ParameterInfo& p) { return p.id == need.id && p.dimension == need.dimension; }))
+                report_.error(Code::unknown_force, node.span,
+                              "The force `" + force.id + "` needs a tool with the " +
+                                  (is_drive ? "drive" : "parameter") + " `" + need.id + "`: `" + tool.id +
+                                  "` has none of that dimension. Choose another tool or force.");
+        }
     }
 
     /// Sets the one of `values` that `node` names. False if it names none.

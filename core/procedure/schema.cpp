@@ -213,8 +213,8 @@ private:
         Json plugins = Json::array();
         for (const ComponentInfo& component : catalog_) add_once(plugins, component.plugin);
         if (plugins.empty()) return;
-        for (const char* key : {"plugin", "tool", "force"}) properties[key].erase("examples");
-        properties["plugin"]["enum"] = plugins;
+        for (const char* key : {"plugin", "tool", "force", "force_plugin"}) properties[key].erase("examples");
+        for (const char* key : {"plugin", "force_plugin"}) properties[key]["enum"] = plugins;
         for (const Json& plugin : plugins) {
             Json tools = Json::array(), forces = Json::array();
             for (const ComponentInfo& tool : catalog_) {
@@ -230,7 +230,11 @@ private:
             }
             for (const ComponentInfo& force : catalog_)
                 if (force.plugin == plugin && force.kind == KERF_KIND_FORCE) forces.push_back(force.id);
-            rules.push_back(when({{"plugin", plugin}}, {{"tool", {{"enum", tools}}}, {"force", {{"enum", forces}}}}));
+            rules.push_back(when({{"plugin", plugin}}, {{"tool", {{"enum", tools}}}}));
+            Json own = when({{"plugin", plugin}}, {{"force", {{"enum", forces}}}});
+            own["if"]["not"] = {{"required", {"force_plugin"}}};
+            rules.push_back(std::move(own));
+            rules.push_back(when({{"force_plugin", plugin}}, {{"force", {{"enum", forces}}}}));
         }
     }
 

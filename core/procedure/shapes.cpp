@@ -105,17 +105,22 @@ const Shape haptics{
          "Device newton per bone newton; computed from the device's greatest force if not given.", "1/50"},
     }};
 
-const Shape instrument{"instrument",
-                       "A tool and its force law, from a plugin.",
-                       {
-                           {required, "plugin", id(), "The plugin of both; `kerf list` names all.", "example.drilling"},
-                           {required, "tool", id(), "The tool of the plugin.", "twist_drill"},
-                           {required, "force", id(), "The force law of the plugin.", "drill_cutting"},
-                           {optional, "parameters", of_kind(Kind::parameters),
-                            "Of tool and force; `kerf describe` lists them.", "{diameter: 3.2 mm}"},
-                           {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
-                            "{spindle_speed: 1000 rpm}"},
-                       }};
+const Shape instrument{
+    "instrument",
+    "A tool and its force law, from a plugin.",
+    {
+        {required, "plugin", id(), "The plugin of both; `kerf list` names all.", "example.drilling"},
+        {required, "tool", id(), "The tool of the plugin.", "twist_drill"},
+        {required, "force", id(), "The force law of the plugin.", "drill_cutting"},
+        {optional, "force_plugin", id(),
+         "The plugin of the force law, if it is not that of the tool. The law must take any tool that "
+         "has what it needs.",
+         "example.grinding"},
+        {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` lists them.",
+         "{diameter: 3.2 mm}"},
+        {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
+         "{spindle_speed: 1000 rpm}"},
+    }};
 
 const Shape entry_goal{"entry_goal", "The tool has met bone for the first time.", {}};
 

@@ -98,6 +98,7 @@ private:
     SessionFile& file_;
     std::uint64_t bytes_left_;
     std::map<std::string, std::string> keys_;
+    EventRow last_event_;
     RecordedRun run_;
     std::string error_;
 };
@@ -130,8 +131,9 @@ void Reading::read_lists() {
     if (run_.summary.signals.size() > most_signal_columns)
         fail("has more than " + std::to_string(most_signal_columns) + " signals");
     each("events", "tick, time, id, detail", "rowid", [&](const SessionQuery& row) {
-        run_.drawn.add(
-            EventRow{static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2), text(row, 3)});
+        last_event_ = {static_cast<std::uint64_t>(row.integer(0)), number(row, 1, "events"), text(row, 2),
+                       text(row, 3)};
+        run_.drawn.add(last_event_);
     });
 }
 
@@ -263,9 +265,9 @@ void Reading::complete() {
     }
     run_.missing =
         "The run was cut short: its record ends without a result, so nothing was judged and the bone is not drawn.";
-    if (!run_.events.empty() && run_.events.back().id == plugin_failed_event)
+    if (last_event_.id == plugin_failed_event)
         run_.missing =
-            "A plugin ended the run. " + run_.events.back().detail + ". Nothing was judged and the bone is not drawn.";
+            "A plugin ended the run. " + last_event_.detail + ". Nothing was judged and the bone is not drawn.";
     summary.verdict = Verdict::incomplete;
     summary.reasons = {run_.missing};
     const auto& last = run_.drawn.last();

@@ -112,7 +112,7 @@ std::string refusal_of_length(const std::string& folder) {
     constexpr std::size_t longest = 480;
     std::error_code error;
     const std::size_t length = fs::absolute(folder, error).string().size();
-    if (error) return "the working folder is gone (" + error.message() + "). Change into another one.";
+    if (error) return "the working folder no longer exists (" + error.message() + "). Change into another one.";
     return length <= longest ? ""
                              : folder.substr(0, 60) + "… could not be made: its path has " + std::to_string(length) +
                                    " bytes, expected at most " + std::to_string(longest) + ". Give a shorter one.";

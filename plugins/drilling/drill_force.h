@@ -80,16 +80,17 @@ struct DrillCutting : DrillParameters {
             signal(&Signals::spindle_speed,
                    {.id = "spindle_speed", .help = "Speed of the spindle as it is.", .unit = unit::rpm}),
             signal(&Signals::bending_stress, {.id = "bending_stress",
-                                              .help = "Largest bending stress in the bit, in the mean over 5 ms.",
+                                              .help = "Largest bending stress in the bit, averaged over 5 ms.",
                                               .unit = unit::N_per_mm2}),
             event(Happened::spindle_off,
-                  {.id = "drilling.spindle_off", .help = "The spindle stands, and its motor is off."}),
+                  {.id = "drilling.spindle_off", .help = "The spindle is still and its motor is off."}),
             event(Happened::spinning_up,
                   {.id = "drilling.spinning_up", .help = "The motor brings the spindle up to the commanded speed."}),
             event(Happened::running, {.id = "drilling.running", .help = "The spindle turns as it is commanded."}),
-            event(Happened::bogging, {.id = "drilling.bogging",
-                                      .help = "The spindle is slower than 0.7 of what is commanded: the bone asks for "
-                                              "more than the motor has."}),
+            event(Happened::bogging,
+                  {.id = "drilling.bogging",
+                   .help = "The spindle is slower than 0.7 of its command: the bone takes more torque "
+                           "than the motor has."}),
             event(Happened::stalled,
                   {.id = "drilling.stalled",
                    .help = "The spindle was held fast; it starts again once it has been commanded off."}),
@@ -102,11 +103,9 @@ struct DrillCutting : DrillParameters {
                 {.id = "drilling.bit_overbent",
                  .help =
                      "The bit was bent beyond its `yield_strength`: one of steel would have stayed bent, or broken."}),
-            event(
-                Happened::crushing,
-                {.id = "drilling.crushing",
-                 .help =
-                     "The tip does not turn, and is pushed harder than the bone before it bears: it crushes its way."}),
+            event(Happened::crushing, {.id = "drilling.crushing",
+                                       .help = "The tip does not turn, and is pushed harder than the bone before it "
+                                               "withstands: it crushes its way in."}),
             event(Happened::wall_broken,
                   {.id = "drilling.wall_broken",
                    .help = "A thin wall with free space behind it broke out before a tip that does not turn."}));

@@ -181,7 +181,6 @@ TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
          {std::pair<const char*, const char*>{"nan_delta",
                                               "channel 0 (id 7): `delta` is nan, expected a finite number."},
           {"nan_wrench", "`wrench[3]` is nan, expected a finite number."},
-          {"nan_note", "`note[2]` is nan, expected a finite number."},
           {"negative_stiffness", "channel 0 (id 7): `k` is -5, expected a finite number, 0 or more."},
           {"no_direction", "channel 0 (id 7): `d` is 0, expected a direction"},
           {"narrow_onset", "channel 0 (id 7): `w` is 1e-09, expected 1e-06 or more"},

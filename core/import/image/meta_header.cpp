@@ -124,7 +124,7 @@ void place_meta(const Fields& fields, ImageFile& image) {
         if (const double size = length(axes[axis]); differ(size, 1.0, 1e-2))
             refuse("E0627",
                    "axis " + std::to_string(axis + 1) + " of `TransformMatrix` has length " + number_text(size) +
-                       ", must be 1: the size of a voxel stands in `ElementSpacing`.",
+                       ", must be 1: `ElementSpacing` holds the size of a voxel.",
                    "Export the image again.");
         steps[axis] = mm * spacing[axis] * axes[axis];
     }

@@ -162,7 +162,7 @@ void place_nifti(const Header& header, ImageFile& image) {
         check_placement(*by_quaternion);
     }
     if (!by_matrix && !by_quaternion)
-        refuse("E0627", "neither `qform_code` nor `sform_code` is above 0: left and right cannot be told apart.",
+        refuse("E0627", "neither `qform_code` nor `sform_code` is above 0: left and right cannot be distinguished.",
                "Export the image with its orientation.");
     if (by_matrix && by_quaternion) {
         constexpr double same = 0.1;  // [mm]: headers are single precision, over the width of a body

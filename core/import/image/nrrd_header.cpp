@@ -201,7 +201,7 @@ Vec3 frame_of(const Fields& fields) {
     static const std::array<const char*, 6> spaces{"left-posterior-superior", "lps", "right-anterior-superior", "ras",
                                                    "left-anterior-superior",  "las"};
     if (std::find(spaces.begin(), spaces.end(), space) == spaces.end())
-        refuse("E0627", "`space` is \"" + excerpt(space) + "\": left and right cannot be told apart.",
+        refuse("E0627", "`space` is \"" + excerpt(space) + "\": left and right cannot be distinguished.",
                "Export the image with space: left-posterior-superior.");
     if (const std::string* dimension = find(fields, {"space dimension"}); dimension && *dimension != "3")
         refuse("E0627", "`space dimension` is " + excerpt(*dimension) + ", but `space` has three.",

@@ -82,7 +82,7 @@ std::vector<Segment> segments_of(const Remarks& remarks, int layers) {
     if (layers > 1 && with_layer > 0 && with_layer < written.size())
         refuse("E0636",
                std::to_string(written.size() - with_layer) + " of the segments " + names_of(written) +
-                   " have no `Layer`, so their voxels cannot be told from those of others.",
+                   " have no `Layer`, so their voxels cannot be distinguished from those of others.",
                again);
 
     std::vector<Segment> segments;

@@ -16,7 +16,7 @@
 #include "core/haptics/channel.h"
 #include "core/haptics/device_record.h"
 #include "core/haptics/simulation.h"
-#include "kerf/force.hpp"
+#include "kerf/plugin.hpp"
 #include "tests/support/block.h"
 #include "tests/support/made_outline.h"
 
@@ -94,65 +94,54 @@ TEST(CallTimes, ReportABudgetWhenOneInAHundredIsOver) {
     EXPECT_EQ(over_budget(times, law, scale), "") << "it declares none";
 }
 
-/// A law that resists at its shaft if it is told so, and nowhere else.
+struct Bar {
+    static constexpr auto about() { return describe("bar", "A pointed bar."); }
+    [[nodiscard]] Outline outline() const {
+        return revolution({{0.0, 0.0}, {-1.0_mm, 1.0_mm}})
+            .cuts()
+            .to(-1.5_mm, 1.5_mm)
+            .to(-40.0_mm, 1.5_mm)
+            .gripped_at(-60.0_mm);
+    }
+};
+/// A law that resists at its shaft if it has a stiffness, and nowhere else.
 struct Shaft {
-    struct State {};
-    enum : std::size_t {
-        stiffness,
-        force_parameter_count,
-        tool_parameter_count = 0,
-        drive_count = 0,
-        signal_count = 0
-    };
-    static void resist(const Tick& tick, const BoneQuery& bone, const State&, Channels& channels) noexcept {
-        if (tick.force[stiffness] == 0.0) return;
+    double stiffness;
+
+    static constexpr auto about() {
+        return describe("shaft", "Contact of the shaft.",
+                        param(&Shaft::stiffness, {.id = "stiffness",
+                                                  .help = "Of bone.",
+                                                  .unit = unit::N_per_mm,
+                                                  .min = 0.0,
+                                                  .max = 1000.0_N_per_mm,
+                                                  .def = 0.0,
+                                                  .source = "the test's"}));
+    }
+    void resist(const Held<Bar>&, const BoneQuery& bone, Channels& channels) const noexcept {
+        if (stiffness == 0.0) return;
         const Vec3 points[] = {
             {1.5_mm, 0, -8.0_mm}, {-1.5_mm, 0, -8.0_mm}, {0, 1.5_mm, -8.0_mm}, {0, -1.5_mm, -8.0_mm}};
         kerf_surface_point at[std::size(points)];
         bone.nearest(points, at);
-        for (std::uint32_t i = 0; i < std::size(points); ++i) {
-            if (at[i].body < 0 || at[i].distance > 0.2_mm) continue;
-            kerf_channel* c = channels.add(KERF_CONTACT, i);
-            const Vec6 d = rate_at(points[i], normalized(Vec3{points[i].x, points[i].y, 0}));
-            std::copy(d.begin(), d.end(), c->d);
-            c->k = tick.force[stiffness];
-            c->delta = -at[i].distance;
-        }
+        for (std::uint32_t i = 0; i < std::size(points); ++i)
+            if (at[i].body >= 0 && at[i].distance <= 0.2_mm)
+                channels.contact({.id = i,
+                                  .at = points[i],
+                                  .along = normalized(Vec3{points[i].x, points[i].y, 0}),
+                                  .stiffness = stiffness,
+                                  .depth = -at[i].distance});
     }
-    static void commit(const Tick&, const BoneQuery&, const Advance&, State&, std::span<double>, Actions&) noexcept {}
 };
 
 ToolSetup shaft(double stiffness) {
-    static const kerf_tool tool = [] {
-        kerf_tool t{};
-        t.size = sizeof t;
-        t.shape = [](const double*, kerf_tool_shape* out) -> kerf_status {
-            const kerf_profile_point points[] = {{0.0, 0.0}, {-1.0_mm, 1.0_mm}, {-1.5_mm, 1.5_mm}, {-40.0_mm, 1.5_mm}};
-            std::copy(std::begin(points), std::end(points), out->profile);
-            out->profile_count = 4;
-            out->cutting_count = 2;
-            out->grip_z = -60.0_mm;
-            return KERF_OK;
-        };
-        return t;
-    }();
-    static const kerf_force force = [] {
-        using Table = ForceTable<Shaft>;
-        kerf_force f{};
-        f.size = sizeof f;
-        f.state_size = sizeof(Shaft::State);
-        f.state_align = alignof(Shaft::State);
-        f.begin = &Table::begin;
-        f.resist = &Table::resist;
-        f.commit = &Table::commit;
-        return f;
-    }();
-    static kerf_component components[2]{};
-    components[0].id = "bar";
-    components[0].tool = &tool;
-    components[1].id = "shaft";
-    components[1].force = &force;
-    return {&components[0], &components[1], {}, {stiffness}, {}};
+    using Components = PluginTables<Bar, Shaft>;
+    return {.tool = &Components::components[0],
+            .force = &Components::components[1],
+            .tool_parameters = {},
+            .force_parameters = {stiffness},
+            .drives = {},
+            .bound = {}};
 }
 
 /// The events while a bar beside a slab, 5.5 to 10.5 mm behind its tip, is pushed 3 mm into its side and drawn back,

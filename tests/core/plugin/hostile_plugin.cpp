@@ -104,7 +104,6 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     misbehave("resist");
     if (is("nan_delta")) c.delta = nan_value;
     if (is("nan_wrench")) law->wrench[3] = nan_value;
-    if (is("nan_note")) law->note[2] = nan_value;
     if (is("negative_stiffness")) c.k = -5.0;
     if (is("no_direction")) c.d[2] = 0.0;
     if (is("narrow_onset")) c.w = 1e-9;
