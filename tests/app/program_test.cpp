@@ -85,6 +85,33 @@ TEST(Program, AReplayEndsInTheSameBits) {
     EXPECT_TRUE(has(replay.out, "replay: the same bits")) << replay.out;
 }
 
+/// Changes a session's file by one statement of SQL.
+void change(const std::string& session, const std::string& sql) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open_v2(session.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+}
+
+TEST(Program, AReplayThatEndsInOtherBitsEndsWithThree) {
+    // Given a recording of an operation that is not passed
+    const TemporaryFolder folder;
+    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm"), session = folder / "run/session.db";
+    ASSERT_EQ(kerf("run " + file + " --out " + (folder / "run")).exit_code, 1);
+    const std::string replay = "run " + file + " --replay " + session + " --out " + (folder / "again");
+
+    // Then its replay ends as the operation does
+    const Ended same = kerf(replay);
+    EXPECT_EQ(same.exit_code, 1) << same.err;
+    EXPECT_TRUE(has(same.out, "replay: the same bits\n")) << same.out;
+
+    // And with another hash in the recording the replay says so, and ends as a fault
+    change(session, "UPDATE session SET value='0123456789abcdef' WHERE key='hash'");
+    const Ended other = kerf(replay);
+    EXPECT_EQ(other.exit_code, 3) << other.err;
+    EXPECT_TRUE(has(other.out, "replay: NOT the same bits\n")) << other.out;
+}
+
 TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
     const TemporaryFolder folder;
     const std::string out = folder / "bad";

@@ -123,8 +123,12 @@ TEST(Release, LeavesAHandThatBacksOffAlone) {
 }
 
 TEST(Release, NeedsAPull) {
-    const Balance b = held({gains(), grip}, origin);
-    EXPECT_EQ(b.release_damping, 0.0);
+    const Coupling coupling(gains(), grip);
+    Balance b;
+    coupling.hold(moved({0, 0, 2.0_mm}), {}, origin, dt, b);
+    EXPECT_EQ(b.release_damping, 50.0);
+    coupling.hold(origin, {}, origin, dt, b);
+    EXPECT_EQ(b.release_damping, 0.0) << "nothing is left of the tick before";
 }
 
 // ---- the anchor --------------------------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/haptics/following.h"
+
 namespace kerf {
 namespace {
 
@@ -200,6 +202,99 @@ TEST(Solve, FindsTheSameAnswerFromAnyStart) {
                         1e-5 * (1.0 + std::abs(from_rest.rate[k])) /* where the coupling slides, hardly held */)
                 << i;
     }
+}
+
+/// What is out of balance at a motion, worked out here from what each part is said to do; and what the parts sum to.
+struct Sum {
+    Vec3 force{}, torque{};
+    double forces = 0.0, torques = 0.0;  ///< of the sizes
+
+    void add(Vec3 f, Vec3 t) {
+        force = force + f;
+        torque = torque + t;
+        forces += length(f);
+        torques += length(t);
+    }
+};
+Sum out_of_balance(const Balance& b, const Vec6& rate) {
+    const Vec3 v = linear(rate), w = angular(rate);
+    const auto at_most = [](Vec3 pull, double limit) {
+        return length(pull) > limit ? (limit / length(pull)) * pull : pull;
+    };
+    Sum sum;
+    const Vec3 at_grip = at_most(b.force.pull - b.force.drag * (v + cross(w, b.grip)), b.force.limit);
+    sum.add(at_grip, cross(b.grip, at_grip));
+    sum.add({}, at_most(b.torque.pull - b.torque.drag * w, b.torque.limit));
+    sum.add(linear(b.following), angular(b.following));
+    for (const kerf_channel& c : b.channels) {
+        const double lambda = channel_force(c, dot(direction(c), rate), b.dt).lambda;
+        sum.add(-lambda * linear(direction(c)), -lambda * angular(direction(c)));
+    }
+    const double faster = dot(b.release_along, v) - b.release_from;
+    if (faster > 0.0) sum.add(-b.release_damping * faster * b.release_along, {});
+
+    // What the mass gains in the tick, across the axis alone: its centre's momentum, and its own turn
+    const Vec3 dv = v - linear(b.previous_rate), dw = w - angular(b.previous_rate);
+    const Vec3 centre{0, 0, b.inertia.centre_z};
+    Vec3 gained = b.inertia.mass * (dv + cross(dw, centre));
+    gained.z = 0.0;
+    Vec3 turned = (b.inertia.mass * b.inertia.gyration * b.inertia.gyration) * dw + cross(centre, gained);
+    turned.z = 0.0;
+    sum.add((-1.0 / b.dt) * gained, (-1.0 / b.dt) * turned);
+    return sum;
+}
+
+TEST(Solve, EveryPartOfTheBalanceCountsWithItsSign) {
+    RandomLaw law{.random = std::mt19937_64(22), .channels = {}};
+    int released = 0, saturated = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Balance b = law.make();
+        b.grip = {law.uniform(-0.05, 0.05), law.uniform(-0.05, 0.05), -law.uniform(0.0, 0.15)};
+        Vec6 following;
+        for (std::size_t k = 0; k < 6; ++k) following[k] = law.uniform(-1.0, 1.0) * (k < 3 ? 5.0 : 0.1);
+        b.following = Following().wrench(b, following);  // no more than the coupling can hold
+        b.release_along = normalized(Vec3{law.uniform(-1, 1), law.uniform(-1, 1), law.uniform(-1, 1)});
+        b.release_damping = law.uniform(0.0, 200.0);
+        b.release_from = law.uniform(0.0, 0.01);
+        const Motion m = solve(b);
+        ASSERT_TRUE(m.has_converged) << i;
+
+        const Sum sum = out_of_balance(b, m.rate);
+        ASSERT_LT(length(sum.force), 1e-5 * sum.forces + 1e-9) << i;
+        ASSERT_LT(length(sum.torque), 1e-5 * (sum.torques + 0.15 * sum.forces) + 1e-9) << i;
+        released += m.release > 0.0;
+        saturated += length(m.force) > 0.999 * b.force.limit;
+
+        // And it reports what each part carries there
+        const Motion same = at_rate(b, m.rate);
+        ASSERT_EQ(length(same.force - m.force), 0.0);
+        ASSERT_EQ(length(same.torque - m.torque), 0.0);
+        ASSERT_EQ(same.release, m.release);
+        ASSERT_LE(length(m.force), b.force.limit * (1.0 + 1e-12));
+        ASSERT_LE(length(m.torque), b.torque.limit * (1.0 + 1e-12));
+        ASSERT_NEAR(m.release, b.release_damping * std::max(0.0, dot(b.release_along, linear(m.rate)) - b.release_from),
+                    1e-12);
+        for (std::size_t c = 0; c < b.channels.size(); ++c)
+            ASSERT_EQ(m.lambda[c], channel_force(b.channels[c], dot(direction(b.channels[c]), m.rate), b.dt).lambda);
+    }
+    EXPECT_GT(released, 100);
+    EXPECT_GT(saturated, 100);
+}
+
+TEST(Solve, TakesFewIterationsEvenWhereTheCouplingSlides) {
+    // The derivative of a saturated pull: without it, or with a wrong one, Newton's steps are short or none
+    RandomLaw law{.random = std::mt19937_64(23), .channels = {}};
+    std::vector<int> iterations;
+    for (int i = 0; i < 2000; ++i) {
+        Balance b = law.make();
+        b.force.limit = 0.5 * length(b.force.pull) + 1e-3;
+        iterations.push_back(solve(b).iterations);
+    }
+    std::sort(iterations.begin(), iterations.end());
+    EXPECT_LE(iterations[1000], 5);
+    EXPECT_LE(iterations[1980], 14);
+    RecordProperty("median_iterations", iterations[1000]);
+    RecordProperty("p99_iterations", iterations[1980]);
 }
 
 // ---- channels ----------------------------------------------------------------------------------------------------

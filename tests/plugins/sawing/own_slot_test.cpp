@@ -60,6 +60,11 @@ struct InItsSlot {
         simulation.after_tick();
         return r;
     }
+    /// Back to the front, and a little farther: from there on it knows its slot by what it has cut itself.
+    void cut_on() {
+        for (double depth = 9.0_mm; depth < 13.0_mm; depth += 4.0_um) tick(test::at_depth(depth));
+        still = simulation.world_from_tool();
+    }
     void switch_off() {
         simulation.command_drive(0, 0.0);
         for (int i = 0; i < 50; ++i) (void)tick(still);
@@ -154,6 +159,7 @@ Sides near_front(const Simulation& simulation) {
 TEST(BladeInItsSlot, OnlyTheSidePushedToPushesBack) {
     for (const double way : {1.0, -1.0}) {
         InItsSlot saw(0.25_mm);
+        saw.cut_on();
         saw.switch_off();
         for (double aside = 0.0; aside < 0.3_mm; aside += 2.0_um)
             (void)saw.tick(saw.still * Pose{{0, way * aside, 0}, {1, 0, 0, 0}});
