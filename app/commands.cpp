@@ -55,7 +55,7 @@ std::string refusal_of_folder(const std::string& folder) {
     std::error_code error, ignored;
     fs::path there = fs::absolute(folder.empty() ? "." : folder, error);
     if (error)
-        return "`--out` is `" + folder + "`, and the working folder is gone (" + error.message() +
+        return "`--out` is `" + folder + "`, and the working folder no longer exists (" + error.message() +
                "). Change into another folder, or give one with its whole path.";
     while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
     const std::string cannot = "`--out` is `" + folder + "`, where nothing can be written: `" + there.string() + "` ";

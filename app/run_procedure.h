@@ -31,9 +31,9 @@ struct RunOutcome {
     RunSummary summary;
     bool is_as_expected = false;
     std::vector<std::string> over_budget;  ///< laws that were slower than they declare; differs from run to run
-    bool was_interrupted = false;  ///< outputs are written all the same
-    std::string error;             ///< for people; not empty: the run could not be made or written
-    bool is_bad_input = false;     ///< the error is the user's input
+    bool was_interrupted = false;          ///< outputs are written all the same
+    std::string error;                     ///< for people; not empty: the run could not be made or written
+    bool is_bad_input = false;             ///< the error is the user's input
 };
 
 /// Why a procedure has no such rehearsal, empty: the first, with what to write; empty if it has.   [any] pure.

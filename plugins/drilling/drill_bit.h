@@ -13,7 +13,7 @@
 namespace kerf::drilling {
 
 inline constexpr std::size_t spindle_drive = 0;  ///< index of the one drive of every drill
-inline constexpr double slowest_cut = 0.5;  ///< [1/s] from this speed on a drill removes bone
+inline constexpr double slowest_cut = 0.5;       ///< [1/s] from this speed on a drill removes bone
 
 /// What every drill has.
 struct DrillBit {

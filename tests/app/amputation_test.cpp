@@ -171,7 +171,8 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     EXPECT_TRUE(std::filesystem::exists(request.out + "/bone.stl"));
     EXPECT_TRUE(std::filesystem::exists(request.out + "/bone-1.stl"));
     OutputLock lock;
-    EXPECT_EQ(prepare_output(request.out, lock), "");
+    MadeFolders made;
+    EXPECT_EQ(prepare_output(request.out, lock, made), "");
 }
 
 /// The shipped procedure on another anatomy, in one of its variants.

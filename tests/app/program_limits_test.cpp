@@ -234,10 +234,10 @@ TEST(Out, OfADeletedWorkingFolderIsRefused) {
     const TemporaryFolder folder;
     const std::string gone =
         "mkdir " + (folder / "gone") + "; cd " + (folder / "gone") + "; rmdir " + (folder / "gone") + ";";
-    for (const std::string& command : {short_run + " --out run", "report x.db --out page.html"}) {
+    for (const std::string& command : {short_run + " --out run", std::string("report x.db --out page.html")}) {
         const Ended ended = kerf(command, gone);
         EXPECT_EQ(ended.exit_code, 2);
-        EXPECT_TRUE(has(ended.err, "the working folder is gone")) << ended.err;
+        EXPECT_TRUE(has(ended.err, "the working folder no longer exists")) << ended.err;
     }
 }
 

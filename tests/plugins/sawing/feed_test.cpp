@@ -225,7 +225,8 @@ Vec3 in_tool(const Feeding& saw, const Vec6& wrench) {
 TEST(SawThrust, UnpairedToothPushesAgainstItsSet) {
     // Given 17 teeth, of which the first and the last are set to +y
     const ToolSetup setup = test::saw({{"tooth_count", 17.0}});
-    ASSERT_GT(sawing::teeth_of(sawing::blade_of(setup.tool_parameters), 0.0).tooth[0].side, 0.0);
+    ASSERT_GT(sawing::teeth_of(value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade(), 0.0).tooth[0].side,
+              0.0);
     Feeding saw(wide_block(), setup);
     saw.to(5.0_mm);
     const Felt felt = saw.mean(rate, 100);
@@ -235,7 +236,7 @@ TEST(SawThrust, UnpairedToothPushesAgainstItsSet) {
 TEST(SawThrust, BoneUnderOneEndPushesThatEndBack) {
     // Given bone under the two last teeth alone, and then under the two first: they are set to either side, 1 mm apart
     const ToolSetup setup = test::saw({{"tooth_count", 17.0}});
-    const sawing::SawBlade blade = sawing::blade_of(setup.tool_parameters);
+    const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
     const sawing::Teeth teeth = sawing::teeth_of(blade, 0.0);
     for (const double end : {1.0, -1.0}) {
         const double from = end * (std::abs(teeth.tooth[0].tip.x) - 1.5 * blade.pitch);
