@@ -8,7 +8,7 @@ namespace kerf::as_printed {
 
 inline constexpr DisplayUnit n_per_mm3{"N/mm3", {{-2, 1, -2, 0, 0, 0, 0, 0}}};
 inline constexpr DisplayUnit n_s_per_m{"N s/m", dimension::damping};
-inline constexpr DisplayUnit n_per_density{"N/(g/cm3)", {{4, 0, -2, 0, 0, 0, 0, 0}}};
+inline constexpr DisplayUnit n_per_density{"N cm3/g", {{4, 0, -2, 0, 0, 0, 0, 0}}};
 inline constexpr DisplayUnit per_metre{"1/m", {{-1, 0, 0, 0, 0, 0, 0, 0}}};
 
 /// A value in SI of a unit that has no literal.

@@ -374,6 +374,10 @@ std::string advice(const MarkupsFile& file, const std::string& entries) {
 
 void Reader::check_names(const Anatomy& anatomy) const {
     if (nameless_.empty()) return;
+    for (const std::string& label : nameless_)  // no document may hold them, so none can name it
+        if (printable(label) != label)
+            throw Refusal{"E0683", "a markup is called " + shown(label) +
+                                       ", which holds characters that show nothing. Rename it in 3D Slicer."};
     constexpr std::size_t most = 20;
     std::set<std::string> given;
     std::string entries;

@@ -194,6 +194,13 @@ SyntaxMistake find_mistake(const std::string& complaint, std::string_view text, 
                     "This line is indented deeper than the one above it, which has a value already. Indent it like "
                     "that line."};
     }
+    if (const std::string_view content = without_comment(line); complaint == M::END_OF_MAP && !has_key(content)) {
+        const std::size_t from = content_of(content);
+        if (from < content.size() && content[from] != '-')
+            return {begin + from, content.size() - from,
+                    "This line has no colon: got " + shown(content.substr(from)) +
+                        ", expected `key: value`. Put a colon and a space behind the key."};
+    }
     const char* meaning = meaning_of(complaint);
     return {at, 1, meaning != nullptr ? std::string(meaning) : "This is not YAML: " + complaint + ". Correct it."};
 }

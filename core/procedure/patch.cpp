@@ -164,8 +164,7 @@ private:
             const std::string meant = closest(path, names_within(target), report_);
             report_.error(Code::nothing_to_remove, change.key_span,
                           "There is no `" + excerpt(path, 40) + "` to remove." +
-                              (meant.empty() ? " Remove this line."
-                                             : " Is `" + meant + "` meant? Write its name, or remove this line."));
+                              (meant.empty() ? " Remove this line." : " Write `" + meant + "`, or remove this line."));
             return;
         }
         if (const auto missing = missing_keys(change, shape_within(shape, name));

@@ -115,7 +115,7 @@ const Shape instrument{
         {optional, "force_plugin", id(),
          "The plugin of the force law, if it is not that of the tool. The law must take any tool that "
          "has what it needs.",
-         "example.grinding"},
+         "example.drilling"},
         {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` lists them.",
          "{diameter: 3.2 mm}"},
         {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",

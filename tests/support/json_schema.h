@@ -116,6 +116,7 @@ private:
                 if (const std::string found = breach(value, part, at); !found.empty()) return found;
             return {};
         }
+        if (rule == "not") return unless(!breach(value, wanted, at).empty());
         if (rule == "if") return breach(value, wanted, at).empty() ? breach(value, schema["then"], at) : std::string();
         if (rule == "items") {
             for (const Json& item : value.is_array() ? value : Json::array())

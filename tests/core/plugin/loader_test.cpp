@@ -109,6 +109,8 @@ TEST(Loader, RefusesADriveAtWhichTheToolNeverTakesBone) {
 TEST(Loader, RefusesAnEventOfAnothersNameOrOfNone) {
     OneLaw one;
     kerf_force law = *one.component.force;
+    law.tools = nullptr;  // they are not in this entry
+    law.tool_count = 0;
     one.component.force = &law;
     kerf_event event{};
     law.events = &event;

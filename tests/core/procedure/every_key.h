@@ -54,7 +54,9 @@ private:
     std::string value(const Shape& shape, const KeyShape& key, int levels) const {
         if (shape.id + "/" + key.name == altered) return other;
         // What a rehearsal breaks is the limit that is there, by its zone or else its quantity.
-        if (&shape == &shapes::expectation && chosen_of(shapes::limit) != "clearance") return chosen_of(shapes::limit);
+        if (&shape == &shapes::expectation && key.name == std::string_view("fail") &&
+            chosen_of(shapes::limit) != "clearance")
+            return chosen_of(shapes::limit);
         // The last tissue has no thickness, and no density of its own where the image gives it one.
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
         const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";

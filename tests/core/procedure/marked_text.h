@@ -28,7 +28,9 @@ struct MarkedText {
         line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
         const std::size_t before = text.rfind('\n', begin == 0 ? 0 : begin - 1);
         column = static_cast<int>(before == std::string::npos || begin == 0 ? begin + 1 : begin - before);
-        length = static_cast<int>(end - begin);
+        length = static_cast<int>(std::count_if(  // of characters
+            text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
+            [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
     }
 };
 

@@ -166,14 +166,14 @@ TEST(Quantity, SuggestsTheLikelySlipWhenOutOfRange) {
     EXPECT_EQ(problem("-20", between).write, "20") << "the sign";
     EXPECT_EQ(problem("200", between).write, "20") << "ten times too much";
     EXPECT_EQ(problem("400", between).write, "40");
-    EXPECT_EQ(problem("80", between).write, "40") << "twice too much is no slip of the point";
-    EXPECT_EQ(problem("81", between).write, "40") << "a tenth of it would be too little";
-    EXPECT_EQ(problem("500", between).write, "40");
+    EXPECT_EQ(problem("80", between).write, "") << "twice too much is no slip of the point";
+    EXPECT_EQ(problem("81", between).write, "") << "a tenth of it would be too little";
+    EXPECT_EQ(problem("500", between).write, "");
     EXPECT_EQ(problem("2", between).write, "20") << "ten times too little";
     EXPECT_EQ(problem("1", between).write, "10");
-    EXPECT_EQ(problem("5", between).write, "10") << "half is no slip of the point";
-    EXPECT_EQ(problem("0.5", between).write, "10");
-    EXPECT_EQ(problem("0", between).write, "10");
+    EXPECT_EQ(problem("5", between).write, "") << "half is no slip of the point";
+    EXPECT_EQ(problem("0.5", between).write, "");
+    EXPECT_EQ(problem("0", between).write, "");
 }
 
 TEST(Quantity, APlainNumberMayHaveAFractionAndPercent) {
@@ -181,14 +181,14 @@ TEST(Quantity, APlainNumberMayHaveAFractionAndPercent) {
     EXPECT_EQ(value("50 %", any_number), 0.5);
     EXPECT_EQ(value("1/2 %", any_number), 0.005);
     EXPECT_EQ(value(" 7 ", any_number), 7.0);
-    for (const char* text : {"1/", "1/x", "/2", "1//2"}) EXPECT_EQ(problem(text, any_number).code, Code::not_a_number);
-    EXPECT_EQ(problem("1/2 mm", any_length).code, Code::unknown_unit) << "no fraction of a length";
+    for (const char* text : {"1/", "1/x", "/2", "1//2"}) EXPECT_FALSE(parse_quantity(text, "it", any_number).value);
+    EXPECT_EQ(problem("1/2 mm", any_length).code, Code::not_a_number) << "no fraction of a length";
 }
 
 TEST(Quantity, CutsALongTextThatItQuotes) {
     const std::string forty(40, 'x'), more(41, 'x');
-    EXPECT_TRUE(problem(forty, any_length).message.starts_with("it is `" + forty + "`, "));
-    EXPECT_FALSE(problem(more, any_length).message.starts_with("it is `" + more + "`, "));
+    EXPECT_NE(problem(forty, any_length).message.find("got `" + forty + "`, "), std::string::npos);
+    EXPECT_EQ(problem(more, any_length).message.find("got `" + more + "`, "), std::string::npos);
 }
 
 TEST(QuantityPattern, TakesWhatIsReadAndRefusesWhatIsNot) {

@@ -184,7 +184,7 @@ TEST(RecordChecksum, FindsAChangeInEveryTable) {
                             "INSERT INTO cuts VALUES(1,1,1,1,0,0,0,1,0,0,0,0,0,0,1,0,0,0)",
                             "INSERT INTO events VALUES(1,1.0,'x','y')",
                             "UPDATE surface SET half_x=half_x*1.01",
-                            "UPDATE session SET value='2' WHERE key='result.late_ticks'",
+                            "UPDATE session SET value='2' WHERE key='result.ticks'",
                             "INSERT INTO session VALUES('more','x')",
                             "DELETE FROM session WHERE key='record_checksum'",
                             "UPDATE session SET value='0000000000000000' WHERE key='record_checksum'",

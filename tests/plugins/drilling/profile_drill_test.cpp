@@ -189,7 +189,7 @@ TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
               begin + "corner 1 is given, but `depth_1` is 0 mm; corners need numbers from 1 on without a gap, each a "
                       "depth and a diameter.");
     EXPECT_EQ(refusal({{"length", 10.0_mm}}, {{9.0_mm, 1.6_mm}, {9.8_mm, 3.0_mm}}),
-              begin + "`length` is 10 mm; it needs more than what is cut with and the land behind it, 10.6 mm.");
+              begin + "`length` is 10 mm; it needs more than the cutting part and the land behind it, 10.6 mm.");
 }
 
 TEST(ProfileDrill, SwitchedOffItStandsOnItsHeadAsABlunterToolDoes) {
