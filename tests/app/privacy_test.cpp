@@ -198,16 +198,12 @@ TEST_F(Privacy, NoNameOfASeriesIsInAnyFileThatIsMadeOfIt) {
     EXPECT_EQ(files, 12u);
     for (const std::string& hit : hits_in(written, planted)) ADD_FAILURE() << hit;
 
-    // And the program says of them that there is nothing, but for the session's own beginning
-    for (const char* name : {"bone.nrrd", "by-file/summary.json", "by-file/report.html", "by-file/bone.stl",
-                             "by-file.html", "by-series/summary.json", "by-series/report.html", "by-series.html"}) {
+    // And the program finds nothing in them
+    for (const char* name :
+         {"bone.nrrd", "by-file/session.db", "by-series/session.db", "by-file/summary.json", "by-file/report.html",
+          "by-file/bone.stl", "by-file.html", "by-series/summary.json", "by-series/report.html", "by-series.html"}) {
         const PrivacyReport report = privacy_report(written + "/" + name);
         EXPECT_TRUE(report.error.empty() && report.findings.empty()) << privacy_text(name, report, true);
-    }
-    for (const char* name : {"by-file/session.db", "by-series/session.db"}) {
-        const PrivacyReport report = privacy_report(written + "/" + name);
-        ASSERT_EQ(report.findings.size(), 1u) << privacy_text(name, report, true);
-        EXPECT_EQ(report.findings[0].what, "a date");
     }
 }
 

@@ -302,7 +302,7 @@ TEST(Program, ValidatesSeveralFilesAndEndsWithTwoIfOneIsWrong) {
     const Ended one_bad = kerf("validate /nowhere.yaml " + pedicle_screw + " --format github");
     EXPECT_EQ(one_bad.exit_code, 2);
     EXPECT_EQ(one_bad.out,
-              "::error file=/nowhere.yaml,title=E0101::There is no such file. Check its name and its folder.\n");
+              "::error file=/nowhere.yaml,title=E0101::The file does not exist. Check its name and its folder.\n");
 }
 
 TEST(Program, AVariantIsRecordedAndItsReplayRefusesAnother) {
@@ -372,18 +372,17 @@ TEST(Program, DataThatAreNotThereAreMissedByTheFolderThatKerfDataNames) {
     const Ended unset = kerf(l3, "unset KERF_DATA;"), elsewhere = kerf(l3, "KERF_DATA=/nowhere");
     EXPECT_EQ(unset.exit_code, 2);
     EXPECT_TRUE(has(unset.out, "KERF_DATA is not set")) << unset.out;
-    EXPECT_TRUE(has(unset.out, "name the one that holds `volumes`, as in `export KERF_DATA=/home/me/data`"))
+    EXPECT_TRUE(has(unset.out, "name the folder that holds `volumes`, as in `export KERF_DATA=/home/me/data`"))
         << unset.out;
     EXPECT_EQ(elsewhere.exit_code, 2);
-    EXPECT_TRUE(has(elsewhere.out, "neither beside the document nor in `/nowhere`, which KERF_DATA names"))
-        << elsewhere.out;
+    EXPECT_TRUE(has(elsewhere.out, "and in `/nowhere`, which KERF_DATA names")) << elsewhere.out;
 }
 
 TEST(Program, ExplainsEveryCodeItShows) {
     const Ended one = kerf("explain E0412");
     EXPECT_EQ(one.exit_code, 0);
     EXPECT_TRUE(one.out.starts_with("E0412  out of range\n")) << one.out;
-    EXPECT_TRUE(has(kerf("explain").out, "\nE0413  too fine\n"));
+    EXPECT_TRUE(has(kerf("explain").out, "\nE0413  spacing too fine\n"));
     const Ended unknown = kerf("explain E9999");
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_TRUE(has(unknown.err, "there is no code `E9999`")) << unknown.err;
