@@ -147,7 +147,9 @@ struct Swung {
     BoneView view{body, committed, tracker};
 
     static Pose pose(double tilt) {
-        return test::pointing({0, 0, -16.0_mm}, {std::sin(tilt), 0.3 * std::sin(tilt), -std::cos(tilt)});
+        Pose upright = test::pointing({0, 0, -16.0_mm}, {0, 0, -1});
+        upright.rotation = quat_from_rotation_vector(tilt * normalized(Vec3{-0.3, 1.0, 0.0})) * upright.rotation;
+        return upright;
     }
     Swung() {
         tracker.restart(pose(-swing));

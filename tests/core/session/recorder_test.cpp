@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -285,8 +286,12 @@ TEST(Recorder, StoresEachValueInItsOwnColumn) {
     // Then each is in the column of its name
     const auto expect_columns = [&](const std::string& table,
                                     const std::vector<std::pair<std::string, double>>& columns) {
-        for (const auto& [name, value] : columns)
-            EXPECT_EQ(std::atof(ask(path, "SELECT " + name + " FROM " + table).c_str()), value) << table << "." << name;
+        for (const auto& [name, value] : columns) {
+            const std::string text = ask(path, "SELECT " + name + " FROM " + table);
+            double stored = 0.0;  // read as in any locale
+            std::from_chars(text.data(), text.data() + text.size(), stored);
+            EXPECT_EQ(stored, value) << table << "." << name;
+        }
     };
     const std::string pose[] = {"x", "y", "z", "qw", "qx", "qy", "qz"};
     const std::string wrench[] = {"fx", "fy", "fz", "mx", "my", "mz"};
