@@ -458,8 +458,8 @@ ExitCode begin_plugin(const CommandLine& line) {
     if (const std::string error = write_new_plugin(line.source, line.out); !error.empty())
         return complain(error, exit_bad_input);
     const std::string folder = line.out.empty() ? line.source : line.out;
-    std::printf("%s\nBuild it: cmake -S %s -B %s/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build %s/build\n",
-                folder.c_str(), folder.c_str(), folder.c_str(), folder.c_str());
+    print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
+          "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder + "/build\n");
     return exit_pass;
 }
 

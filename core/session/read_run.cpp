@@ -190,7 +190,7 @@ void Reading::read_ticks() {
     for (const TableColumn& column : ticks.columns)
         columns += (columns.empty() ? "ticks.\"" : ", ticks.\"") + column.name + '"';
 
-    SessionQuery count(file_.handle(), "SELECT count(*) FROM ticks");
+    SessionQuery count(file_.handle(), "SELECT ifnull(max(tick) + 1, 0) FROM ticks");
     const std::int64_t total = count.next() ? count.integer(0) : 0;
     if (count.has_failed()) return fail("its table `ticks` cannot be read");
     run_.drawn.expect(static_cast<std::uint64_t>(total));

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,9 +60,14 @@ std::optional<std::uint64_t> record_checksum(sqlite3* database) {
     for (const std::string& table : tables) {
         const std::string rest =
             table == "session" ? std::string(" WHERE key IS NOT '") + record_checksum_key + "'" : std::string();
-        SessionQuery rows(database, "SELECT * FROM \"" + table + "\"" + rest + " ORDER BY rowid");
-        while (rows.next())
-            for (int column = 0; column < rows.columns(); ++column) add_value(hash, rows, column);
+        SessionQuery rows(database, "SELECT rowid, * FROM \"" + table + "\"" + rest + " ORDER BY rowid");
+        std::optional<std::int64_t> last;
+        while (rows.next()) {
+            const std::int64_t id = rows.integer(0);
+            if (last && id <= *last) return std::nullopt;  // its pages lead in a circle
+            last = id;
+            for (int column = 1; column < rows.columns(); ++column) add_value(hash, rows, column);
+        }
         if (rows.has_failed()) return std::nullopt;
     }
     return hash.value();

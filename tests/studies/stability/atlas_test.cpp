@@ -83,10 +83,11 @@ TEST(Atlas, OnlyWhatKerfFailsCountsAgainstIt) {
     EXPECT_TRUE(is_kerf_stable(findings));
 }
 
-TEST(Atlas, AFolderThatCannotBeMadeIsSaid) {
+TEST(Atlas, ReportsAFolderThatCannotBeMade) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "file") << "x";
-    EXPECT_NE(write_atlas(folder / "file/below", some_findings()).find("cannot be made"), std::string::npos);
+    EXPECT_NE(write_atlas(folder / "file/below", some_findings()).find("`" + (folder / "file") + "` is a file"),
+              std::string::npos);
 }
 
 }  // namespace
