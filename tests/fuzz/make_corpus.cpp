@@ -18,6 +18,8 @@
 #include <vector>
 
 #include "core/procedure/shapes.h"
+#include "core/session/content_hash.h"
+#include "core/session/record_checksum.h"
 #include "core/session/recorder.h"
 #include "tests/core/procedure/every_key.h"
 #include "tests/support/dicom_writer.h"
@@ -445,9 +447,13 @@ std::string recorded_session(const std::string& sql) {
     sqlite3* open = nullptr;
     sqlite3_open(path.c_str(), &open);
     // What only describes the file would be most of it
-    if (sqlite3_exec(open, ("DELETE FROM columns;" + sql + "PRAGMA page_size=512; VACUUM").c_str(), nullptr, nullptr,
-                     nullptr) != SQLITE_OK)
-        std::abort();
+    const auto carry_out = [&](const std::string& statements) {
+        if (sqlite3_exec(open, statements.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) std::abort();
+    };
+    carry_out("DELETE FROM columns;" + sql);
+    if (const auto sum = record_checksum(open))
+        carry_out("UPDATE session SET value = '" + hex16(*sum) + "' WHERE key = '" + record_checksum_key + "'");
+    carry_out("PRAGMA page_size=512; VACUUM");
     sqlite3_close(open);
     return test::contents_of(path);
 }
