@@ -124,6 +124,26 @@ TEST(BladeInItsSlot, HandNoiseIsNotFeltAcrossTheBlade) {
         }
 }
 
+TEST(BladeInItsSlot, PushedAsideItIsHeldByThatSideAlone) {
+    for (const double way : {1.0, -1.0}) {
+        InItsSlot saw(0.25_mm);
+        saw.cut_on();
+        for (double aside = 0.0; aside < 0.2_mm; aside += 2.0_um) {
+            Pose at = saw.still;
+            at.position.y += way * aside;
+            saw.tick(at);
+        }
+        double towards = 0.0, back = 0.0;  // [m] the deepest contact on either side
+        for (const kerf_channel& c : test::law_now(saw.simulation)) {
+            if (c.kind != KERF_CONTACT || c.d[1] == 0.0) continue;
+            double& deepest = c.d[1] * rotate(conjugate(saw.still.rotation), {0, way, 0}).y > 0.0 ? towards : back;
+            deepest = std::max(deepest, c.delta);
+        }
+        EXPECT_GT(towards, 0.0) << way;
+        EXPECT_EQ(back, 0.0) << way;
+    }
+}
+
 TEST(BladeInItsSlot, BindsWhenItIsPushedFartherThanItsTeethStandOut) {
     InItsSlot saw(0.25_mm);
     saw.switch_off();
