@@ -72,6 +72,20 @@ TEST(Replay, ReportsAChangedRecording) {
     EXPECT_FALSE(fs::exists(folder / "page"));
 }
 
+TEST(Replay, EndsWithAFaultWhereTheBitsDiffer) {
+    const TemporaryFolder folder;
+    const std::string record = folder / "record/session.db";
+    ASSERT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
+    // Sessions of version 2 have no checksum: the hash alone decides.
+    ASSERT_TRUE(changed(record, "UPDATE session SET value='0123456789abcdef' WHERE key='hash'; DELETE FROM session "
+                                "WHERE key='record_checksum'; PRAGMA user_version=2"));
+
+    const Ended replayed = kerf(short_run + " --replay " + record + " --out " + (folder / "again"));
+    EXPECT_EQ(replayed.exit_code, 3) << replayed.out << replayed.err;
+    EXPECT_TRUE(has(replayed.out, "replay: NOT the same bits\n")) << replayed.out << replayed.err;
+    EXPECT_FALSE(has(replayed.out, "CHANGED")) << replayed.out;
+}
+
 TEST(Replay, ReportsThatNothingCouldBeCompared) {
     const TemporaryFolder folder;
     const std::string record = folder / "record/session.db";
