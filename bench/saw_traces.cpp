@@ -90,6 +90,9 @@ struct Feeding {
         while (depth < target - 1e-12) (void)go(feed);
     }
     [[nodiscard]] Hsieh2006::Signals printed_signals() const { return signals_of<Hsieh2006>(simulation.signals()); }
+    [[nodiscard]] sawing::SawCutting::Signals signals() const {
+        return signals_of<sawing::SawCutting>(simulation.signals());
+    }
     [[nodiscard]] sawing::SawBlade blade() const {
         return value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
     }
@@ -252,7 +255,7 @@ Recorded recorded(const Body& body, double rate) {
         const Felt felt = saw.go(2.0_mm_per_s);
         record.along.push_back(felt.along);
         record.against.push_back(felt.against);
-        record.vibration = saw.signal(sawing::signal_vibration);
+        record.vibration = saw.signals().vibration;
     }
     return record;
 }
