@@ -61,6 +61,7 @@ std::string write_new_plugin(const std::string& name, const std::string& wanted)
         const fs::path path = folder / replaced(file.name, "round_burr", name);
         std::string text = replaced(without_next(file.text), "round_burr", name);
         text = replaced(replaced(text, "RoundBurr", type_name(name)), "02_" + name, name);
+        text = replaced(text, "[The Kerf authors]", "[Your name]");
         std::ofstream out(path, std::ios::binary);
         out << text;
         out.close();

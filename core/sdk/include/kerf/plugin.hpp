@@ -27,7 +27,8 @@
 ///
 /// `resist` is pure: it evaluates the law at the present pose as a few monotone channels, and the core finds the one
 /// motion at which hand and law balance. It may be called again. What it returns, if anything, reaches the commit as
-/// `Noted<Notes>::notes`. `commit` takes the motion that happened, once a tick. Optional: State; Signals; commit; and
+/// `Noted<Notes>::notes`. `commit` takes the motion that happened, once for each
+/// motion that was solved; a fast tick has several. Optional: State; Signals; commit; and
 /// `void begin(const Held<Tool>&, const BoneQuery&, State&) const noexcept`, which works out once what follows from
 /// parameters and resolution. Begin, resist and commit are [haptic, nonblocking].
 ///
