@@ -527,24 +527,30 @@ TEST(Recorder, KeepsItsWalShort) {
 }
 
 TEST(Recorder, SaysThatACompleteSessionCouldNotBeFolded) {
-    // Given a file that may grow to 20 MB, and 24 MB of rows, of which the last 8 MB are in the -wal
+    // Given a file that may not grow any more, and rows that are in the -wal alone
     const TemporaryFolder folder;
     const std::string path = folder / "session.db";
     const pid_t child = fork();
     if (child == 0) {
         signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{20 << 20, 20 << 20};
-        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
         auto recorder = new_recorder(path);
         std::uint64_t tick = 0;
-        for (; std::filesystem::file_size(path) < 14u << 20 && tick < 100'000; ++tick) {
-            recorder->push(full_tick(tick));
-            if (!recorder->wait_for_room()) _exit(3);
+        const auto push = [&](std::uint64_t count) {
+            for (const std::uint64_t end = tick + count; tick < end; ++tick) {
+                recorder->push(full_tick(tick));
+                if (!recorder->wait_for_room()) _exit(3);
+            }
+        };
+        // The -wal must have room below the file's length: wait until it has been folded in and begun anew.
+        while (std::filesystem::file_size(path) < 14u << 20 && tick < 100'000) push(1);
+        while (std::filesystem::file_size(path + "-wal") > 4u << 20 && tick < 200'000) {
+            push(1);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
-        for (const std::uint64_t end = tick + 13'000; tick < end; ++tick) {
-            recorder->push(full_tick(tick));
-            if (!recorder->wait_for_room()) _exit(4);
-        }
+        const rlim_t length = std::filesystem::file_size(path);
+        const rlimit limit{length, length};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(2);
+        push(1000);
         const std::string said = recorder->finish(test::synthetic_summary());
         _exit(said.find("is complete together with session.db-wal") != std::string::npos ? 0 : said.empty() ? 5 : 6);
     }
