@@ -459,7 +459,8 @@ ExitCode begin_plugin(const CommandLine& line) {
         return complain(error, exit_bad_input);
     const std::string folder = line.out.empty() ? line.source : line.out;
     print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
-          "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder + "/build\n");
+          "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder +
+          "/build\nTest it:  ctest --test-dir " + folder + "/build\n");
     return exit_pass;
 }
 
