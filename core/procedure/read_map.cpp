@@ -436,7 +436,7 @@ const Node* MapReader::one_of() {
 }
 
 void MapReader::finish() {
-    for ([[maybe_unused]] const KeyShape& key : shape_.keys)
+    for (const KeyShape& key : shape_.keys)
         KERF_ASSERT(std::find(asked_.begin(), asked_.end(), key.name) != asked_.end(),
                     ("read `" + key.name + "`, or remove it from the shape `" + shape_.id + "` in shapes.cpp").c_str());
     if (!is_map_) return;

@@ -17,7 +17,7 @@ namespace {
 ToolOutline outline(const ToolSetup& setup) {
     ToolOutline out;
     std::string error;
-    [[maybe_unused]] const bool is_made = outline_of(setup, out, error);
+    const bool is_made = outline_of(setup, out, error);
     KERF_ASSERT(is_made, "a drill of a scene can be made");
     return out;
 }

@@ -45,7 +45,7 @@ ToolSetup setup_of(const PluginRegistry& registry, const std::string& plugin, co
     setup.tool_parameters = values_of(info_of(registry, plugin, tool)->parameters, set);
     setup.drives = values_of(info_of(registry, plugin, tool)->drives, set);
     setup.force_parameters = values_of(info_of(registry, plugin, force)->parameters, set);
-    [[maybe_unused]] const std::string why_not = bind_law(setup);
+    const std::string why_not = bind_law(setup);
     KERF_ASSERT(why_not.empty(), "pair a force with a tool that it takes");
     return setup;
 }

@@ -18,7 +18,7 @@ Vec3 along(double tilt) { return {std::sin(tilt), 0.0, -std::cos(tilt)}; }
 ToolOutline outline(const ToolSetup& setup) {
     ToolOutline out;
     std::string error;
-    [[maybe_unused]] const bool is_made = outline_of(setup, out, error);
+    const bool is_made = outline_of(setup, out, error);
     KERF_ASSERT(is_made, "ask outline_of() before a loop is made");
     return out;
 }
