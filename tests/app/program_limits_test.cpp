@@ -55,45 +55,46 @@ TEST(Replay, RefusesAnotherHandThanRecorded) {
     EXPECT_FALSE(fs::exists(folder / "again"));
 }
 
-TEST(Replay, ReportsAChangedRecording) {
-    const TemporaryFolder folder;
-    const std::string record = folder / "record/session.db";
-    ASSERT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
-    ASSERT_TRUE(
-        changed(record, "UPDATE metrics SET value=0; UPDATE session SET value='pass' WHERE key='result.verdict'"));
+/// A short run, recorded; then its record is changed.
+struct ChangedRecord {
+    TemporaryFolder folder;
+    std::string record = folder / "record/session.db";
 
-    const Ended replayed = kerf(short_run + " --replay " + record + " --out " + (folder / "again"));
+    explicit ChangedRecord(const char* sql) {
+        EXPECT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
+        EXPECT_TRUE(changed(record, sql));
+    }
+    [[nodiscard]] Ended replayed() const {
+        return kerf(short_run + " --replay " + record + " --out " + (folder / "again"));
+    }
+};
+
+TEST(Replay, ReportsAChangedRecording) {
+    const ChangedRecord run("UPDATE metrics SET value=0; UPDATE session SET value='pass' WHERE key='result.verdict'");
+    const Ended replayed = run.replayed();
     EXPECT_EQ(replayed.exit_code, 3);
     EXPECT_TRUE(has(replayed.out, "replay: the same bits\n")) << replayed.out << replayed.err;
     EXPECT_TRUE(has(replayed.out, "was CHANGED after its run wrote it")) << replayed.out;
-    const Ended page = kerf("report " + record + " --out " + (folder / "page/again.html"));
+    const Ended page = kerf("report " + run.record + " --out " + (run.folder / "page/again.html"));
     EXPECT_EQ(page.exit_code, 2);
     EXPECT_TRUE(has(page.err, "not those that the run wrote")) << page.err;
-    EXPECT_FALSE(fs::exists(folder / "page"));
+    EXPECT_FALSE(fs::exists(run.folder / "page"));
 }
 
 TEST(Replay, EndsWithAFaultWhereTheBitsDiffer) {
-    const TemporaryFolder folder;
-    const std::string record = folder / "record/session.db";
-    ASSERT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
     // Sessions of version 2 have no checksum: the hash alone decides.
-    ASSERT_TRUE(changed(record, "UPDATE session SET value='0123456789abcdef' WHERE key='hash'; DELETE FROM session "
-                                "WHERE key='record_checksum'; PRAGMA user_version=2"));
-
-    const Ended replayed = kerf(short_run + " --replay " + record + " --out " + (folder / "again"));
+    const ChangedRecord run("UPDATE session SET value='0123456789abcdef' WHERE key='hash'; DELETE FROM session "
+                            "WHERE key='record_checksum'; PRAGMA user_version=2");
+    const Ended replayed = run.replayed();
     EXPECT_EQ(replayed.exit_code, 3) << replayed.out << replayed.err;
     EXPECT_TRUE(has(replayed.out, "replay: NOT the same bits\n")) << replayed.out << replayed.err;
     EXPECT_FALSE(has(replayed.out, "CHANGED")) << replayed.out;
 }
 
 TEST(Replay, ReportsThatNothingCouldBeCompared) {
-    const TemporaryFolder folder;
-    const std::string record = folder / "record/session.db";
-    ASSERT_EQ(kerf(short_run + " --out " + (folder / "record")).exit_code, 1);
-    ASSERT_TRUE(changed(record, "UPDATE session SET value='running' WHERE key='state'; DELETE FROM session WHERE key "
-                                "IN ('hash', 'record_checksum', 'summary') OR key LIKE 'result.%'"));
-
-    const Ended replayed = kerf(short_run + " --replay " + record + " --out " + (folder / "again"));
+    const ChangedRecord run("UPDATE session SET value='running' WHERE key='state'; DELETE FROM session WHERE key "
+                            "IN ('hash', 'record_checksum', 'summary') OR key LIKE 'result.%'");
+    const Ended replayed = run.replayed();
     EXPECT_EQ(replayed.exit_code, 1);
     EXPECT_TRUE(has(replayed.out, "replay: nothing to compare with")) << replayed.out << replayed.err;
 }

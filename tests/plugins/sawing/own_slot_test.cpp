@@ -133,10 +133,11 @@ TEST(BladeInItsSlot, PushedAsideItIsHeldByThatSideAlone) {
             at.position.y += way * aside;
             saw.tick(at);
         }
+        const double side = rotate(conjugate(saw.still.rotation), {0, way, 0}).y;  // of the blade, towards its way
         double towards = 0.0, back = 0.0;  // [m] the deepest contact on either side
         for (const kerf_channel& c : test::law_now(saw.simulation)) {
             if (c.kind != KERF_CONTACT || c.d[1] == 0.0) continue;
-            double& deepest = c.d[1] * rotate(conjugate(saw.still.rotation), {0, way, 0}).y > 0.0 ? towards : back;
+            double& deepest = c.d[1] * side > 0.0 ? towards : back;
             deepest = std::max(deepest, c.delta);
         }
         EXPECT_GT(towards, 0.0) << way;
