@@ -282,7 +282,8 @@ typedef struct kerf_force {
     void (*begin)(const kerf_tick_in* in, void* state);
     /* Evaluates the law at the present pose. Pure: the host may call it again. [haptic, nonblocking] */
     kerf_status (*resist)(const kerf_tick_in* in, const void* state, kerf_law* out);
-    /* Takes the motion that happened, once a tick, and updates the state. [haptic, nonblocking] */
+    /* Takes the motion that happened, once for each motion that was solved, and updates the state. [haptic,
+     * nonblocking] */
     kerf_status (*commit)(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out);
 } kerf_force;
 

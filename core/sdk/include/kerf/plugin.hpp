@@ -27,10 +27,10 @@
 ///
 /// `resist` is pure: it evaluates the law at the present pose as a few monotone channels, and the core finds the one
 /// motion at which hand and law balance. It may be called again. What it returns, if anything, reaches the commit as
-/// `Noted<Notes>::notes`. `commit` takes the motion that happened, once for each
-/// motion that was solved; a fast tick has several. Optional: State; Signals; commit; and
-/// `void begin(const Held<Tool>&, const BoneQuery&, State&) const noexcept`, which works out once what follows from
-/// parameters and resolution. Begin, resist and commit are [haptic, nonblocking].
+/// `Noted<Notes>::notes`. `commit` takes the motion that happened, once for each motion that was solved; a fast tick
+/// has several. Optional: State; Signals; commit; and `void begin(const Held<Tool>&, const BoneQuery&, State&) const
+/// noexcept`, which works out once what follows from parameters and resolution. Begin, resist and commit are [haptic,
+/// nonblocking].
 ///
 /// A law that takes any tool with the right parameters names them in a struct with `static constexpr auto needs()` and
 /// takes `Held<That>`.
