@@ -2,6 +2,7 @@
 #include "core/haptics/coupling.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kerf/assert.hpp"
 
@@ -38,22 +39,64 @@ double force_scale_for(const DeviceRecord& device, double work_force) noexcept {
     return work_force > 0.0 ? std::min(1.0, 0.6 * device.continuous_force / work_force) : 1.0;
 }
 
+namespace {
+
+constexpr double handpiece_mass = 0.5, handpiece_gyration = 50e-3;  // [kg], [m] about its centre [assumed]
+
+/// Returns the damping of a handpiece's inertia on a spring, in series with what the device does; none if that is 0.
+double damped(const Hold& held, double stiffness, double inertia, double of_device) noexcept {
+    const double own = 2.0 * held.damping_ratio * std::sqrt(stiffness * inertia);
+    return own / (1.0 + own / of_device);
+}
+
+}  // namespace
+
+Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, double grip_z, TipBending tip) noexcept {
+    const double k = gains.stiffness / gains.force_scale, b = gains.damping / gains.force_scale;
+    const double arm2 = gains.rotation_arm * gains.rotation_arm;
+    double turn = arm2 * k, along = k;
+    if (held) {
+        turn = gains.has_torque ? std::min(turn, held->turn_stiffness) : held->turn_stiffness;
+        along = std::min(along, held->axial_stiffness);
+    }
+    const Compliance at_grip = Compliance{1.0 / k, 0.0, 1.0 / turn} + seen_ahead(bent(tip), grip_z);
+    const CentredSpring across = centred(at_grip);
+    Spring spring{.centre_z = grip_z + across.ahead,
+                  .stiffness = {across.shift, along},
+                  .damping = (b / k) * Split(across.shift, along),
+                  .turn_stiffness = {across.turn, turn},
+                  .turn_damping = (b / k) * Split(across.turn, turn)};
+    if (held) {
+        constexpr double turning = handpiece_mass * handpiece_gyration * handpiece_gyration;
+        spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft hands stiffen
+        const double most = gains.has_torque ? arm2 * b : HUGE_VAL;
+        spring.turn_damping = {damped(*held, across.turn, turning, most), damped(*held, turn, turning, most)};
+    }
+    return spring;
+}
+
+Coupling::Coupling(const CouplingGains& gains, const Handling& handling) noexcept
+    : gains_(gains),
+      held_(gains.is_held ? std::optional(handling.hands > 1 ? two_hands : one_hand) : std::nullopt),
+      grip_{0, 0, handling.grip_z},
+      spring_(folded(gains, held_, handling.grip_z, handling.bending)) {}
+
 void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool, double dt,
                     Balance& out) const noexcept {
     const Quat tool_from_world = conjugate(tool.rotation);
-    const Vec3 stretched = rotate(tool_from_world, stretch(handle, tool));
-    const Vec3 twisted = small_rotation_vector(tool_from_world * handle.rotation * rotation_slip_);
-    const double k = stiffness(), b = damping(), arm2 = gains_.rotation_arm * gains_.rotation_arm;
+    const Vec3 twisted = small_rotation_vector(twist(handle, tool));
+    out.centre = centre();
     out.hand_turn = rotate(tool_from_world, angular(hand_rate));
-    out.hand_velocity = rotate(tool_from_world, linear(hand_rate)) + cross(out.hand_turn, grip_);
-    out.force = {k * stretched + b * out.hand_velocity, b + dt * k, force_limit() / gains_.force_scale};
-    out.torque = {arm2 * (k * twisted + b * out.hand_turn), arm2 * (b + dt * k), torque_limit() / gains_.force_scale};
-    out.grip = grip_;
+    out.hand_velocity = rotate(tool_from_world, linear(hand_rate)) + cross(out.hand_turn, out.centre);
+    out.force = {spring_.stiffness * stretch(handle, tool) + spring_.damping * out.hand_velocity,
+                 spring_.damping + dt * spring_.stiffness, most_force()};
+    out.torque = {spring_.turn_stiffness * twisted + spring_.turn_damping * out.hand_turn,
+                  spring_.turn_damping + dt * spring_.turn_stiffness, most_torque()};
     out.dt = dt;
     out.release_damping = 0.0;
-    const double pull = length(out.force.pull);
-    if (pull <= 0.0) return;
-    out.release_along = (1.0 / pull) * out.force.pull;
+    const double pull = out.force.pull.z;
+    if (pull == 0.0) return;
+    out.release_along = {0, 0, pull > 0.0 ? 1.0 : -1.0};
     out.release_damping = gains_.release_damping / gains_.force_scale;
     // From the hand's speed towards the tool on, or from rest: a hand that backs off a wall is not let go by it.
     out.release_from = std::max(0.0, dot(out.hand_velocity, out.release_along)) + release_from;
@@ -61,28 +104,28 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
 
 void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {
     const Vec3 after = stretch(handle, tool);
-    slip_ = slip_ + after - clamped(after, force_limit() / gains_.stiffness);
+    slip_ = slip_ + rotate(tool.rotation, after - clamped(after, most_force() / spring_.stiffness));
     const Quat turn_after = twist(handle, tool);
     const Vec3 turn = small_rotation_vector(turn_after);
-    const Vec3 kept = clamped(turn, torque_limit() / (gains_.rotation_arm * gains_.rotation_arm * gains_.stiffness));
+    const Vec3 kept = clamped(turn, most_torque() / spring_.turn_stiffness);
     if (!(kept == turn))
         rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
 }
 
 void Coupling::let_go(const Pose& handle, const Pose& tool) noexcept {
-    slip_ = handle * grip_ - tool * grip_;
+    slip_ = handle * centre() - tool * centre();
     rotation_slip_ = normalized(conjugate(handle.rotation) * tool.rotation);
 }
 
 double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
-    const Vec3 e = clamped(stretch(handle, tool), force_limit() / gains_.stiffness);
-    double energy = 0.5 * gains_.stiffness * dot(e, e);
+    const Vec3 e = clamped(stretch(handle, tool), most_force() / spring_.stiffness);
+    double energy = 0.5 * dot(e, spring_.stiffness * e);
     if (gains_.has_torque) {
-        const double k = gains_.stiffness * gains_.rotation_arm * gains_.rotation_arm;
-        const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), torque_limit() / k);
-        energy += 0.5 * k * dot(turn, turn);
+        const Split most = torque_limit() / gains_.force_scale;
+        const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), most / spring_.turn_stiffness);
+        energy += 0.5 * dot(turn, spring_.turn_stiffness * turn);
     }
-    return energy;
+    return gains_.force_scale * energy;
 }
 
 }  // namespace kerf

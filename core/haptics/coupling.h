@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "core/haptics/device_record.h"
+#include "core/haptics/handling.h"
 #include "core/haptics/solve.h"
 
 /// The spring and damper between the hand and the tool.
 namespace kerf {
+
+/// What gives way between the handle and the tool when a hand holds it. Bone side, the same on every device.
+struct Hold {
+    double turn_stiffness = 0.0;   ///< [N·m/rad] of the wrist, at the grip
+    double axial_stiffness = 0.0;  ///< [N/m] at most
+    double strength = 0.0;         ///< [N·m] about lines across the shaft; beyond it the tool turns in the hand
+    double twist = 0.0;            ///< [N·m] about the shaft
+    double damping_ratio = 0.5;    ///< of a handpiece of 0.5 kg on it [assumed]
+};
+/// Of a drill: 10 N·m/rad and 5 N·m [assumed], 7 N·m [maxima of 7 … 12 measured], 7.5 N/mm, which every device can
+/// make.
+inline constexpr Hold one_hand{.turn_stiffness = 10.0, .axial_stiffness = 7.5e3, .strength = 7.0, .twist = 5.0};
+/// Of a saw: arms of 5 N/mm, 150 mm apart, and two wrists [assumed].
+inline constexpr Hold two_hands{.turn_stiffness = 60.0, .axial_stiffness = 7.5e3, .strength = 20.0, .twist = 20.0};
 
 /// Gains on the device's side; divided by the force scale they act on the bone's.
 struct CouplingGains {
@@ -19,6 +36,7 @@ struct CouplingGains {
     double force_scale = 1.0;      ///< [–] device newtons per bone newton, one for force and torque
     double rotation_arm = 0.05;    ///< [m] K_rot = K arm², B_rot = B arm² [assumed]
     double release_damping = 0.0;  ///< [N·s/m] between hand and tool at breakthrough (docs/design/tick.md)
+    bool is_held = false;          ///< in hands, as many as the tool asks for; else the handle clamps it
 };
 
 /// What a device may be asked for when its forces come `latency` ticks late (0 … longest_latency, asserted):
@@ -30,14 +48,34 @@ struct CouplingGains {
 /// B_c and B_x are judgements; all are held against S-01, S-02, S-06, S-15 and S-19 (docs/design/tick.md).
 [[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency = 0) noexcept;
 
+/// The same with the tool in hands.   [any] pure.
+[[nodiscard]] inline CouplingGains in_hands(CouplingGains gains) noexcept {
+    gains.is_held = true;
+    return gains;
+}
+
 /// The largest scale at which `work_force` [N, bone] stays within 0.6 of what the device can hold, at most 1 (R5).
 [[nodiscard]] double force_scale_for(const DeviceRecord& device, double work_force) noexcept;
 
+/// The coupling as the solve sees it. Bone side.
+struct Spring {
+    double centre_z = 0.0;               ///< [m] where force and torque do not mix
+    Split stiffness, damping;            ///< [N/m], [N·s/m]
+    Split turn_stiffness, turn_damping;  ///< [N·m/rad], [N·m·s/rad]
+};
+/// Returns device, hands and shaft as one spring; without `held` the handle clamps the tool. A device that makes no
+/// torques leaves a turn to the wrist: turning its handle costs nothing. In hands every damper has a ratio of its own,
+/// so the sum is exact at rest only.   [any] pure.
+///
+/// Source: docs/design/tick.md, "One spring".
+[[nodiscard]] Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, double grip_z,
+                            TipBending tip) noexcept;
+
 /// The coupling as it stands: where its anchor is. The anchor slides so that the stretch never stores more than the
-/// device can make felt.
+/// device can make felt, and the hands hold.
 class Coupling {
 public:
-    Coupling(const CouplingGains& gains, Vec3 grip) : gains_(gains), grip_(grip) {}
+    Coupling(const CouplingGains& gains, const Handling& handling) noexcept;
 
     /// Of its limits of force and torque, these shares are allowed from now on (0 … 1]: the anchor slides so much the
     /// sooner. Force comes back after a fault by allowing more, not by scaling what it would be: what is scaled up
@@ -56,38 +94,37 @@ public:
     /// Nothing is stored any more: hand and tool go on from where they are.   [haptic, nonblocking]
     void let_go(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
 
-    /// What the stretch holds [J], on the device's side.   [haptic, nonblocking]
+    /// What the stretch can give back to the hand [J], on the device's side: of a turn, as much as the device's own
+    /// torques store.   [haptic, nonblocking]
     [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;
-    /// Where the device would have to be for the spring to be slack: the grip, world frame [m].
-    [[nodiscard]] Vec3 slack_grip(const Pose& world_from_tool) const noexcept {
-        return world_from_tool * grip_ + slip_;
-    }
     [[nodiscard]] const CouplingGains& gains() const noexcept { return gains_; }
-    [[nodiscard]] double force_limit() const noexcept { return force_share_ * gains_.force_limit; }     ///< [N]
-    [[nodiscard]] double torque_limit() const noexcept { return torque_share_ * gains_.torque_limit; }  ///< [N·m]
+    /// Of the device [N], [N·m].
+    [[nodiscard]] double force_limit() const noexcept { return force_share_ * gains_.force_limit; }
+    [[nodiscard]] double torque_limit() const noexcept { return torque_share_ * gains_.torque_limit; }
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
 
 private:
-    [[nodiscard]] Vec3 stretch(const Pose& handle, const Pose& tool) const noexcept {
-        return handle * grip_ - tool * grip_ - slip_;
+    [[nodiscard]] Vec3 stretch(const Pose& handle, const Pose& tool) const noexcept {  ///< tool frame
+        return rotate(conjugate(tool.rotation), handle * centre() - tool * centre() - slip_);
     }
     [[nodiscard]] Quat twist(const Pose& handle, const Pose& tool) const noexcept {
         return conjugate(tool.rotation) * handle.rotation * rotation_slip_;
     }
-    [[nodiscard]] double stiffness() const noexcept { return gains_.stiffness / gains_.force_scale; }
-    [[nodiscard]] double damping() const noexcept { return gains_.damping / gains_.force_scale; }
+    [[nodiscard]] Vec3 centre() const noexcept { return {0, 0, spring_.centre_z}; }
+    /// On the tool [N], [N·m].
+    [[nodiscard]] Split most_force() const noexcept { return force_limit() / gains_.force_scale; }
+    [[nodiscard]] Split most_torque() const noexcept {
+        return held_ ? torque_share_ * Split(held_->strength, held_->twist)
+                     : Split(torque_limit() / gains_.force_scale);
+    }
 
     CouplingGains gains_;
+    std::optional<Hold> held_;
     Vec3 grip_;
+    Spring spring_;
     double force_share_ = 1.0, torque_share_ = 1.0;
     Vec3 slip_{};  ///< how far the anchor has slid, world frame [m]
     Quat rotation_slip_{1, 0, 0, 0};
 };
-
-/// `v`, or as much of it as is `limit` long.
-[[nodiscard]] inline Vec3 clamped(Vec3 v, double limit) noexcept {
-    const double size = length(v);
-    return size > limit ? (limit / size) * v : v;
-}
 
 }  // namespace kerf

@@ -2,8 +2,18 @@
 #include "core/haptics/following.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kerf {
+
+namespace {
+
+/// Of its limits, what a vector takes.
+double share_of(Split limit, Vec3 v) noexcept {
+    return std::max(length(Vec3{v.x, v.y, 0.0}) / limit.across, std::abs(v.z) / limit.along);
+}
+
+}  // namespace
 
 double Following::lambda_of(std::uint32_t id) const noexcept {
     for (std::size_t f = 0; f < count_; ++f)
@@ -17,26 +27,23 @@ Vec6 Following::wrench(const Balance& balance, const Vec6& own) const noexcept {
         const double lambda = lambda_of(channel.id);
         for (std::size_t i = 0; i < 6; ++i) sum[i] += channel.follow[i] * lambda;
     }
-    const Vec3 about_grip = angular(sum) - cross(balance.grip, linear(sum));
-    const double use = std::max(length(linear(sum)) / balance.force.limit, length(about_grip) / balance.torque.limit);
+    const Vec3 force = linear(sum), about_centre = angular(sum) - cross(balance.centre, force);
+    const double use = std::max(share_of(balance.force.limit, force), share_of(balance.torque.limit, about_centre));
     if (use > 0.5)
         for (double& component : sum) component *= 0.5 / use;
     return sum;
 }
 
 void Following::update(const Balance& balance, const Motion& motion) noexcept {
-    const double force_compliance = 1.0 / balance.force.drag;
-    const double turn_compliance = 1.0 / (balance.torque.drag + balance.force.drag * dot(balance.grip, balance.grip));
+    const Split of_force = 1.0 / balance.force.drag;
+    const double of_torque =
+        1.0 / (balance.torque.drag.across + balance.force.drag.across * dot(balance.centre, balance.centre));
+    const auto weighed = [&](const double* wrench) {
+        const Vec3 force{wrench[0], wrench[1], wrench[2]}, torque{wrench[3], wrench[4], wrench[5]};
+        return dot(force, of_force * force) + of_torque * dot(torque, torque);
+    };
     double mu2 = 0.0;
-    for (const auto& channel : balance.channels) {
-        double d2 = 0.0, f2 = 0.0;
-        for (std::size_t i = 0; i < 6; ++i) {
-            const double weight = i < 3 ? force_compliance : turn_compliance;
-            d2 += weight * channel.d[i] * channel.d[i];
-            f2 += weight * channel.follow[i] * channel.follow[i];
-        }
-        mu2 = std::max(mu2, f2 / d2);
-    }
+    for (const auto& channel : balance.channels) mu2 = std::max(mu2, weighed(channel.follow) / weighed(channel.d));
     const double alpha = 1.0 / (1.0 + mu2);
     std::array<Filtered, most_channels> next{};
     for (std::size_t c = 0; c < balance.channels.size(); ++c) {

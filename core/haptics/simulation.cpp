@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t free_margin = 128;  // bricks kept ready for one tick
 constexpr double fastest = 1.0;           // [m/s] of a tool that bone resists (B9)
+constexpr double skidding = 10e-3;        // [m/s] of a tip in bone across its shaft, faster than the hand [assumed]
+constexpr int skidding_parts = 4;         // its edges catch and let go within 3 ms
 
 // What is taken for a part of the tool that goes through bone unresisted [assumed]
 constexpr std::uint64_t unresisted_interval = 16;                  // ticks from look to look
@@ -36,6 +38,11 @@ std::vector<const ToolSolid*> cutting_of(const std::vector<Tool>& tools) {
     std::vector<const ToolSolid*> solids;
     for (const Tool& tool : tools) solids.push_back(&tool.outline.cutting);
     return solids;
+}
+
+bool is_resisted_by(const Motion& motion, std::uint32_t channels) noexcept {
+    return std::any_of(motion.lambda.begin(), motion.lambda.begin() + channels,
+                       [](double lambda) { return lambda > 0.0; });
 }
 
 Vec6 turned(Quat q, const Vec6& v) noexcept { return make_vec6(rotate(q, linear(v)), rotate(q, angular(v))); }
@@ -55,7 +62,7 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
       view_(body),
       world_from_tool_(start),
       hand_(start),
-      coupling_(gains, {0, 0, outline().grip_z}),
+      coupling_(gains, outline().handling),
       guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
     bodies_.reserve(most_bodies);
     bodies_.push_back(
@@ -261,16 +268,17 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     if (is_fast && is_behind && !std::exchange(is_held_back_, true)) result.add_event("haptics.held_back");
     if (!is_behind) is_held_back_ = false;
     double step = period_;
-    if (is_fast && !is_behind) {
+    if (is_fast && !is_behind)
         result.parts = static_cast<int>(std::min(std::ceil(moved / half_voxel), static_cast<double>(most_parts)));
+    if (!is_behind && is_skidding(balance, motion)) result.parts = std::max(result.parts, skidding_parts);
+    if (result.parts > 1) {
         step = period_ / result.parts;
         if (!find_motion(handle_in(1), step, balance, motion)) return false;
     }
     for (int part = 1;; ++part) {
         if (is_fast) {
-            const bool is_resisted = std::any_of(motion.lambda.begin(), motion.lambda.begin() + channel_count_,
-                                                 [](double lambda) { return lambda > 0.0; });
-            const double most = is_resisted ? std::min(half_voxel, fastest * step) : half_voxel;
+            const double most =
+                is_resisted_by(motion, channel_count_) ? std::min(half_voxel, fastest * step) : half_voxel;
             const double wanted = motion_in(step);
             if (wanted > most) {
                 for (double& component : motion.rate) component *= most / wanted;
@@ -288,6 +296,14 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     coupling_.slide(hand_.pose(), world_from_tool_);
     if (tick_ % unresisted_interval == 0) look_for_unresisted(motion, result);
     return true;
+}
+
+/// Whether the tip slips sideways on bone by itself, faster than the hand goes.
+bool Simulation::is_skidding(const Balance& balance, const Motion& motion) const noexcept {
+    if (!is_resisted_by(motion, law_channel_count_)) return false;
+    const Vec3 hand = balance.hand_velocity - cross(balance.hand_turn, balance.centre);
+    const Vec3 slip = linear(motion.rate) - hand;
+    return slip.x * slip.x + slip.y * slip.y > skidding * skidding;
 }
 
 /// Whether a channel carries force against a point's way into the bone, away from the tool's axis. Its line of action
@@ -347,16 +363,20 @@ void Simulation::report(const Balance& balance, const Motion& motion, double sha
         for (std::size_t i = 0; i < 6; ++i) bone[i] -= channels_[c].d[i] * motion.lambda[c];
     report_bone(bone, share, result);
 
-    // Hand: the reaction of coupling and release damper.
+    // Hand: the reaction of coupling and release damper, about the grip.
+    const Vec3 arm = balance.centre - coupling_.grip();
+    const auto on_hand = [&](Vec3 force, Vec3 torque) {
+        return turned(world_from_tool_.rotation, make_vec6(-force, -torque - cross(arm, force)));
+    };
     const Vec3 carried = motion.force - motion.release * balance.release_along;
+    const Vec3 turn = angular(motion.rate);
     const Vec3 unlimited =
-        balance.force.pull - balance.force.drag * (linear(motion.rate) + cross(angular(motion.rate), balance.grip));
-    const Vec3 unlimited_torque = balance.torque.pull - balance.torque.drag * angular(motion.rate);
-    const Quat q = world_from_tool_.rotation;
-    add(turned(q, make_vec6(-unlimited, -unlimited_torque)), share, result.coupled_on_hand);
-    add(turned(q, make_vec6(-clamped(carried, balance.force.limit), -motion.torque)), share, result.limited_on_hand);
+        balance.force.pull - balance.force.drag * (linear(motion.rate) + cross(turn, balance.centre));
+    add(on_hand(unlimited, balance.torque.pull - balance.torque.drag * turn), share, result.coupled_on_hand);
+    add(on_hand(clamped(carried, balance.force.limit), motion.torque), share, result.limited_on_hand);
     add(motion.rate, share, result.rate);
-    result.released_on_hand = result.released_on_hand + (share * motion.release) * rotate(q, balance.release_along);
+    result.released_on_hand =
+        result.released_on_hand + (share * motion.release) * rotate(world_from_tool_.rotation, balance.release_along);
     result.power_hand += share * (dot(carried, balance.hand_velocity) + dot(motion.torque, balance.hand_turn));
 }
 
@@ -375,12 +395,16 @@ void Simulation::command(TickResult& result) noexcept {
     } else {
         const Vec3 correction = guard_.correction(period_);
         add(result.limited_on_hand, gains.force_scale, wrench);
-        const Vec3 released = gains.force_scale * result.released_on_hand;
-        wrench = make_vec6(clamped(linear(wrench) + correction, coupling_.force_limit()), angular(wrench));
-        const Vec3 grip_rate = linear(result.rate) + cross(angular(result.rate), coupling_.grip());
-        const Vec3 origin_from_grip = hand_.pose().position - hand_.pose() * coupling_.grip();
-        result.command.setpoint = {coupling_.slack_grip(world_from_tool_) + origin_from_grip,
-                                   rotate(world_from_tool_.rotation, grip_rate),
+        const Vec3 released = gains.force_scale * result.released_on_hand, force = linear(wrench);
+        wrench = make_vec6(clamped(force + correction, coupling_.force_limit()),
+                           clamped(angular(wrench), coupling_.torque_limit()));
+        const Vec3 arm = rotate(world_from_tool_.rotation, coupling_.grip());
+        const Vec3 tool_rate = rotate(world_from_tool_.rotation, linear(result.rate)) +
+                               cross(rotate(world_from_tool_.rotation, angular(result.rate)), arm);
+        const Vec3 hand_rate = linear(hand_.rate()) + cross(angular(hand_.rate()), arm);
+        const Vec3 sprung = force - released - gains.damping * (tool_rate - hand_rate);
+        result.command.setpoint = {hand_.pose().position + (1.0 / gains.stiffness) * sprung,
+                                   tool_rate,
                                    gains.stiffness,
                                    gains.damping,
                                    coupling_.force_limit(),

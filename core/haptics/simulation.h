@@ -182,6 +182,10 @@ public:
     /// Which laws were slower than they declare, one line each.   [main]
     [[nodiscard]] std::vector<std::string> laws_over_budget() const;
     [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
+    /// What the coupling would give back to a handle there [J], device side.
+    [[nodiscard]] double stored_at(const Pose& handle) const noexcept {
+        return coupling_.stored(handle, world_from_tool_);
+    }
     [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
     /// The plugin's state, as bytes.
     [[nodiscard]] const std::byte* state() const noexcept { return state_; }
@@ -197,6 +201,7 @@ private:
     [[nodiscard]] bool ask(double step) noexcept;
     [[nodiscard]] bool take_law(kerf_status status, const kerf_law& law) noexcept;  ///< false: it is unsound
     bool release_because(LawFault fault) noexcept;                                  ///< false
+    [[nodiscard]] bool is_skidding(const Balance& balance, const Motion& motion) const noexcept;
     [[nodiscard]] bool is_resisted_at(Vec3 point, const Motion& motion) const noexcept;
     void look_for_unresisted(const Motion& motion, TickResult& result) noexcept;
     /// [m] A millimetre and two voxels, as far as depths are known.

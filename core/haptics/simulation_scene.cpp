@@ -35,7 +35,7 @@ void Simulation::take_tool(std::size_t tool) {
     last_rate_ = law_wrench_ = Vec6{};
     std::fill(std::begin(notes_), std::end(notes_), static_cast<unsigned char>(0));
     following_.forget();
-    coupling_ = Coupling(coupling_.gains(), {0, 0, outline().grip_z});
+    coupling_ = Coupling(coupling_.gains(), outline().handling);
     coupling_.let_go(hand_.pose(), world_from_tool_);
     guard_.restart();
     begin_with_tool();

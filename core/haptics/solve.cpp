@@ -45,41 +45,43 @@ Vec6 stepped(const Vec6& u, double t, const Vec6& p) noexcept {
     return out;
 }
 
-/// Rate of the grip from the rate of the tip.
-Vec3 grip_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.grip); }
-/// Wrench about the tip of a force at the grip.
+/// Rate of the centre from the rate of the tip.
+Vec3 centre_velocity(const Balance& b, const Vec6& u) noexcept { return linear(u) + cross(angular(u), b.centre); }
+/// Wrench about the tip of a force at the centre.
 Vec6 at_tip(const Balance& b, Vec3 force, Vec3 torque) noexcept {
-    return make_vec6(force, torque + cross(b.grip, force));
-}
-
-Vec3 limited(const CouplingBlock& block, Vec3 y) noexcept {
-    const double size = length(y);
-    return size > block.limit ? (block.limit / size) * y : y;
+    return make_vec6(force, torque + cross(b.centre, force));
 }
 
 using Mat3 = std::array<std::array<double, 3>, 3>;
 
-/// −∂f/∂(rate) of a block: drag, less along y once the limit is reached.
-Mat3 stiffness(const CouplingBlock& block, Vec3 y) noexcept {
-    constexpr double kept_when_saturated = 1e-3;
-    const double size = length(y);
+/// Of a block's drag, what counts along a part that is saturated. Next to none is right near the answer; but where
+/// nothing else resists that part, steps are then so long that they wander about the kinks of the channels.
+double kept_in(int iteration) noexcept {
+    constexpr double usual = 1e-3, other[] = {1e-3, 0.1, 1.0};
+    return iteration <= 12 ? usual : other[iteration % 3];
+}
+
+/// −∂f/∂(rate) of a block: drag, less along y once a limit is reached.
+Mat3 stiffness(const CouplingBlock& block, Vec3 y, double kept_when_saturated) noexcept {
     Mat3 d{};
-    if (size <= block.limit) {
-        for (std::size_t i = 0; i < 3; ++i) d[i][i] = block.drag;
+    d[2][2] = (std::abs(y.z) > block.limit.along ? kept_when_saturated : 1.0) * block.drag.along;
+    const double size = std::sqrt(y.x * y.x + y.y * y.y);
+    if (size <= block.limit.across) {
+        d[0][0] = d[1][1] = block.drag.across;
         return d;
     }
-    const double across = block.drag * block.limit / size;
-    const double along = kept_when_saturated * block.drag;
-    const double n[3] = {y.x / size, y.y / size, y.z / size};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) d[i][j] = (i == j ? across : 0.0) + (along - across) * n[i] * n[j];
+    const double around = block.drag.across * block.limit.across / size;
+    const double outwards = kept_when_saturated * block.drag.across;
+    const double n[2] = {y.x / size, y.y / size};
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) d[i][j] = (i == j ? around : 0.0) + (outwards - around) * n[i] * n[j];
     return d;
 }
 
-/// Adds Jᵀ diag(f, t) J, with the grip's lever, about the tip.
+/// Adds Jᵀ diag(f, t) J, with the centre's lever, about the tip.
 void add_coupling(const Balance& b, const Mat3& f, const Mat3& t, Mat6& h) noexcept {
-    // grip velocity = v + ω × r = v − [r]ω
-    const double r[3][3] = {{0, -b.grip.z, b.grip.y}, {b.grip.z, 0, -b.grip.x}, {-b.grip.y, b.grip.x, 0}};
+    // centre velocity = v + ω × r = v − [r]ω
+    const double r[3][3] = {{0, -b.centre.z, b.centre.y}, {b.centre.z, 0, -b.centre.x}, {-b.centre.y, b.centre.x, 0}};
     double fr[3][3] = {};  // f (−[r])
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
@@ -121,9 +123,9 @@ double release_force(const Balance& b, const Vec6& u) noexcept {
 
 At evaluate(const Balance& b, const Vec6& u) noexcept {
     At at;  // all of it is set below, but for channels that there are not
-    at.force_pull = b.force.pull - b.force.drag * grip_velocity(b, u);
+    at.force_pull = b.force.pull - b.force.drag * centre_velocity(b, u);
     at.torque_pull = b.torque.pull - b.torque.drag * angular(u);
-    Vec6 g = at_tip(b, limited(b.force, at.force_pull), limited(b.torque, at.torque_pull));
+    Vec6 g = at_tip(b, clamped(at.force_pull, b.force.limit), clamped(at.torque_pull, b.torque.limit));
     for (std::size_t i = 0; i < 6; ++i) g[i] += b.following[i];
     if (b.inertia.mass > 0.0) {
         const Vec6 gained = momentum(b.inertia, stepped(u, -1.0, b.previous_rate));
@@ -142,9 +144,10 @@ At evaluate(const Balance& b, const Vec6& u) noexcept {
     return at;
 }
 
-Mat6 hessian(const Balance& b, const Vec6& u, const At& at) noexcept {
+Mat6 hessian(const Balance& b, const Vec6& u, const At& at, double kept_when_saturated) noexcept {
     Mat6 h{};
-    add_coupling(b, stiffness(b.force, at.force_pull), stiffness(b.torque, at.torque_pull), h);
+    add_coupling(b, stiffness(b.force, at.force_pull, kept_when_saturated),
+                 stiffness(b.torque, at.torque_pull, kept_when_saturated), h);
     add_inertia(b, h);
     for (std::size_t c = 0; c < b.channels.size(); ++c) {
         const Vec6 d = direction(b.channels[c]);
@@ -219,8 +222,8 @@ Found exact_line_search(const Balance& b, const Vec6& u, const Vec6& step, doubl
 /// What everything carries there.
 void carry(const Balance& b, const Vec6& rate, const At& at, Motion& motion) noexcept {
     motion.rate = rate;
-    motion.force = limited(b.force, at.force_pull);
-    motion.torque = limited(b.torque, at.torque_pull);
+    motion.force = clamped(at.force_pull, b.force.limit);
+    motion.torque = clamped(at.torque_pull, b.torque.limit);
     motion.release = release_force(b, rate);
     for (std::size_t c = 0; c < b.channels.size(); ++c) motion.lambda[c] = at.channel[c].lambda;
 }
@@ -239,8 +242,8 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
     Mat6 norm{};
     Mat3 force_drag{}, torque_drag{};
     for (std::size_t i = 0; i < 3; ++i) {
-        force_drag[i][i] = b.force.drag;
-        torque_drag[i][i] = b.torque.drag;
+        force_drag[i][i] = i < 2 ? b.force.drag.across : b.force.drag.along;
+        torque_drag[i][i] = i < 2 ? b.torque.drag.across : b.torque.drag.along;
     }
     add_coupling(b, force_drag, torque_drag, norm);
     add_inertia(b, norm);
@@ -267,7 +270,7 @@ Motion solve_from(const Balance& b, const Vec6& start) noexcept {
             motion.has_converged = true;
             break;
         }
-        Mat6 h = hessian(b, u, at);
+        Mat6 h = hessian(b, u, at, kept_in(motion.iterations));
         if (!factorise(h)) break;
         const Vec6 step = backward(h, forward(h, at.out_of_balance));
         const double slope = dot(at.out_of_balance, step);

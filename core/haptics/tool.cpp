@@ -100,6 +100,23 @@ std::string point(std::uint32_t i, const char* field, double value, const std::s
     return "point " + std::to_string(i) + ": `" + field + "` is " + in_mm(value) + ", expected " + expected + ".";
 }
 
+/// A shaft bends one way, and less than a blade of grass.
+std::string fault_of_bending(const kerf_tool_shape& shape) {
+    constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N]
+    const auto out_of = [](const char* field, double value, double most, const char* unit) {
+        char text[120];
+        std::snprintf(text, sizeof text, "`%s` is %.6g %s, expected 0 … %g %s.", field, value, unit, most, unit);
+        return std::string(text);
+    };
+    if (!(shape.tip_deflection >= 0.0 && shape.tip_deflection <= softest))
+        return out_of("tip_deflection", shape.tip_deflection, softest, "m/N");
+    if (!(shape.tip_slope >= 0.0 && shape.tip_slope <= steepest))
+        return out_of("tip_slope", shape.tip_slope, steepest, "rad/N");
+    if ((shape.tip_deflection > 0.0) != (shape.tip_slope > 0.0))
+        return "`tip_deflection` and `tip_slope` must both be 0, or neither.";
+    return {};
+}
+
 /// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
 /// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
@@ -123,7 +140,8 @@ std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacit
                              ", the `z` of the point before it: list the points from the tip backwards");
     }
     if (!std::isfinite(shape.grip_z)) return "`grip_z` is " + in_mm(shape.grip_z) + ", expected a finite number.";
-    return {};
+    if (shape.hands > 2) return count("hands", shape.hands, 0, 2);
+    return fault_of_bending(shape);
 }
 
 /// A prism's faces meet in planes, so its outline may bend towards the axis only.
@@ -162,7 +180,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         error = std::string("tool `") + setup.tool->id + "` gives an outline that is no solid: " + fault;
         return false;
     }
-    out.grip_z = shape.grip_z;
+    out.handling = {shape.grip_z, shape.hands == 2 ? 2 : 1, {shape.tip_deflection, shape.tip_slope}};
     out.profile.assign(points, points + shape.profile_count);
     out.cutting_count = shape.cutting_count;
     if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/field/tool_solid.h"
+#include "core/haptics/handling.h"
 #include "core/haptics/inertia.h"
 #include "kerf/abi.h"
 
@@ -32,7 +33,7 @@ struct ToolSetup {
 struct ToolOutline {
     ToolSolid cutting;  ///< removes bone
     ToolSolid whole;
-    double grip_z = -0.1;                     ///< [m]
+    Handling handling{.grip_z = -0.1};
     Inertia inertia{};                        ///< with its handpiece
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
     std::uint32_t cutting_count = 0;

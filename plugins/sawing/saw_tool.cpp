@@ -31,7 +31,8 @@ Outline OscillatingBlade::outline() const noexcept {
     return outline.to(end.z - tooth_height, end.radius)
         .cuts()
         .to(-radius, end.radius)
-        .gripped_at(-radius - 80.0_mm);  // the hand holds the handpiece behind the axis of the swing
+        .gripped_at(-radius - 80.0_mm)  // on the handpiece, behind the axis of the swing
+        .in_both_hands();
 }
 
 }  // namespace kerf::sawing

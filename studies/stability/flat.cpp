@@ -38,7 +38,7 @@ void look_at_flat(const Scope& scope, const Report& report) {
     constexpr int few = 8, many = 16;
     const Body body = make({.thickness = 20e-3, .spacing = 1e-3, .width = 80e-3});
     for (const DeviceRecord& device : scope.devices) {
-        const CouplingGains gains = gains_for(device, 1.0);
+        const CouplingGains gains = in_hands(gains_for(device, 1.0));
         constexpr double depth = 1e-3;
         Finding finding{.test = "S-07", .hand = led};
         finding.device = device.id;

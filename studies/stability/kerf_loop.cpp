@@ -43,11 +43,7 @@ void KerfLoop::wait(double depth, int ticks) {
 }
 
 double KerfLoop::stored(double depth) const noexcept {
-    const Setpoint& spring = last_.command.setpoint;
-    if (spring.stiffness <= 0.0) return 0.0;
-    const double stretch =
-        std::min(length(at_depth(depth, tilt_).position - spring.position), spring.limit / spring.stiffness);
-    return 0.5 * spring.stiffness * stretch * stretch;
+    return way_ == Way::solved ? simulation_.stored_at(at_depth(depth, tilt_)) : 0.0;
 }
 
 double KerfLoop::tip() const noexcept { return dot(simulation_.world_from_tool().position, along(tilt_)); }

@@ -13,10 +13,21 @@ namespace kerf::stability {
 
 namespace {
 
-/// The probe lies over the face; a hand at its end turns the tip into the bone, moves aside, turns it out.
-Pose lever(double tilt, double shift) {
+constexpr int cycles = 10, ticks = 400;  // of a cycle
+
+/// From 0 to 1 while `phase` goes through the quarter of a cycle that begins at `from`, smoothly.
+double eased(double phase, double from) {
+    const double part = std::clamp(4.0 * (phase - from), 0.0, 1.0);
+    return 0.5 * (1.0 - std::cos(pi * part));
+}
+
+/// The probe lies over the face. A hand at its end turns the tip 0.1 rad into the bone, lets itself be moved 15 mm with
+/// the force, turns the probe back, and returns: `phase` 0 … 1.
+Pose lever(double phase) {
+    const double tilt = 0.1 * (eased(phase, 0.0) - eased(phase, 0.5));
+    const double lift = 15e-3 * (eased(phase, 0.25) - eased(phase, 0.75));
     const Vec3 along{std::cos(tilt), 0.0, -std::sin(tilt)};
-    const Vec3 tip{shift + probe_length * (std::cos(tilt) - 1.0), 0.0, 0.3e-3 - probe_length * std::sin(tilt)};
+    const Vec3 tip{probe_length * (std::cos(tilt) - 1.0), 0.0, 0.3e-3 + lift - probe_length * std::sin(tilt)};
     return {tip, quat_between({0, 0, 1}, along)};
 }
 
@@ -33,19 +44,17 @@ Vec6 penalty(const Pose& probe, Vec3 grip, const CouplingGains& gains) {
 }
 
 Levered lever_with(Method method, const Body& body, const CouplingGains& gains) {
-    constexpr int cycles = 10, ticks = 400;
     const ToolSetup probe = touch_probe(1, 5e5);
     ToolOutline outline;
     std::string error;
     if (!outline_of(probe, outline, error)) return {};
-    Simulation simulation(body, probe, outline, gains, lever(0.0, 0.0));
-    const Vec3 grip{0.0, 0.0, outline.grip_z};
+    Simulation simulation(body, probe, outline, gains, lever(0.0));
+    const Vec3 grip{0.0, 0.0, outline.handling.grip_z};
     Levered levered;
-    Pose last = lever(0.0, 0.0);
+    Pose last = lever(0.0);
     Vec6 wrench{};
     for (int i = 0; i < cycles * ticks; ++i) {
-        const double phase = 2.0 * pi * (i % ticks) / ticks;
-        const Pose now = lever(0.05 * (1.0 - std::cos(phase)), 1e-3 * std::sin(phase));
+        const Pose now = lever(static_cast<double>(i % ticks) / ticks);
         double given = dot(linear(wrench), now * grip - last * grip);
         if (gains.has_torque)
             given += dot(angular(wrench),
@@ -67,22 +76,26 @@ Levered lever_with(Method method, const Body& body, const CouplingGains& gains) 
 }  // namespace
 
 void look_at_lever(const Scope& scope, const Report& report) {
+    constexpr double most = 0.2e-3;  // [J] a cycle
     const Body body = make({.thickness = 8e-3});
     for (const DeviceRecord& device : scope.devices)
-        for (const Method method : {Method::as_printed, Method::kerf}) {
-            const CouplingGains gains = gains_for(device, 1.0);
-            const Levered levered = lever_with(method, body, gains);
-            Finding finding{.test = "A-09", .scene = "lever, ten cycles", .hand = led};
-            finding.method = method;
-            finding.device = device.id;
-            finding.measured = figure(1e3 * levered.work, "mJ") + " on the hand, of " +
-                               figure(1e3 * levered.moved, "mJ") + " to and fro, at most " + figure(levered.most, "N");
-            finding.criterion = "<= 1 mJ";
-            finding.outcome = passes(levered.work <= 1e-3 && levered.most > 0.0);
-            if (!gains.has_torque)
-                finding.reason = "what it gives comes from turning, which this device does not resist";
-            report(finding);
-        }
+        for (const double scale : {1.0, 0.01})
+            for (const Method method : {Method::as_printed, Method::kerf}) {
+                const CouplingGains gains = in_hands(gains_for(device, scale));
+                const Levered levered = lever_with(method, body, gains);
+                const double given = levered.work / cycles;
+                Finding finding{.test = "A-09", .scene = "lever, a cycle at " + figure(scale, "x"), .hand = led};
+                finding.method = method;
+                finding.device = device.id;
+                finding.measured = figure(1e3 * given, "mJ") + " on the hand, of " +
+                                   figure(1e3 * levered.moved / cycles, "mJ") + " to and fro, at most " +
+                                   figure(levered.most, "N");
+                finding.criterion = "<= " + figure(1e3 * most, "mJ");
+                finding.outcome = passes(given <= most && levered.most > 0.0);
+                if (!gains.has_torque)
+                    finding.reason = "what it gives comes from turning, which this device does not resist";
+                report(finding);
+            }
 }
 
 }  // namespace kerf::stability

@@ -87,9 +87,9 @@ void look_at(Way how, const ToolUnderTest& tool, const Scope& scope, const Body&
     for (const double feed : {0.5e-3, 2e-3, 8e-3}) {
         // Scaled so that the push feeds the tool at this rate.
         const double push = push_of(device);
-        const CouplingGains gains = how == Way::printed
-                                        ? CouplingGains{}
-                                        : gains_for(device, std::min(1.0, push / work_force(tool.setup, body, feed)));
+        const CouplingGains gains =
+            how == Way::printed ? CouplingGains{}
+                                : in_hands(gains_for(device, std::min(1.0, push / work_force(tool.setup, body, feed))));
         const auto at = [&](double period) { return drill_with(how, tool, gains, body, push, feed, period); };
         const Drilled at_1_khz = at(1e-3);
         for (const double period : {2e-3, 0.5e-3, 0.25e-3}) {

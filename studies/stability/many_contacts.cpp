@@ -61,7 +61,7 @@ void look_at_many_contacts(const Scope& scope, const Report& report) {
     const Body body = make({.thickness = 20e-3, .spacing = 1e-3, .width = 80e-3});
     for (const DeviceRecord& device : scope.devices)
         for (const bool is_direct : {true, false}) {
-            const CouplingGains gains = gains_for(device, 1.0);
+            const CouplingGains gains = in_hands(gains_for(device, 1.0));
             PortSettings settings = port_of(device, no_hand, 0);
             settings.friction = 0.0;  // nothing but the contact takes energy
             double most_energy = 0.0, least_force = 1e300, most_force = 0.0;

@@ -85,7 +85,7 @@ void look_at_missed_ticks(const Scope& scope, const Report& report) {
     const Body body = make({.thickness = 8e-3});
     at_every_port(scope, [&](const DeviceRecord& device, const PortSettings& settings) {
         const double push = std::min(2.0, 0.5 * device.peak_force);
-        const CouplingGains gains = gains_for(device, 1.0, settings.delay);
+        const CouplingGains gains = in_hands(gains_for(device, 1.0, settings.delay));
         for (const Method method : {Method::as_printed, Method::kerf})
             for (const Hand hand : {Hand::lets_go, Hand::presses_on}) {
                 const Stalled never = press_with_stall(body, settings, gains, push, hand, 0, method);

@@ -69,7 +69,7 @@ double push_of(const DeviceRecord& device) noexcept { return std::min(5.0, 0.8 *
 
 CouplingGains gains_under_push(const DeviceRecord& device, double push, const ToolUnderTest& tool, const Body& body,
                                int latency) {
-    return gains_for(device, std::min(1.0, push / work_force(tool.setup, body, nominal_feed)), latency);
+    return in_hands(gains_for(device, std::min(1.0, push / work_force(tool.setup, body, nominal_feed)), latency));
 }
 
 }  // namespace kerf::stability

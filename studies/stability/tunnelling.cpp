@@ -58,7 +58,7 @@ void look_at_tunnelling(const Scope& scope, const ToolUnderTest& tool, const Rep
     const int times = scope.is_quick ? 100 : 1000;
     const Body body = make({.thickness = shell, .spacing = 0.1e-3, .width = 2e-3});
     for (const DeviceRecord& device : scope.devices) {
-        const CouplingGains gains = gains_for(device, 1.0);
+        const CouplingGains gains = in_hands(gains_for(device, 1.0));
         Finding finding{.test = "S-04", .scene = "0.5 mm shell at 1 m/s", .hand = led};
         finding.device = device.id;
         finding.criterion = "contact felt every time";

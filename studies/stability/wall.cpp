@@ -120,7 +120,7 @@ void look_at_contact(const Scope& scope, const Report& report) {
         finding.device = device.id;
         finding.hand = settings.hand.id;
         finding.delay = settings.delay;
-        const CouplingGains gains = gains_for(device, 1.0, settings.delay);
+        const CouplingGains gains = in_hands(gains_for(device, 1.0, settings.delay));
         const auto tell = [&](const char* scene, Method method, const Judged& judged) {
             finding.scene = scene;
             finding.method = method;

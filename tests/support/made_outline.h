@@ -16,4 +16,11 @@ inline ToolOutline outline(const ToolSetup& setup) {
     return out;
 }
 
+/// The same with a shaft that does not bend: for questions of the tool's law alone.
+inline ToolOutline rigid_outline(const ToolSetup& setup) {
+    ToolOutline out = outline(setup);
+    out.handling.bending = {};
+    return out;
+}
+
 }  // namespace kerf::test

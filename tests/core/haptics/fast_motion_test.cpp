@@ -81,7 +81,7 @@ TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
     Body body = test::block({-4.0_mm, -3.0_mm, -4.0_mm}, {14.0_mm, 3.0_mm, 0}, h, {0.1, 0.4, 0.8});
     body.materials[0].density = 5.0;
     const ToolSetup setup = test::twist_drill({{"run_up", 0.0}});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+    Simulation simulation(body, setup, test::rigid_outline(setup), test::gains(), test::at_depth(-0.5_mm));
     double depth = -0.5_mm, x = 0.0;
     const auto go = [&] {
         const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {x, 0, 0})});

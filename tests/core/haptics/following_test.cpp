@@ -22,7 +22,7 @@ struct Held {
     Held() {
         balance.force = {.pull = {}, .drag = 100.0, .limit = 8.0};
         balance.torque = {.pull = {}, .drag = 0.25, .limit = 0.2};
-        balance.grip = {0, 0, -0.1};
+        balance.centre = {0, 0, -0.1};
         for (std::uint32_t i = 0; i < 2; ++i) {
             channels[i].id = 7 + i;
             channels[i].d[2] = 1.0;

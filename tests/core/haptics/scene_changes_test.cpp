@@ -349,13 +349,19 @@ TEST(Undo, AnotherCutAfterwardsIsAsIfTheFirstHadNeverBeen) {
 }
 
 TEST(Undo, PassingByIsNoCut) {
-    // Given the mill on its way past the bar, 0.3 mm from it: near enough to change distances in the air
+    // Given the mill on its way past the bar, 0.3 mm from it, and its tip where none was before: its sweep is stamped
     Bench bench;
     bench.go_to({-4.0_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
-    bench.go_to({-1.5_mm - test::Mill::radius - 0.3_mm, 12.0_mm, 6.0_mm}, Bench::in_air);
-    const std::uint64_t before = bench.simulation.present().hash();
-    bench.go_to({bench.hand.position.x, -12.0_mm, 6.0_mm}, 20.0_um);
-    EXPECT_NE(bench.simulation.present().hash(), before);
+    std::size_t stamped = 0;
+    const double beside = -1.5_mm - test::Mill::radius - 0.3_mm;
+    for (const Vec3 to : {Vec3{beside, 12.0_mm, 6.1_mm}, Vec3{beside, -12.0_mm, 6.1_mm}}) {
+        const int ticks = static_cast<int>(length(to - bench.hand.position) / 20.0_um);
+        for (int left = ticks; left > 0; --left) {
+            bench.go_to(bench.hand.position + (1.0 / left) * (to - bench.hand.position), 1.0);
+            for (const CutRecord& record : bench.simulation.closed()) stamped += record.removes;
+        }
+    }
+    ASSERT_GT(stamped, 0u);
     EXPECT_EQ(bench.simulation.present().removed(), 0.0);
     EXPECT_EQ(bench.simulation.undo(), "there is no cut to take back");
 }

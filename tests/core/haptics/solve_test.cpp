@@ -116,9 +116,9 @@ TEST(Solve, TheCouplingNeverPullsHarderThanItsLimit) {
     EXPECT_NEAR(m.lambda[0], 20.0, 1e-6);
 }
 
-TEST(Solve, TheGripsLeverTurnsASidewaysPullIntoRotation) {
+TEST(Solve, TheLeverTurnsASidewaysPullIntoRotation) {
     Balance b = hand_that_pulls({1.0, 0, 0});
-    b.grip = {0, 0, -0.1};
+    b.centre = {0, 0, -0.1};
     const Motion m = solve(b);
     // Nothing holds the tool: the grip moves with the pull, and the torque block resists the rotation it would take.
     EXPECT_NEAR(m.rate[0], 0.01, 1e-9);
@@ -161,10 +161,16 @@ struct RandomLaw {
         b.force.drag = damping + 1e-3 * k;
         b.force.limit = uniform(0, 1) < 0.3 ? uniform(1.0, 100.0) : 1e4;
         b.torque.pull = uniform(0.0, 5.0) * normalized(Vec3{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
-        b.torque.drag = b.force.drag * 0.0025;
+        b.torque.drag = 0.0025 * b.force.drag;
         b.torque.limit = uniform(0, 1) < 0.3 ? uniform(0.05, 2.0) : 1e3;
-        b.grip = {0, 0, -uniform(0.0, 0.15)};
+        b.centre = {0, 0, -uniform(0.0, 0.15)};
         b.channels = channels;
+        if (uniform(0, 1) < 0.5) {  // softer across than along, as in a hand, and with limits of its own
+            b.force.drag.across *= logarithmic(1e-2, 1.0);
+            b.torque.drag.across *= logarithmic(1e-2, 1.0);
+            b.force.limit.across = uniform(0, 1) < 0.3 ? uniform(1.0, 100.0) : 1e4;
+            b.torque.limit.across = uniform(0, 1) < 0.3 ? uniform(0.05, 2.0) : 1e3;
+        }
         if (uniform(0, 1) < 0.5) {
             b.inertia = {logarithmic(0.05, 5.0), -uniform(0.0, 0.2), uniform(0.01, 0.1)};
             for (double& rate : b.previous_rate) rate = uniform(-0.1, 0.1);
@@ -218,13 +224,18 @@ struct Sum {
 };
 Sum out_of_balance(const Balance& b, const Vec6& rate) {
     const Vec3 v = linear(rate), w = angular(rate);
-    const auto at_most = [](Vec3 pull, double limit) {
-        return length(pull) > limit ? (limit / length(pull)) * pull : pull;
+    // By parts: across the shaft as a length, along it as a number
+    const auto at_most = [](Vec3 pull, Split limit) {
+        const double across = std::hypot(pull.x, pull.y), share = across > limit.across ? limit.across / across : 1.0;
+        return Vec3{share * pull.x, share * pull.y, std::min(std::max(pull.z, -limit.along), limit.along)};
+    };
+    const auto dragged = [](Split drag, Vec3 by) {
+        return Vec3{drag.across * by.x, drag.across * by.y, drag.along * by.z};
     };
     Sum sum;
-    const Vec3 at_grip = at_most(b.force.pull - b.force.drag * (v + cross(w, b.grip)), b.force.limit);
-    sum.add(at_grip, cross(b.grip, at_grip));
-    sum.add({}, at_most(b.torque.pull - b.torque.drag * w, b.torque.limit));
+    const Vec3 at_grip = at_most(b.force.pull - dragged(b.force.drag, v + cross(w, b.centre)), b.force.limit);
+    sum.add(at_grip, cross(b.centre, at_grip));
+    sum.add({}, at_most(b.torque.pull - dragged(b.torque.drag, w), b.torque.limit));
     sum.add(linear(b.following), angular(b.following));
     for (const kerf_channel& c : b.channels) {
         const double lambda = channel_force(c, dot(direction(c), rate), b.dt).lambda;
@@ -249,7 +260,7 @@ TEST(Solve, EveryPartOfTheBalanceCountsWithItsSign) {
     int released = 0, saturated = 0;
     for (int i = 0; i < 3000; ++i) {
         Balance b = law.make();
-        b.grip = {law.uniform(-0.05, 0.05), law.uniform(-0.05, 0.05), -law.uniform(0.0, 0.15)};
+        b.centre = {law.uniform(-0.05, 0.05), law.uniform(-0.05, 0.05), -law.uniform(0.0, 0.15)};
         Vec6 following;
         for (std::size_t k = 0; k < 6; ++k) following[k] = law.uniform(-1.0, 1.0) * (k < 3 ? 5.0 : 0.1);
         b.following = Following().wrench(b, following);  // no more than the coupling can hold
@@ -263,15 +274,17 @@ TEST(Solve, EveryPartOfTheBalanceCountsWithItsSign) {
         ASSERT_LT(length(sum.force), 1e-5 * sum.forces + 1e-9) << i;
         ASSERT_LT(length(sum.torque), 1e-5 * (sum.torques + 0.15 * sum.forces) + 1e-9) << i;
         released += m.release > 0.0;
-        saturated += length(m.force) > 0.999 * b.force.limit;
+        saturated += std::abs(m.force.z) > 0.999 * b.force.limit.along;
 
         // And it reports what each part carries there
         const Motion same = at_rate(b, m.rate);
         ASSERT_EQ(length(same.force - m.force), 0.0);
         ASSERT_EQ(length(same.torque - m.torque), 0.0);
         ASSERT_EQ(same.release, m.release);
-        ASSERT_LE(length(m.force), b.force.limit * (1.0 + 1e-12));
-        ASSERT_LE(length(m.torque), b.torque.limit * (1.0 + 1e-12));
+        ASSERT_LE(std::hypot(m.force.x, m.force.y), b.force.limit.across * (1.0 + 1e-12));
+        ASSERT_LE(std::abs(m.force.z), b.force.limit.along * (1.0 + 1e-12));
+        ASSERT_LE(std::hypot(m.torque.x, m.torque.y), b.torque.limit.across * (1.0 + 1e-12));
+        ASSERT_LE(std::abs(m.torque.z), b.torque.limit.along * (1.0 + 1e-12));
         ASSERT_NEAR(m.release, b.release_damping * std::max(0.0, dot(b.release_along, linear(m.rate)) - b.release_from),
                     1e-12);
         for (std::size_t c = 0; c < b.channels.size(); ++c)

@@ -120,14 +120,16 @@ typedef struct kerf_tool_shape {
     uint32_t cutting_count; /* out: 0 for a tool that removes no bone */
     double grip_z;          /* out: where the hand holds the tool on its axis [m], < 0 */
     uint32_t kind;          /* out: KERF_SOLID_…; KERF_SOLID_REVOLUTION before the call */
-    uint32_t reserved;
-    double kerf;       /* out, prism: thickness of what removes bone [m], > 0 */
-    double thickness;  /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
-    double mass;       /* out: of the tool with its handpiece [kg]; 0: none */
-    double centre_z;   /* out, with a mass: where its centre lies on the axis [m] */
-    double gyration;   /* out, with a mass: radius of gyration about that centre [m], > 0 */
-    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
-                          needed; UTF-8, ends with NUL */
+    uint32_t hands;         /* out: how many hold it; 0 means 1, 2 at most */
+    double kerf;            /* out, prism: thickness of what removes bone [m], > 0 */
+    double thickness;       /* out, prism: of the blade behind it [m], > 0 and ≤ kerf */
+    double mass;            /* out: of the tool with its handpiece [kg]; 0: none */
+    double centre_z;        /* out, with a mass: where its centre lies on the axis [m] */
+    double gyration;        /* out, with a mass: radius of gyration about that centre [m], > 0 */
+    double tip_deflection; /* out: how far 1 N across the tip bends the shaft there, held at the grip [m/N]; 0: rigid */
+    double tip_slope;      /* out: by how much it turns the tip [rad/N]; 0 if and only if tip_deflection is */
+    char refusal[240];     /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
+                              needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {

@@ -73,6 +73,11 @@ public:
     [[nodiscard]] bool faces_bone(std::size_t i) const noexcept { return touch_[i].share > 0.0; }
     /// The bone is known to be so deep there [m], along its own normal, from elsewhere.
     void set_depth(std::size_t i, double depth) noexcept { depth_[i] = depth; }
+    /// Bone holds it by `force` [N] at most: deeper, it gives way.
+    void bear_at_most(std::size_t i, double force) noexcept {
+        const double pressed = points_.stiffness(i) * depth_[i];
+        if (pressed > force) touch_[i].share *= force / pressed;
+    }
 
     /// A channel for each slot that touches or soon may, as many as there is room for if `kept_free` are to be left:
     /// those farthest from touching are left out.

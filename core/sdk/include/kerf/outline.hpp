@@ -49,6 +49,20 @@ public:
         grip_z_ = z;
         return *this;
     }
+    /// Both hands hold it there, as a saw; a drill is held in one.
+    constexpr Outline& in_both_hands() noexcept {
+        hands_ = 2;
+        return *this;
+    }
+    struct Bending {
+        double deflection;  ///< [m/N] of the tip, by a force across it
+        double slope;       ///< [rad/N] of the tip, by the same force
+    };
+    /// The shaft bends, held at the grip. What touches the bone behind the tip must leave this out.
+    constexpr Outline& bends(Bending bending) noexcept {
+        bending_ = bending;
+        return *this;
+    }
     struct Weight {
         double mass;      ///< [kg] of the tool with its handpiece
         double centre_z;  ///< [m] where its centre lies on the axis
@@ -71,6 +85,9 @@ public:
         out.profile_count = static_cast<std::uint32_t>(count_);
         out.cutting_count = static_cast<std::uint32_t>(cutting_);
         out.grip_z = grip_z_;
+        out.hands = hands_;
+        out.tip_deflection = bending_.deflection;
+        out.tip_slope = bending_.slope;
         out.kind = kind_;
         out.kerf = kerf_;
         out.thickness = thickness_;
@@ -88,9 +105,10 @@ private:
 
     std::array<kerf_profile_point, capacity> point_{};
     std::size_t count_ = 0, cutting_ = 0;
-    std::uint32_t kind_ = KERF_SOLID_REVOLUTION;
+    std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
     double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
     Weight weight_{};
+    Bending bending_{};
     std::array<char, sizeof(kerf_tool_shape::refusal)> refusal_{};
 };
 
