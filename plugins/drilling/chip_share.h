@@ -15,12 +15,20 @@ namespace kerf::drilling {
 struct Travel {
     double feed_rate = 0.0;  ///< [m/s] in the last law, ≥ 0
     Vec6 mean{};  ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
+    Vec6 last{};  ///< [m/s, rad/s] in the last tick
+    Vec6 over_turns{};
+    Vec6 steady{};  ///< [m/s, rad/s] over turns, twice filtered: without what a tip that runs off goes round with them
 
     /// After a tick of `dt` [s] at n revolutions a second.
     void advance(const Vec6& rate, double dt, double n) noexcept {
         feed_rate = std::max(0.0, rate[2]);
-        const double share = std::min(1.0, lip_count * n * dt);
-        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += share * (rate[i] - mean[i]);
+        last = rate;
+        const double turns = n * dt, share = std::min(1.0, lip_count * turns), slow_share = std::min(1.0, turns / 1.5);
+        for (std::size_t i = 0; i < mean.size(); ++i) {
+            mean[i] += share * (rate[i] - mean[i]);
+            over_turns[i] += slow_share * (rate[i] - over_turns[i]);
+            steady[i] += slow_share * (over_turns[i] - steady[i]);
+        }
     }
 };
 

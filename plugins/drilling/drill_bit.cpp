@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drill_bit.h"
 
+#include "bit_stiffness.h"
 #include "kerf/exact_math.hpp"
 #include "kerf/figure.hpp"
 
@@ -36,6 +37,7 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     const double grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
     return outline.to(-drill.length, shank + e)
         .gripped_at(grip_z)
+        .bends(tip_bending(drill))
         .weighs({.mass = mass, .centre_z = grip_z, .gyration = 50.0_mm});  // [assumed]
 }
 

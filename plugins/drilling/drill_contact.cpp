@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kerf/beam.hpp"
+#include "bit_stiffness.h"
 #include "kerf/contact.hpp"
 
 namespace kerf::drilling {
@@ -33,32 +33,12 @@ void add_ring(ContactPoints& points, double r, double z, double radial, double a
     }
 }
 
-/// Bending stiffness [N/m] of the bit at `z`, held at its far end, in series with the bone's `contact` stiffness.
-///
-///     k = 3 E I / Σ (x₂³ − x₁³) I/I_i,    I_i = ½ π d_i⁴/64
-///
-/// summed over its pieces of one diameter d_i, from x₁ to x₂ behind z; I the shank's, and half of the round section's
-/// left by the flutes [assumed]. A cone counts as wide as it ends; what is wider than the shank as the shank. E of
-/// stainless steel.
-double shank_stiffness(const TwistDrill& drill, double z, double contact) noexcept {
-    const double d = 2.0 * drill.shank_radius(), d2 = d * d, l = std::max(drill.length + z, d);
-    double bent = l * l * l, before = 0.0;                     // [m³], [m³] x₁³
-    OutlineCorner piece{drill.point_depth(), drill.radius()};  // where it ends, and its radius
-    for (std::size_t i = 0; i <= drill.corner_count; ++i) {
-        const double x = std::max(0.0, piece.depth + z), x3 = x * x * x,
-                     thinner = d2 / (4.0 * piece.radius * piece.radius);
-        if (thinner > 1.0) bent += (x3 - before) * (thinner * thinner - 1.0);
-        before = x3;
-        if (i < drill.corner_count) piece = drill.corners[i];
-    }
-    return in_series(cantilever_stiffness(stainless_steel, 0.5 * pi * d2 * d2 / 64.0, bent), contact);
-}
-
 }  // namespace
 
 ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& law, const BoneQuery& bone,
                               bool removes) noexcept {
     const double stiffness = law.contact_stiffness;
+    const Outline::Bending tip = tip_bending(drill);
     ContactPoints points;
     const TwistDrill::Cones cones = drill.cones();
     const std::size_t rings = rings_on_each(cones.count, 8, 4);
@@ -79,7 +59,7 @@ ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& la
         if (&cone == &cones.last() || cone.straight <= 0.0) continue;
         const double z = cone.end() - 0.5 * cone.straight;
         add_ring(points, cone.outer - inside_of_hole(law, bone, cone.outer), z, 1.0, 0.0,
-                 shank_stiffness(drill, z, stiffness), grazing, of_front);
+                 shank_stiffness(drill, tip, z, stiffness), grazing, of_front);
     }
     // Along the shank a diameter apart, and from the eighth on as far apart as it takes to come to its end. While bone
     // is taken the land behind the last cone is an edge; else it touches as the shank does.
@@ -93,8 +73,8 @@ ContactPoints touching_points(const TwistDrill& drill, const DrillParameters& la
         const double z = level < near_levels ? front - apart * static_cast<double>(level)
                                              : far - far_apart * static_cast<double>(level - near_levels);
         if (z < -drill.length) break;
-        add_ring(points, z > -head ? of_head : of_shank, z, 1.0, 0.0, shank_stiffness(drill, z, stiffness), grazing,
-                 level < near_levels / 2 ? of_front : of_rear);
+        add_ring(points, z > -head ? of_head : of_shank, z, 1.0, 0.0, shank_stiffness(drill, tip, z, stiffness),
+                 grazing, level < near_levels / 2 ? of_front : of_rear);
     }
     return points;
 }
@@ -106,28 +86,34 @@ double crushing_force(const TwistDrill& drill, const kerf_bone_sample& bone, std
     return crushing_pressure(bone, tissues) * 2.0 * drill.shank_radius() * 2.0 * drill.widest_radius();
 }
 
-/// Where the shank lies deep in bone it is held by no more than crushes that; where it finds no wall, by the one of the
-/// hole that it was pulled out of. Whether it lies so deep anywhere.
-bool hold_bent_shank(const TwistDrill& drill, const BoneQuery& bone, const HoleLine& hole, const ContactPoints& points,
-                     Contact& contact) noexcept {
-    std::array<Contact::Deep, ContactPoints::most> deep;
+/// Where a deep shank finds no wall, it is held by the one of the hole that it was pulled out of. Whether it lies so
+/// deep anywhere.
+bool hold_bent_shank(const HoleLine& hole, const ContactPoints& points, Contact& contact) noexcept {
+    bool is_bent = false;
+    for (const Contact::Deep& one : contact.deep()) {
+        if (points.outwards(one.point).z != 0.0) continue;  // of the tip
+        contact.hold(one, hole.gone(points.at(one.point), points.outwards(one.point)));
+        is_bent = true;
+    }
+    return is_bent;
+}
+
+/// Bone holds the shank by no more than crushes it.
+void crush_beside_shank(const TwistDrill& drill, const BoneQuery& bone, const ContactPoints& points,
+                        Contact& contact) noexcept {
+    std::array<std::size_t, ContactPoints::most> pressed;
     std::array<Vec3, ContactPoints::most> at;
     std::array<kerf_bone_sample, ContactPoints::most> here;
     std::size_t count = 0;
-    for (const Contact::Deep& one : contact.deep()) {
-        if (points.outwards(one.point).z != 0.0) continue;  // of the tip
-        at[count] = points.at(one.point);
-        deep[count++] = one;
+    for (std::size_t i = 0; i < points.count(); ++i) {
+        if (points.outwards(i).z != 0.0 || contact.depth(i) <= 0.0 || !contact.faces_bone(i)) continue;
+        at[count] = points.at(i);
+        pressed[count++] = i;
     }
-    if (count == 0) return false;
+    if (count == 0) return;
     bone.sample({at.data(), count}, Vec3{0, 0, 1}, {here.data(), count});
-    for (std::size_t n = 0; n < count; ++n) {
-        const std::size_t i = deep[n].point;
-        const double borne = crushing_force(drill, here[n], bone.tissue_count()) / points.stiffness(i);
-        contact.hold(deep[n], hole.gone(at[n], points.outwards(i)));
-        if (contact.depth(i) > borne) contact.set_depth(i, borne);
-    }
-    return true;
+    for (std::size_t n = 0; n < count; ++n)
+        contact.bear_at_most(pressed[n], crushing_force(drill, here[n], bone.tissue_count()));
 }
 
 /// Friction of what was carried in the last tick: nearly all of it goes into the turn of a drill that turns, and little
@@ -147,7 +133,8 @@ bool add_contact(const TwistDrill& drill, const ContactPoints& points, const Dri
                  Channels& channels) noexcept {
     Contact contact(points);
     contact.ask(bone, drill.widest_radius());
-    const bool is_bent = hold_bent_shank(drill, bone, hole, points, contact);
+    const bool is_bent = hold_bent_shank(hole, points, contact);
+    crush_beside_shank(drill, bone, points, contact);
     const bool rubs = last.by_shank > 0.0, sticks = last.by_tip > 0.0;
     Vec6 follow{};
     if (turning.cutting.removes_bone()) follow[5] = -law.friction * drill.shank_radius();  // rubbing against the turn

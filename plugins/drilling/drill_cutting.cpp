@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <iterator>
 
+#include "kerf/edge_law.hpp"
+#include "side_work.h"
+
 namespace kerf::drilling {
 
 namespace {
@@ -37,6 +40,22 @@ void take_up_play(const SideEdges& edges, Vec3 way, const OwnHoles& holes, kerf_
             here.gap = std::max(0.0, here.gap - (play - left));
         }
     }
+}
+
+/// A ring of edges that goes sideways at `rate` [m/s] and forwards at `feed`. A land takes all that it meets, a cone
+/// what the lips' feed leaves.
+SideRing ring_of(const SideEdges::Level& level, double rate, double n, double feed) noexcept {
+    const double aside = level.normal_radial * rate;
+    const double onwards = level.is_land ? 0.0 : level.normal_axial() * std::max(0.0, feed);
+    return {.radius = level.radius,
+            .width = level.width,
+            .thickness = aside / (lip_count * n),
+            .fed = aside > 0.0 ? onwards / aside : 0.0};
+}
+
+/// What a side channel carries at `rate` [m/s] [N].
+double force_at(const ChannelSum& sum, double rate) noexcept {
+    return sum.tau > 0.0 ? sum.tau * built_up_at(rate, sum.tau_w / sum.tau) + sum.eta * rate : sum.eta * rate;
 }
 
 }  // namespace
@@ -137,24 +156,41 @@ void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const 
             if (one->engagement > 0.0) least = std::min(least, one->gap);
 
         ChannelSum sum;
+        SideWork work;
         double z = 0.0, total = 0.0;
-        for (const SideEdges::Level& level : edges.levels())
-            for (const auto& at : azimuth) {
+        const Vec6 along = rate_at({0, 0, edges.levels().back().z}, ways_across[n]);
+        const double sideways = std::max(0.0, dot(along, travel.steady));  // [m/s]
+        for (const SideEdges::Level& level : edges.levels()) {
+            SideRing ring = ring_of(level, sideways, turning.n, travel.mean[2]);
+            for (std::size_t a = 0; a < SideEdges::azimuths; ++a) {
                 const kerf_bone_sample& here = *next++;
                 const double m = resistance(here, bone.tissue_count(), law.reference_density);
                 if (m <= 0.0) continue;
                 const auto [chip, edge] = even.taken(1.0, here.gap - least);
                 if (chip <= 0.0) continue;
                 const double width = m * lip_count * level.width * share_of_turn;
-                const double facing = at[0] * level.normal_radial, per_rate = facing / (lip_count * turning.n);
+                const double facing = azimuth[a][0] * level.normal_radial, per_rate = facing / (lip_count * turning.n);
                 sum.add(edge * width * k.thrust.edge * facing, chip * width * k.thrust.chip * facing * per_rate,
                         k.thrust.edge_depth / per_rate);
                 z += edge * width * level.z;
                 total += edge * width;
+                Met& met = a == 0 ? ring.ahead : ring.beside;
+                const double share = a == 0 ? m : 0.5 * m;
+                met.chip += share * chip;
+                met.edge += share * edge;
             }
-        if (total > 0.0)
-            sum.write(rate_at({0, 0, z / total}, ways_across[n]), turning.cutting.fraction, least,
-                      channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n)));
+            work += side_work(ring, k.cutting);
+        }
+        if (total <= 0.0) continue;
+        kerf_channel* channel = channels.add(KERF_CUT, id_side + static_cast<std::uint32_t>(n));
+        if (channel == nullptr) continue;
+        const Vec3 at{0, 0, z / total};
+        sum.write(rate_at(at, ways_across[n]), turning.cutting.fraction, least, channel);
+        const double push = force_at(sum, std::max(sideways, dot(along, travel.last)));
+        if (push <= 0.0) continue;
+        const Vec3 pull = (-work.across / push) * cross(Vec3{0, 0, 1}, ways_across[n]);
+        const Vec6 follow = make_vec6(pull, cross(at, pull) - Vec3{0, 0, work.torque / push});
+        std::copy(follow.begin(), follow.end(), channel->follow);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -35,6 +36,7 @@ public:
         double radius, z, width, normal_radial;
         bool is_land = false;
         double inside = 0.0;  ///< [m] of a land: how far inside the hole it has cut its points lie
+        [[nodiscard]] double normal_axial() const noexcept { return std::sqrt(1.0 - normal_radial * normal_radial); }
     };
     static constexpr std::size_t most_levels = 16, ways = 4, azimuths = 3;  ///< of each level, to each way
     static constexpr std::size_t most = ways * most_levels * azimuths;
@@ -62,7 +64,8 @@ private:
 ///
 /// Each lip passes every azimuth once a turn. At azimuth θ from the motion it takes t = s cos θ n_r/(n_lips n) and
 /// pushes back along the motion with cos θ n_r of its force, so a ring of points, each standing for its share of the
-/// turn, sums to the mean. Bone is asked for where the ring is, not where the lips are now.
+/// turn, sums to the mean. Bone is asked for where the ring is, not where the lips are now. What cutting takes follows
+/// (side_work.h): the spindle's torque, and a pull across the motion.
 void add_side_cutting(const SideEdges& edges, const DrillParameters& law, const BoneQuery& bone, const Turning& turning,
                       const Travel& travel, const OwnHoles& holes, Channels& channels) noexcept;
 

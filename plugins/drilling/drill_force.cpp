@@ -127,9 +127,10 @@ void DrillCutting::commit(const AnyDrill& tool, const BoneQuery& bone, const Not
     double engaged = advance.notes.engagement;
     double load = friction * state.carried.by_shank * drill.shank_radius(), feed_thrust = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c) {
-        if (advance.channel[c].id != id_feed) continue;
-        feed_thrust = advance.lambda[c];
-        if (removes_bone) load -= advance.channel[c].follow[5] * feed_thrust;
+        const std::uint32_t id = advance.channel[c].id;
+        if (id == id_feed) feed_thrust = advance.lambda[c];
+        const bool is_edge = id == id_feed || (id >= id_side && id < id_side + SideEdges::ways);
+        if (removes_bone && is_edge) load -= advance.channel[c].follow[5] * advance.lambda[c];
     }
     if (!removes_bone) {
         Edges edges(drill, state.prepared.edges, *this, bone, state.angle);

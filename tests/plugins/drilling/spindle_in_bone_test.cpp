@@ -25,7 +25,7 @@ struct Rig {
 
     explicit Rig(const std::map<std::string, double>& set)
         : setup(test::twist_drill(set)),
-          simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
+          simulation(body, setup, test::rigid_outline(setup), test::gains(), test::at_depth(-0.2_mm)) {}
 
     TickResult push(double force) {
         const double stretch = force * test::gains().force_scale / test::gains().stiffness;

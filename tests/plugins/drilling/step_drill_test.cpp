@@ -77,7 +77,7 @@ TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
         const kerf_channel& d = two.at(id);
         EXPECT_NEAR(d.tau, c.tau, 0.03 * c.tau) << id;
         EXPECT_NEAR(d.eta, c.eta, 0.03 * c.eta) << id;
-        EXPECT_NEAR(d.k, c.k, 1e-6 * c.k) << id;
+        EXPECT_NEAR(d.k, c.k, 0.01 * c.k) << id << ": its thinner point bends a little more";
         EXPECT_NEAR(d.delta, c.delta, 1e-6) << id;
         EXPECT_NEAR(d.follow[5], c.follow[5], 0.03 * std::abs(c.follow[5])) << id;
     }
