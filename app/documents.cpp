@@ -101,10 +101,12 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
             refuse_tool(procedure, instrument->id, why, diagnostics);
             continue;
         }
-        if (std::string why; !outline_of(tool.setup, tool.outline, why))
+        if (std::string why; !outline_of(tool.setup, tool.outline, why)) {
             refuse_tool(procedure, instrument->id, why, diagnostics);
-        else
-            check_width_of_cut(procedure, instrument->id, tool.outline.cutting, diagnostics);
+            continue;
+        }
+        if (instrument->hands > 0) tool.outline.handling.hands = instrument->hands;
+        check_width_of_cut(procedure, instrument->id, tool.outline.cutting, diagnostics);
     }
 }
 

@@ -9,8 +9,8 @@ namespace kerf {
 std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs) {
     std::vector<HandInput> inputs;
     if (recorded_ == nullptr) {
-        for (; next_ <= legs && next_ < plan_->inputs.size(); ++next_)
-            inputs.insert(inputs.end(), plan_->inputs[next_].begin(), plan_->inputs[next_].end());
+        if (legs == next_ && next_ < plan_->inputs.size()) inputs = plan_->inputs[next_];
+        next_ = std::max(next_, legs + 1);  // waypoints that a hand gave up ask for nothing
     } else {
         for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
             inputs.push_back((*recorded_)[next_].second);

@@ -345,7 +345,7 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         const TickResult result =
             scene.procedure.is_direct ? simulation.tick_direct({handle}) : simulation.tick({handle});
         simulation.after_tick();
-        if (!is_replay) hand.step(result.command);
+        if (!is_replay) hand.step(result.command, result.world_from_tool.position);
 
         if (simulation.ticks() % volume_interval == 0) removed = simulation.present().removed();
         take_separations(simulation.ticks() - 1);

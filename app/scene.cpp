@@ -89,6 +89,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
                                         [&](const LandmarkPlane& p) { return p.id == step.plane; });
         scene.frames.push_back(
             axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
+        scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
         scene.share_in_bone.push_back(found.share);
     }
     if (has_error(diagnostics)) return std::nullopt;
@@ -101,8 +102,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
     for (const Tool& tool : scene.tools)
         scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
-    scene.gains = gains_for(*scene.device,
-                            scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force)));
+    scene.gains = in_hands(gains_for(
+        *scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force))));
     check_force_scale(scene.procedure, *scene.device, scene.work_force, diagnostics);
     check_hands(scene.procedure, *scene.device, scene.gains.force_scale, diagnostics);
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
@@ -122,6 +123,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.plant.device_viscosity = scene.device->viscosity;
     plan.plant.device_friction = scene.device->friction;
     plan.plant.resolution = scene.device->resolution;
+    plan.plant = simulated_hand::in_bone(plan.plant, scene.gains.force_scale);
     plan.intent.reaction = rehearsal.reaction;
 
     const auto pose_at = [&](const Waypoint& waypoint) { return scene.frames[waypoint.step].pose_at(waypoint); };
@@ -132,8 +134,9 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
         const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
         const bool is_into_bone = to.step == from.step && to.depth > from.depth && to.depth > 0.0;
         plan.intent.legs.push_back({.target = pose_at(to),
-                                    .speed = is_into_bone ? rehearsal.feed : rehearsal.approach,
-                                    .push = rehearsal.push * scene.gains.force_scale});
+                                    .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
+                                    .push = to.push.value_or(rehearsal.push) * scene.gains.force_scale,
+                                    .stop_aside = to.stop_aside});
     }
     return plan;
 }

@@ -92,7 +92,7 @@ Pose goal_pose(const Scene& scene, std::size_t step) {
     double depth = 0.0;
     for (const Goal& goal : scene.procedure.steps[step].goals)
         if (goal.quantity == "depth" && goal.bound.at_least) depth = std::max(depth, *goal.bound.at_least);
-    return scene.frames[step].pose_at({depth, 0.0});
+    return scene.frames[step].pose_at({.depth = depth});
 }
 
 /// The outline of the tool as the plane of the view cuts it.

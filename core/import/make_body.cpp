@@ -337,6 +337,25 @@ AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis) {
     return found;
 }
 
+Vec3 into_surface(const Body& body, Vec3 point) {
+    constexpr double reach = 1.2e-3;  // [m] of a drill's own width
+    const double step = body.grid().spacing;
+    const int most = static_cast<int>(reach / step);
+    const auto distance = [&](Vec3 at) { return uncut_distance(body, locate(body.grid(), at)); };
+    Vec3 outwards{};
+    for (int i = -most; i <= most; ++i)
+        for (int j = -most; j <= most; ++j)
+            for (int k = -most; k <= most; ++k) {
+                const Vec3 at =
+                    point + step * Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)};
+                if (length(at - point) > reach || std::abs(distance(at)) > step) continue;
+                outwards = outwards + Vec3{distance(at + Vec3{step, 0, 0}) - distance(at - Vec3{step, 0, 0}),
+                                           distance(at + Vec3{0, step, 0}) - distance(at - Vec3{0, step, 0}),
+                                           distance(at + Vec3{0, 0, step}) - distance(at - Vec3{0, 0, step})};
+            }
+    return length(outwards) > 0.0 ? -normalized(outwards) : Vec3{};
+}
+
 void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics) {
     const auto at = [&] { return in_anatomy(anatomy, {"landmarks", "axes", axis.id}); };
     if (found.entry < 0.0)

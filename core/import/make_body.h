@@ -22,6 +22,10 @@ struct AxisInBone {
 };
 [[nodiscard]] AxisInBone axis_in_bone(const Body& body, const LandmarkAxis& axis);
 
+/// Returns the unit vector straight into the uncut bone's surface, averaged over 1.2 mm around a point on it; zero
+/// where it finds none.
+[[nodiscard]] Vec3 into_surface(const Body& body, Vec3 point);
+
 /// Refuses an axis that meets no bone, or lies in bone for less than 80 % behind its entry (E0610, E0611).   [main]
 void check_axis(const Anatomy& anatomy, const LandmarkAxis& axis, const AxisInBone& found, Diagnostics& diagnostics);
 

@@ -31,6 +31,7 @@ struct Instrument {
     std::vector<double> tool_parameters;   ///< SI, declared order, defaults filled in
     std::vector<double> force_parameters;  ///< SI, declared order, defaults filled in
     std::vector<double> drives;            ///< SI, declared order, defaults filled in
+    int hands = 0;                         ///< 1 or 2; 0: as many as the tool asks for
 };
 
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.
@@ -88,14 +89,20 @@ struct Step {
     }
 };
 
-/// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt.
+/// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt; and how the hand gets
+/// there.
 struct Waypoint {
-    double depth = 0.0;   ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
-    double medial = 0.0;  ///< [m] sideways, towards the landmark `midline`
+    double depth = 0.0;  ///< [m] from the planned entry (the first bone along the axis) into the bone; < 0 outside
+    bool is_across_surface = false;   ///< counted straight into the bone's surface at the entry, not along the axis
+    double medial = 0.0;              ///< [m] sideways, towards the landmark `midline`
     double medial_angle = 0.0;        ///< [rad] the whole way, from the axis towards `midline`, about the planned entry
+    double cranial_angle = 0.0;       ///< [rad] the same, from the axis towards the patient's head
     double aside = 0.0;               ///< [m] sideways in the step's plane, along the tool's x
     double tilt = 0.0;                ///< [rad] about the axis, out of the step's plane
     std::size_t step = 0;             ///< whose frame
+    std::optional<double> speed{};    ///< [m/s] on the way there; none: the hand's feed or approach
+    std::optional<double> push{};     ///< [N] on the way there; none: the hand's
+    double stop_aside = 0.0;          ///< [m] beside the way at which it is given up; 0: never
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
 };
 

@@ -114,6 +114,8 @@ public:
         if (tool) instrument.drives = defaults(tool->drives);
         if (force) instrument.force_parameters = defaults(force->parameters);
 
+        const std::string hands = map.word("hands");
+        instrument.hands = hands == "one" ? 1 : hands == "two" ? 2 : 0;
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);
@@ -615,6 +617,15 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     at.depth = waypoint.quantity("depth");
     waypoint.quantity("medial", at.medial);
     waypoint.quantity("medial_angle", at.medial_angle);
+    waypoint.quantity("cranial_angle", at.cranial_angle);
+    at.is_across_surface = waypoint.word("direction") == "surface";
+    if (waypoint.find("speed")) at.speed = waypoint.quantity("speed");
+    if (waypoint.find("push")) at.push = waypoint.quantity("push");
+    if (const Node* stop = waypoint.find("stop")) {
+        MapReader map(*stop, shapes::stop, "waypoint.stop", report);
+        at.stop_aside = map.quantity("aside");
+        map.finish();
+    }
     waypoint.quantity("aside", at.aside);
     waypoint.quantity("tilt", at.tilt);
     if (const Node* drives = waypoint.find("drives"); drives && at.step < steps.size()) {

@@ -118,6 +118,7 @@ const Shape instrument{
          "example.drilling"},
         {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` lists them.",
          "{diameter: 3.2 mm}"},
+        {optional, "hands", word({"one", "two"}), "How many hands hold it, if not as many as the tool demands.", "two"},
         {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
          "{spindle_speed: 1000 rpm}"},
     }};
@@ -241,6 +242,12 @@ const Shape hand{"hand",
                       "150 ms", "150 ms"},
                  }};
 
+const Shape stop{"stop",
+                 "What makes the hand give up its way and go to the last waypoint.",
+                 {
+                     {required, "aside", length(0.1_mm, 100.0_mm), "The tip is so far beside the way.", "1 mm"},
+                 }};
+
 const Shape waypoint{
     "waypoint",
     "A position of the tool in the frame of a step's axis.",
@@ -253,9 +260,20 @@ const Shape waypoint{
          "The angle of the whole approach from the axis towards the landmark `midline`, about the point where the axis "
          "meets bone.",
          "20 deg"},
+        {optional, "cranial_angle", quantity(dimension::angle, "deg", -60.0_deg, 60.0_deg),
+         "The same from the axis towards the patient's head.", "10 deg"},
+        {optional, "direction", word({"axis", "surface"}),
+         "`surface`: depth and tool point straight into the bone's surface where the axis meets it, as for a starting "
+         "hole.",
+         "surface", "axis"},
         {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x.", "2 mm"},
         {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg),
          "The rotation of the blade about the axis, out of the step's plane.", "6 deg"},
+        {optional, "speed", speed(), "The speed that the hand aims at on its way here; if not given, its own.",
+         "0.5 mm/s"},
+        {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push),
+         "Its largest push on the way here, at the bone; if not given, its own.", "20 N"},
+        {optional, "stop", map(stop), "What makes the hand give up on the way here.", "{aside: 1 mm}"},
         {optional, "drives", of_kind(Kind::drives), "The drives of the step's tool, set on arrival.",
          "{spindle_speed: 500 rpm}"},
         {optional, "insert", id(), "One of `implants`, which is inserted on arrival, at the tool.", "plate"},

@@ -27,15 +27,22 @@ Quat turn_about(Vec3 axis, Vec3 from, Vec3 to) noexcept {
     return normalized(Quat{half_cosine, half_sine * axis.x, half_sine * axis.y, half_sine * axis.z});
 }
 
+Vec3 unit_or_none(Vec3 v) noexcept { return dot(v, v) > 1e-12 ? normalized(v) : Vec3{}; }
+
 }  // namespace
 
 Pose AxisFrame::pose_at(const Waypoint& w) const noexcept {
-    Vec3 from_entry = w.depth * along + w.medial * medial + w.aside * aside();
-    Quat rotation = quat_between({0, 0, 1}, along);
-    if (across != Vec3{}) rotation = turn_about(along, rotate(rotation, {0, 1, 0}), across) * rotation;
+    const Vec3 way = w.is_across_surface && inwards != Vec3{} ? inwards : along;
+    Vec3 from_entry = w.depth * way + w.medial * medial + w.aside * aside();
+    Quat rotation = quat_between({0, 0, 1}, way);
+    if (across != Vec3{})
+        rotation =
+            turn_about(way, rotate(rotation, {0, 1, 0}), unit_or_none(across - dot(across, way) * way)) * rotation;
     if (w.tilt != 0.0) rotation = rotation * quat_from_rotation_vector({0, 0, w.tilt});
-    if (w.medial_angle != 0.0) {
-        const Quat turn = quat_from_rotation_vector(w.medial_angle * cross(along, medial));
+    if (w.medial_angle != 0.0 || w.cranial_angle != 0.0) {
+        constexpr Vec3 towards_the_head{0, 0, 1};
+        const Quat turn = quat_from_rotation_vector(w.medial_angle * cross(along, medial) +
+                                                    w.cranial_angle * unit_or_none(cross(along, towards_the_head)));
         from_entry = rotate(turn, from_entry);
         rotation = turn * rotation;
     }

@@ -18,10 +18,11 @@ namespace kerf {
 
 /// The frame of a step: its axis, from the first bone along it.
 struct AxisFrame {
-    Vec3 entry{};   ///< LPS [m]
-    Vec3 along{};   ///< unit, into the bone
-    Vec3 medial{};  ///< unit, across the axis towards the landmark `midline`; zero without it
-    Vec3 across{};  ///< unit, across the axis along the normal of the step's plane; zero without one
+    Vec3 entry{};    ///< LPS [m]
+    Vec3 along{};    ///< unit, into the bone
+    Vec3 medial{};   ///< unit, across the axis towards the landmark `midline`; zero without it
+    Vec3 across{};   ///< unit, across the axis along the normal of the step's plane; zero without one
+    Vec3 inwards{};  ///< unit, straight into the bone's surface at the entry; zero: along
 
     [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
     /// In the plane, beside the axis: the tool's x.

@@ -8,15 +8,20 @@ namespace kerf::simulated_hand {
 
 namespace {
 
-constexpr int substeps = 20;          // of the plant per tick
-constexpr double leaning_rate = 1.0;  // [1/s] lean per lag and second: slow enough for a reaction of 0.3 s [assumed]
-constexpr double letting_go = 10.0;   // [1/s] how quickly the lean goes when the handle runs ahead [assumed]
-constexpr double let_go = 0.2e-3;     // [m] of lean left: from then on it plans on from where the handle is [assumed]
-constexpr double patience = 3e-3;     // [m] of lag the plan lets build up before it waits [assumed]
-constexpr double surprise = 0.5e-3;   // [m] ahead of the plan that makes it let go [assumed]
-constexpr double arrived = 0.2e-3;    // [m] short of a leg's end that counts as there [assumed]
+constexpr int substeps = 20;         // of the plant per tick
+constexpr double letting_go = 10.0;  // [1/s] how quickly the lean goes when the handle runs ahead [assumed]
+constexpr double let_go = 0.2e-3;    // [m] of lean left: from then on it plans on from where the handle is [assumed]
+constexpr double patience = 3e-3;    // [m] of lag the plan lets build up before it waits [assumed]
+constexpr double surprise = 0.5e-3;  // [m] ahead of the plan that makes it let go [assumed]
+constexpr double arrived = 0.2e-3;   // [m] short of a leg's end that counts as there [assumed]
 
+constexpr double correcting = 1.0;        // [1/s] of a tip beside the leg [assumed]
+constexpr double farthest_beside = 3e-3;  // [m] that it aims beside the leg: 2 N on a drill in a hole [assumed]
+constexpr double unfelt = 0.02;  // of the device's friction: from such a pull on, all of it is made up for [assumed]
 constexpr double turning = 1.0;  // [rad/s] of the wrist [assumed]
+
+constexpr double arm_in_bone = 5e3, leaning_in_bone = 17e3;  // [N/m], [N/(m·s)] [assumed]
+constexpr double stiffest_arm = 600.0;                       // [N/m] at the device [assumed]
 
 /// From one rotation towards another, by an angle at most [rad].
 Quat turned_towards(Quat from, Quat to, double most) {
@@ -37,9 +42,25 @@ bool are_same(Quat a, Quat b) noexcept {
     return is(1.0) || is(-1.0);
 }
 
+/// `spring` up to `most`, and what the device's friction takes of it [N].
+Vec3 pulled(Vec3 spring, double most, double friction) noexcept {
+    const double strength = length(spring);
+    if (strength <= 0.0) return {};
+    const double made_up = std::min(friction, strength / unfelt);
+    return (std::min(strength, most) + made_up) / strength * spring;
+}
+
 double quantised(double x, double step) { return step > 0.0 ? std::floor(x / step + 0.5) * step : x; }
 
 }  // namespace
+
+Plant in_bone(Plant plant, double force_scale) noexcept {
+    const double stiffness = std::min(force_scale * arm_in_bone, stiffest_arm);
+    plant.arm_damping *= std::max(1.0, std::sqrt(stiffness / plant.arm_stiffness));  // stiffer, it swings no longer
+    plant.arm_stiffness = stiffness;
+    plant.leaning = force_scale * leaning_in_bone;
+    return plant;
+}
 
 SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt)
     : plant_(plant),
@@ -48,58 +69,74 @@ SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pos
       position_(start.position),
       rotation_(start.rotation),
       leg_start_(start.position),
-      felt_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position),
-      planned_(felt_.size(), 0.0) {}
+      seen_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position),
+      planned_(seen_.size(), 0.0) {
+    begin(0, start.position, start.position);
+}
 
 Pose SimulatedHand::reported() const noexcept {
     const double r = plant_.resolution;
     return {{quantised(position_.x, r), quantised(position_.y, r), quantised(position_.z, r)}, rotation_};
 }
 
-void SimulatedHand::think() {
-    const Vec3 seen = felt_[felt_at_];
-    const double planned = planned_[felt_at_];
-    felt_[felt_at_] = reported().position;
-    planned_[felt_at_] = plan_;
-    felt_at_ = (felt_at_ + 1) % felt_.size();
+Vec3 SimulatedHand::along() const noexcept {
+    if (is_done()) return {};
+    const Vec3 way = intent_.legs[leg_].target.position - leg_start_;
+    return length(way) > 0.0 ? normalized(way) : Vec3{};
+}
+
+void SimulatedHand::think(Vec3 tip) {
+    const Vec3 seen = seen_[seen_at_] - leg_start_;
+    const double planned = planned_[seen_at_];
+    seen_[seen_at_] = tip;
+    planned_[seen_at_] = plan_;
+    seen_at_ = (seen_at_ + 1) % seen_.size();
     if (is_done()) return;
 
     const Leg& leg = intent_.legs[leg_];
     rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
-    const Vec3 way = leg.target.position - leg_start_;
-    const double total = length(way);
-    const Vec3 along = normalized(way);
-    const double seen_at = dot(seen - leg_start_, along);
-    const double lag = planned - seen_at;
+    const double total = length(leg.target.position - leg_start_);
+    const Vec3 along = this->along();
+    const double seen_at = dot(seen, along), lag = planned - seen_at;
 
     if (lag < patience) plan_ = std::min(total, plan_ + leg.speed * dt_);
     if (lag < -surprise) {
         lean_ -= letting_go * lean_ * dt_;
         if (lean_ < let_go) plan_ += letting_go * (std::min(total, seen_at) - plan_) * dt_;
     } else {
-        lean_ = std::clamp(lean_ + leaning_rate * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
+        lean_ =
+            std::clamp(lean_ + plant_.leaning / plant_.arm_stiffness * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
+    beside_ = beside_ - (correcting * dt_) * (seen - seen_at * along);
+    if (const double far = length(beside_); far > farthest_beside) beside_ = (farthest_beside / far) * beside_;
 
-    if (are_same(rotation_, leg.target.rotation) && dot(reported().position - leg_start_, along) >= total - arrived) {
-        ++leg_;
-        leg_start_ = reported().position;
-        plan_ = lean_ = 0.0;
-        std::fill(planned_.begin(), planned_.end(), 0.0);
-        std::fill(felt_.begin(), felt_.end(), leg_start_);
-    }
+    const std::size_t last = intent_.legs.size() - 1;
+    if (leg.stop_aside > 0.0 && leg_ < last && length(seen - seen_at * along) > leg.stop_aside)
+        begin(last, tip, tip);
+    else if (are_same(rotation_, leg.target.rotation) &&
+             (turns_ ? plan_ >= total : dot(tip - leg_start_, along) >= total - arrived))
+        begin(leg_ + 1, leg.target.position, tip);
 }
 
-Pose SimulatedHand::step(const DeviceCommand& command) {
-    think();
+void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
+    leg_ = leg;
+    leg_start_ = from;
+    turns_ = !is_done() && !are_same(rotation_, intent_.legs[leg_].target.rotation);
+    plan_ = std::max(0.0, dot(tip - leg_start_, along()));
+    lean_ = 0.0;
+    std::fill(planned_.begin(), planned_.end(), plan_);
+    std::fill(seen_.begin(), seen_.end(), tip);
+}
+
+Pose SimulatedHand::step(const DeviceCommand& command, Vec3 tip) {
+    think(tip);
     const Setpoint& spring = command.setpoint;
-    Vec3 aim = leg_start_;
-    if (!is_done()) aim = leg_start_ + (plan_ + lean_) * normalized(intent_.legs[leg_].target.position - leg_start_);
+    const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + beside_;
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;
     const double mass = plant_.arm_mass + plant_.device_mass;
     const double h = dt_ / substeps;
     for (int i = 0; i < substeps; ++i) {
-        Vec3 pull = plant_.arm_stiffness * (aim - position_);
-        if (const double strength = length(pull); strength > most) pull = (most / strength) * pull;
+        const Vec3 pull = pulled(plant_.arm_stiffness * (aim - position_), most, plant_.device_friction);
         Vec3 force_on_hand = linear(command.wrench);
         if (plant_.asks_setpoint) {
             Vec3 f = spring.stiffness * (spring.position - position_) + spring.damping * (spring.velocity - velocity_);

@@ -15,6 +15,7 @@ struct Plant {
     double arm_mass = 0.554;        ///< [kg]     one fitted trial [van-beek-2015]
     double arm_damping = 6.45;      ///< [N·s/m]  same
     double arm_stiffness = 135.0;   ///< [N/m]    same
+    double leaning = 135.0;         ///< [N/(m·s)] by which the push grows, for each metre of lag and second
     double device_mass = 0.075;     ///< [kg]
     double device_viscosity = 0.1;  ///< [N·s/m]
     double device_friction = 0.04;  ///< [N] Coulomb
@@ -22,11 +23,16 @@ struct Plant {
     bool asks_setpoint = false;  ///< the device closes the spring itself, 20 times a tick, instead of holding the force
 };
 
-/// One leg of the way: to `target`, in a straight line.
+/// Returns an arm whose stiffness and lean in bone do not depend on the device or its force scale: 5 N/mm, up to 600
+/// N/m at the device, and 17 N for each millimetre of lag and second [assumed].   [any] pure.
+[[nodiscard]] Plant in_bone(Plant plant, double force_scale) noexcept;
+
+/// One leg of the way: to `target`, in a straight line. Without length it only turns.
 struct Leg {
     Pose target = identity_pose();
-    double speed = 10e-3;  ///< [m/s] aimed at
-    double push = 0.0;     ///< [N] the most the hand pushes, device side
+    double speed = 10e-3;     ///< [m/s] aimed at
+    double push = 0.0;        ///< [N] the most that reaches the tool, device side
+    double stop_aside = 0.0;  ///< [m] beside the leg, where it sees the tip, at which it goes to the last leg; 0: never
 };
 
 struct Intent {
@@ -38,22 +44,27 @@ struct Intent {
 ///
 /// The mind moves a plan along the leg at the speed it aims at. The arm's spring pulls the handle to the plan; where
 /// that is not enough the mind leans in, in proportion to the lag it sees and for as long as it sees it, up to `push`.
-/// Seeing takes one reaction time. When it sees the handle ahead of the plan it lets go: the lean is gone and the plan
-/// goes on from where the handle is. It knows nothing of the tool's pose and never writes it. The wrist turns to its
+/// What the device's friction takes, the arm adds. The mind sees the tool's tip, one reaction time late, and never
+/// writes its pose. When it sees the tip ahead of the plan it lets go: the lean is gone and the plan goes on from where
+/// the tip is. A tip that it sees beside the leg it brings back, by its distance in a second. The wrist turns to its
 /// aim and holds it, whatever it meets.
 class SimulatedHand {
 public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
 
-    /// One tick under what the device is sent; what the encoders say then.
-    Pose step(const DeviceCommand& command);
+    /// One tick under what the device is sent, with the tool's tip there [m]; what the encoders say then.
+    Pose step(const DeviceCommand& command, Vec3 tip);
+    /// The same in air, where the tip goes with the handle.
+    Pose step(const DeviceCommand& command) { return step(command, reported().position); }
     /// The last answer of `step`, or the start.
     [[nodiscard]] Pose reported() const noexcept;
     [[nodiscard]] bool is_done() const noexcept { return leg_ >= intent_.legs.size(); }
     [[nodiscard]] std::size_t leg() const noexcept { return leg_; }
 
 private:
-    void think();
+    void think(Vec3 tip);
+    void begin(std::size_t leg, Vec3 from, Vec3 tip);
+    [[nodiscard]] Vec3 along() const noexcept;  ///< of the leg; nothing where it only turns
 
     Plant plant_;
     Intent intent_;
@@ -62,12 +73,14 @@ private:
     Quat rotation_;
     double plan_ = 0.0;  ///< [m] along the leg: where the mind would be
     double lean_ = 0.0;  ///< [m] along the leg: stretch of the arm's spring on top
-    Vec3 leg_start_;
+    Vec3 beside_{};      ///< [m] how far it aims beside the leg, so that the tip is on it
+    Vec3 leg_start_;     ///< where the leg before was to end
     std::size_t leg_ = 0;
+    bool turns_ = false;  ///< in this leg: it ends as planned, as a tip in a hole may not get there
     /// What was, and what was planned, one reaction time ago: rings.
-    std::vector<Vec3> felt_;
+    std::vector<Vec3> seen_;
     std::vector<double> planned_;
-    std::size_t felt_at_ = 0;
+    std::size_t seen_at_ = 0;
 };
 
 }  // namespace kerf::simulated_hand
