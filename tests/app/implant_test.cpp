@@ -58,7 +58,9 @@ struct WithPlate {
             text.replace(at, before.size(), after);
         };
         put("steps:\n", "implants:\n  plate: {mesh: {file: plate.stl, unit: mm, frame: LPS}}\nsteps:\n");
-        put("{depth: -5 mm}", "{depth: -15 mm, insert: plate}");
+        put("{depth: -5 mm, direction: surface}", "{depth: -15 mm, insert: plate}");
+        put("{depth: 5 mm, direction: surface, stop: {aside: 2 mm}}", "{depth: 5 mm}");
+        put("{depth: 3 mm, direction: surface}", "{depth: 3 mm}");
         put("spacing: 0.25 mm", "spacing: 0.5 mm");
         std::ofstream(file) << text;
     }

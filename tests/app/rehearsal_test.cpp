@@ -75,14 +75,15 @@ TEST(PedicleScrew, TheMedialBreachFailsBecauseOfTheCanalAndForThatAlone) {
     EXPECT_LT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
 }
 
-// The drill meets the pedicle askew and skids before it bites: how far is a matter of bone and hand, not of the grid.
-TEST(PedicleScrew, TheHoleIsAsFarOffItsAxisOnACoarserGrid) {
+// Its start lies across the surface, whose direction each grid knows for itself. Once turned onto the axis the drill
+// passes the canal at the same distance.
+TEST(PedicleScrew, TheHolePassesTheCanalAlikeOnACoarserGrid) {
     const auto coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
     ASSERT_TRUE(coarse);
-    const double off = metric(outcome_of("expert").summary, "pilot-hole.offset");
-    EXPECT_GT(off, 0.5e-3);
-    EXPECT_NEAR(metric(test::watched_run(*coarse, test::plugins(), following("expert")).summary, "pilot-hole.offset"),
-                off, 0.03e-3);
+    const double fine = metric(outcome_of("expert").summary, "pilot-hole.clearance.canal");
+    const test::WatchedRun rough = test::watched_run(*coarse, test::plugins(), following("expert"));
+    EXPECT_EQ(rough.summary.verdict, Verdict::pass);
+    EXPECT_NEAR(metric(rough.summary, "pilot-hole.clearance.canal"), fine, 0.1e-3);
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
