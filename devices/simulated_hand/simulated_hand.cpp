@@ -9,8 +9,8 @@ namespace kerf::simulated_hand {
 namespace {
 
 constexpr int substeps = 20;         // of the plant per tick
-constexpr double letting_go = 10.0;  // [1/s] how quickly the lean goes when the handle runs ahead [assumed]
-constexpr double let_go = 0.2e-3;    // [m] of lean left: from then on it plans on from where the handle is [assumed]
+constexpr double letting_go = 10.0;  // [1/s] how quickly the lean goes when the tip runs ahead [assumed]
+constexpr double let_go = 0.2e-3;    // [m] of lean left: from then on it plans on from where the tip is [assumed]
 constexpr double patience = 3e-3;    // [m] of lag the plan lets build up before it waits [assumed]
 constexpr double surprise = 0.5e-3;  // [m] ahead of the plan that makes it let go [assumed]
 constexpr double arrived = 0.2e-3;   // [m] short of a leg's end that counts as there [assumed]

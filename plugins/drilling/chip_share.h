@@ -14,9 +14,9 @@ namespace kerf::drilling {
 /// How the drill has gone.
 struct Travel {
     double feed_rate = 0.0;  ///< [m/s] in the last law, ≥ 0
-    Vec6 mean{};  ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
-    Vec6 last{};  ///< [m/s, rad/s] in the last tick
-    Vec6 over_turns{};
+    Vec6 mean{};        ///< [m/s, rad/s] of the tool, tool frame, over half a turn: what one lip leaves to the other
+    Vec6 last{};        ///< [m/s, rad/s] in the last tick
+    Vec6 over_turns{};  ///< [m/s, rad/s] the first of the two filters of `steady`
     Vec6 steady{};  ///< [m/s, rad/s] over turns, twice filtered: without what a tip that runs off goes round with them
 
     /// After a tick of `dt` [s] at n revolutions a second.
