@@ -52,7 +52,8 @@ std::string about(const ComponentInfo& component) {
         text += "    " + padded(s.id, 20) + (s.display_unit.empty() ? "no unit" : s.display_unit) + "\n        " +
                 s.help + "\n";
     if (!component.events.empty()) text += "  events\n";
-    for (const EventInfo& e : component.events) text += "    " + e.id + "\n        " + e.help + "\n";
+    for (const EventInfo& e : component.events)
+        text += "    " + e.id + (e.is_damage ? "  (fails the step)" : "") + "\n        " + e.help + "\n";
     if (!component.features.empty()) text += "  features that `kerf plan` may switch off\n";
     for (const FeatureInfo& f : component.features)
         text += "    " + padded(f.id, 20) + component.parameters[f.param].id + " " +

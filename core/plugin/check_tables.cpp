@@ -182,7 +182,11 @@ std::string fault_of_row(const kerf_signal& row) {
     return fault_of_unit(row.display_unit, row.dimension);
 }
 
-std::string fault_of_row(const kerf_event& row) { return fault_of_help(row.help); }
+std::string fault_of_row(const kerf_event& row) {
+    if (row.effect != KERF_EVENT_NOTE && row.effect != KERF_EVENT_DAMAGE)
+        return got("effect", std::to_string(row.effect), "0 (note) or 1 (damage)", "Write one of them.");
+    return fault_of_help(row.help);
+}
 
 /// A table whose rows have ids of their own: its count, each row, and that no id is there twice.
 template <class Row>

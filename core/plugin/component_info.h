@@ -31,6 +31,7 @@ struct SignalInfo {
 struct EventInfo {
     std::string id;
     std::string help;
+    bool is_damage = false;  ///< the step in which it happens fails, unless the procedure allows it
 };
 
 /// One parameter that a feature sets when it is left out (kerf_feature).

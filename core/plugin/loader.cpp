@@ -150,7 +150,8 @@ ComponentInfo describe(const std::string& plugin_id, const kerf_component& c) {
         }
     if (c.kind == KERF_KIND_FORCE)
         for (std::uint32_t i = 0; i < c.force->event_count; ++i)
-            info.events.push_back({c.force->events[i].id, c.force->events[i].help});
+            info.events.push_back(
+                {c.force->events[i].id, c.force->events[i].help, c.force->events[i].effect == KERF_EVENT_DAMAGE});
     if (c.kind == KERF_KIND_FORCE) {
         info.tools.assign(c.force->tools, c.force->tools + c.force->tool_count);
         for (std::uint32_t i = 0; i < c.force->need_count; ++i) {

@@ -12,7 +12,7 @@ using namespace literals;
 using Happened = DrillCutting::Happened;
 
 // Contact adds stress for a tick or two as a drill breaks through, which bends no bit [judgement].
-constexpr double bending_time = 5.0_ms;
+constexpr double bending_time = 20.0_ms;
 // `bit_overbent` fires once and re-arms below this fraction of the yield stress: lips that graze a wall bend the bit
 // twice a turn [judgement].
 constexpr double straight_again = 0.05;  // [–]

@@ -80,7 +80,7 @@ struct DrillCutting : DrillParameters {
             signal(&Signals::spindle_speed,
                    {.id = "spindle_speed", .help = "Speed of the spindle as it is.", .unit = unit::rpm}),
             signal(&Signals::bending_stress, {.id = "bending_stress",
-                                              .help = "Largest bending stress in the bit, averaged over 5 ms.",
+                                              .help = "Largest bending stress in the bit, averaged over 20 ms.",
                                               .unit = unit::N_per_mm2}),
             event(Happened::spindle_off,
                   {.id = "drilling.spindle_off", .help = "The spindle is still and its motor is off."}),
@@ -98,11 +98,11 @@ struct DrillCutting : DrillParameters {
                   {.id = "drilling.running_down", .help = "The spindle runs down with its motor off."}),
             event(Happened::reversing,
                   {.id = "drilling.reversing", .help = "The spindle turns in reverse, and the edges rub."}),
-            event(
-                Happened::bit_overbent,
-                {.id = "drilling.bit_overbent",
-                 .help =
-                     "The bit was bent beyond its `yield_strength`: one of steel would have stayed bent, or broken."}),
+            event(Happened::bit_overbent,
+                  {.id = "drilling.bit_overbent",
+                   .help =
+                       "The bit was bent beyond its `yield_strength`: one of steel would have stayed bent, or broken.",
+                   .is_damage = true}),
             event(Happened::crushing, {.id = "drilling.crushing",
                                        .help = "The tip does not turn, and is pushed harder than the bone before it "
                                                "withstands: it crushes its way in."}),

@@ -116,16 +116,20 @@ TEST(Loader, RefusesAnEventOfAnothersNameOrOfNone) {
     law.events = &event;
     law.event_count = 1;
     for (const char* own : {"drilling.stalled", "kerf.drilling.stalled"}) {
-        event = {own, "It stands."};
+        event = {own, "It stands.", KERF_EVENT_NOTE, 0};
         EXPECT_EQ(refusal_of(one.entry, "libsaw.so"), "") << own;
     }
     for (const char* foreign : {"haptics.held_back", "stalled", "drilling.", "drilling", "drillings.stalled"}) {
-        event = {foreign, "It stands."};
+        event = {foreign, "It stands.", KERF_EVENT_NOTE, 0};
         EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("its plugin's name before it. Write `drilling."),
                   std::string::npos)
             << foreign;
     }
-    event = {"drilling.stalled", nullptr};
+    event = {"drilling.stalled", "It stands.", 2, 0};
+    EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("`effect` is 2, expected 0 (note) or 1 (damage)"),
+              std::string::npos)
+        << refusal_of(one.entry, "libsaw.so");
+    event = {"drilling.stalled", nullptr, KERF_EVENT_NOTE, 0};
     EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("event `drilling.stalled`: `help` is null"), std::string::npos);
     law.events = nullptr;
     EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("event count` is 1 with a null table"), std::string::npos);

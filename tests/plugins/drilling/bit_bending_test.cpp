@@ -107,7 +107,7 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     simulation.command_drive(drilling::spindle_drive, 0.0);
     for (int i = 0; i < 500; ++i) (void)go(depth, 0.0);
     TickResult r;
-    for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 2.0_um) r = go(depth, aside);
+    for (double aside = 0.0; aside < 12.0_mm && told == 0; aside += 0.5_um) r = go(depth, aside);
     ASSERT_EQ(told, 1);
     EXPECT_GT(stress_when_told, 1000e6);
     EXPECT_LT(least_not_told, 1000e6);

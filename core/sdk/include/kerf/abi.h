@@ -83,10 +83,16 @@ typedef struct kerf_signal {
     const char* display_unit;
 } kerf_signal;
 
+/*   note     nothing follows from it
+ *   damage   the tool is spoiled: the step in which it happens fails, unless the procedure allows it there */
+enum { KERF_EVENT_NOTE = 0, KERF_EVENT_DAMAGE = 1 };
+
 /* What may happen at a tick and is recorded by its id. */
 typedef struct kerf_event {
     const char* id;   /* "<plugin>.<name>"; <plugin> is the plugin's id or what follows its last dot */
     const char* help; /* one sentence */
+    uint32_t effect;  /* KERF_EVENT_… */
+    uint32_t reserved;
 } kerf_event;
 
 /* ---- the tool: geometry as data ----------------------------------------------------------------------------- */

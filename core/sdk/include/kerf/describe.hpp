@@ -59,6 +59,7 @@ struct SignalText {
 struct EventText {
     const char* id;  ///< "<plugin>.<name>", where <plugin> is the plugin's id or what follows its last dot
     const char* help;
+    bool is_damage = false;  ///< it spoils the tool: the step fails, unless the procedure allows it
 };
 struct FeatureText {
     const char* id;    ///< parameters with the same id are one feature and are switched together
@@ -326,7 +327,8 @@ struct Tables {
     static constexpr auto events = [] {
         auto table = collect<Event, kerf_event>(about.items, [](const auto& e) {
             check_text(e.text.id, e.text.help);
-            return kerf_event{.id = e.text.id, .help = e.text.help};
+            const std::uint32_t effect = e.text.is_damage ? KERF_EVENT_DAMAGE : KERF_EVENT_NOTE;
+            return kerf_event{.id = e.text.id, .help = e.text.help, .effect = effect, .reserved = 0};
         });
         const auto numbers =
             collect<Event, std::size_t>(about.items, [](const auto& e) { return static_cast<std::size_t>(e.which); });
