@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "core/field/body.h"
+#include "core/field/tool_solid.h"
+
+/// How true a drilled hole was: its middle line in the bone, held against the planned axis; and how far a cylinder
+/// along it, such as a screw, leaves the bone.
+namespace kerf {
+
+/// Where a planned hole is looked for, body frame.
+struct HolePlan {
+    Vec3 entry{};           ///< [m] on the planned axis, where it meets bone
+    Vec3 along{};           ///< unit, the planned axis, into the bone
+    double depth = 0.0;     ///< [m] of the deepest tip, along the axis
+    ToolSolid cutting{};    ///< of the drill, a solid of revolution
+    double beside = 10e-3;  ///< [m] of bone around the planned hole in which the drilled one is looked for
+};
+
+/// Share of the bone at a point that was drilled away [–], body frame.
+using DrilledShare = std::function<double(Vec3)>;
+
+/// A hole against its plan. Depths are along the planned axis from its entry.
+struct DrilledHole {
+    double entry_depth = 0.0;       ///< [m] where the drill had bitten: one diameter behind the first whole circle
+    double entry_offset = 0.0;      ///< [m] of the hole's middle from the axis there
+    double narrowest_depth = 0.0;   ///< [m] where bone is narrowest around the planned axis
+    double narrowest_offset = 0.0;  ///< [m] of the hole's middle there
+    double end_depth = 0.0;         ///< [m] of the last whole circle
+    double end_offset = 0.0;        ///< [m] of the hole's middle there
+    std::optional<double> angle{};  ///< [rad] between hole and axis; nothing for a hole under two diameters
+    Vec3 at{}, direction{};         ///< the line of least squares through its middles, body frame; unit
+    double drilled = 0.0;           ///< [m³] in the window
+    double ideal = 0.0;             ///< [m³] that the same drill takes on the planned axis, as deep
+};
+
+/// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing where no section shows a whole
+/// circle, as after a scratch.   [worker] pure.
+[[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
+                                                      const DrilledShare& drilled);
+
+/// How far a cylinder leaves the bone, by the side that it leaves it on [m]; 0: nowhere.
+struct Breach {
+    static constexpr std::size_t side_count = 4;
+    std::array<double, side_count> towards{};  ///< +a, −a, +b, −b of the two directions that were given
+    double depth = 0.0;                        ///< [m] along the planned axis, of the worst
+    [[nodiscard]] double worst() const noexcept;
+};
+
+/// Looks along rays from the hole's line for the border of the bone before any cut: a cylinder of `radius` breaches by
+/// what it reaches beyond it [gertzbein-robbins-1990]. Looked at is the stretch from where the planned cylinder is
+/// first all in bone to where the hole ends.   [worker] pure.
+/// @param a,b   unit, across the axis and each other: which sides are told apart
+[[nodiscard]] Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a,
+                               Vec3 b);
+
+}  // namespace kerf
