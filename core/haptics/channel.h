@@ -34,6 +34,8 @@ struct ChannelFault {
 /// apart. Its id says what touches.   [any] pure, nonblocking.
 enum class OwnContact : std::uint32_t {
     held = 0xfffffe00u /* the first of its octants */,
+    guide_front = 0xfffffffcu,
+    guide_rear = 0xfffffffdu,
     metal = 0xfffffffeu,
     region = 0xffffffffu
 };

@@ -137,6 +137,11 @@ bool Simulation::ask(double step) noexcept {
             metal_channel_ = static_cast<int>(channel_count_++);
             break;
         }
+    if (guide_ && guide_->body < bodies_.size()) {
+        const Pose body_from_tool = bodies_[guide_->body]->body_from(world_from_tool_);
+        channel_count_ += static_cast<std::uint32_t>(
+            guide_wall(*guide_, outline().whole, inverse(body_from_tool), channels_ + channel_count_));
+    }
     if (held_.is_any())
         channel_count_ +=
             static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));

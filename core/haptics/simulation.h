@@ -17,6 +17,7 @@
 #include "core/haptics/coupling.h"
 #include "core/haptics/following.h"
 #include "core/haptics/force_gate.h"
+#include "core/haptics/guide_wall.h"
 #include "core/haptics/hand_motion.h"
 #include "core/haptics/held_body.h"
 #include "core/haptics/law_fault.h"
@@ -101,6 +102,8 @@ public:
     /// between ticks
     void take_tool(std::size_t tool);
     [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
+    /// From the next tick on a sleeve leads the tool; nothing: none.   [main] between ticks
+    void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
 
     /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and,
     /// if pieces are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks
@@ -252,7 +255,8 @@ private:
     unsigned char notes_[KERF_NOTE_BYTES]{};
     kerf_solid solid_{};  ///< of the held tool
     bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;
-    int metal_channel_ = -1;  ///< −1: no metal near
+    int metal_channel_ = -1;      ///< −1: no metal near
+    std::optional<Guide> guide_;  ///< that leads the tool
     Following following_;
 
     Pose world_from_tool_;

@@ -25,7 +25,7 @@ struct CouplingBlock {
 /// What one balance can hold: a plugin's law, the wall of the region, a body that cannot be cut, and what a held body
 /// touches.
 inline constexpr std::size_t most_held_channels = 8;
-inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 2 + most_held_channels;
+inline constexpr std::size_t most_channels = KERF_MAX_CHANNELS + 4 + most_held_channels;
 
 /// Everything one tick has to balance, tool frame, about the tip. Bone newtons.
 struct Balance {

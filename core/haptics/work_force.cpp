@@ -65,43 +65,60 @@ void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
 
 }  // namespace
 
-double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
-    const kerf_force& force = *setup.force->force;
-    const auto storage = std::make_unique<std::byte[]>(force.state_size + force.state_align);
-    void* state = storage.get();
-    std::size_t space = force.state_size + force.state_align;
-    state = std::align(force.state_align, force.state_size, state, space);
-
+struct EndlessBoneLaw::State {
+    const ToolSetup* setup;
+    std::uint32_t tissues;
+    std::unique_ptr<std::byte[]> storage;
+    void* law = nullptr;
     ToolOutline outline;
+    kerf_solid solid{};
+};
+
+EndlessBoneLaw::EndlessBoneLaw(const ToolSetup& setup, std::size_t tissues) : state_(std::make_unique<State>()) {
+    State& state = *state_;
+    state.setup = &setup;
+    state.tissues = static_cast<std::uint32_t>(tissues);
     std::string error;
-    if (!outline_of(setup, outline, error)) return 0.0;
-    const kerf_solid solid = outline.solid();
+    if (!outline_of(setup, state.outline, error)) return;
+    state.solid = state.outline.solid();
 
-    const auto tissues = static_cast<std::uint32_t>(body.materials.size());
-    const kerf_bone_query air{sizeof(kerf_bone_query), tissues, 1.0, &sample_air, &nearest_endless, nullptr};
+    const kerf_force& force = *setup.force->force;
+    std::size_t space = force.state_size + force.state_align;
+    state.storage = std::make_unique<std::byte[]>(space);
+    void* storage = state.storage.get();
+    state.law = std::align(force.state_align, force.state_size, storage, space);
+    const kerf_bone_query air{sizeof(kerf_bone_query), state.tissues, 1.0, &sample_air, &nearest_endless, nullptr};
     kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
-    in_air.outline = &solid;
-    call_begin(*setup.force, in_air, state);
-    run_up(setup, in_air, state);
+    in_air.outline = &state.solid;
+    call_begin(*setup.force, in_air, state.law);
+    run_up(setup, in_air, state.law);
+}
 
+EndlessBoneLaw::~EndlessBoneLaw() = default;
+
+double EndlessBoneLaw::force(std::size_t material, double density, double feed_rate) const {
+    if (state_->law == nullptr) return 0.0;
+    const EndlessBone endless{material, density};
+    const kerf_bone_query query{
+        sizeof(kerf_bone_query), state_->tissues,  1.0,
+        &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
+    kerf_tick_in in = tick_in_of(*state_->setup, query, Simulation::dt);
+    in.outline = &state_->solid;
+    kerf_channel channels[KERF_MAX_CHANNELS];
+    kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
+    if (call_resist(*state_->setup->force, in, state_->law, law) != KERF_OK) return 0.0;
+    double along = 0.0;
+    for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
+        if (is_sound(channels[c]))
+            along += channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
+    return along;
+}
+
+double work_force(const ToolSetup& setup, const Body& body, double feed_rate) {
+    const EndlessBoneLaw law(setup, body.materials.size());
     double largest = 0.0;
-    for (std::size_t m = 0; m < body.materials.size(); ++m) {
-        const EndlessBone endless{m, body.materials[m].density};
-        const kerf_bone_query query{
-            sizeof(kerf_bone_query), tissues,          1.0,
-            &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
-        kerf_tick_in in = tick_in_of(setup, query, Simulation::dt);
-        in.outline = &solid;
-        kerf_channel channels[KERF_MAX_CHANNELS];
-        kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
-        if (call_resist(*setup.force, in, state, law) != KERF_OK) continue;
-        double along = 0.0;
-        for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
-            if (is_sound(channels[c]))
-                along +=
-                    channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
-        largest = std::max(largest, along);
-    }
+    for (std::size_t m = 0; m < body.materials.size(); ++m)
+        largest = std::max(largest, law.force(m, body.materials[m].density, feed_rate));
     return largest;
 }
 
