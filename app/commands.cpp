@@ -84,10 +84,16 @@ std::string write_page(const std::string& file, const std::string& page) {
 void print_summary(const RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
-    for (const auto& m : s.metrics)
-        print(formatted("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str()));
+    const auto print_metrics = [&](bool of_simulation) {
+        for (const auto& m : s.metrics)
+            if (is_of_simulation(m) == of_simulation)
+                print(formatted("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str()));
+    };
+    print_metrics(false);
     print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,
                     s.duration, 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash)));
+    print("checks of the simulation:\n");
+    print_metrics(true);
 }
 
 DocumentRequest request_of(const std::string& file, const CommandLine& line) {
@@ -150,7 +156,7 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
 
 std::string expectation_of(const Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
-    return "fail by the limit `" + rehearsal.expect_limit + "` alone" +
+    return "fail by the limit `" + rehearsal.expect_limit + (rehearsal.expects_others ? "`" : "` alone") +
            (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
 }
 

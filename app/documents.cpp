@@ -106,8 +106,12 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
             continue;
         }
         if (instrument->hands > 0) tool.outline.handling.hands = instrument->hands;
+        check_guide(procedure, *instrument, tool.outline.whole, diagnostics);
         check_width_of_cut(procedure, instrument->id, tool.outline.cutting, diagnostics);
     }
+    for (std::size_t step = 0; step < procedure.steps.size(); ++step)
+        if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty())
+            check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);
 }
 
 /// A plugin that was found and refused is no unknown plugin: the reason is its refusal.

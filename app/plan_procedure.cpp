@@ -40,12 +40,6 @@ double depth_of(const Step& step, const Procedure& procedure) {
     return depth;
 }
 
-double feed_of(const Procedure& procedure) {
-    for (const Rehearsal& rehearsal : procedure.rehearsals)
-        if (rehearsal.expect == "pass") return rehearsal.feed;
-    return 1e-3;
-}
-
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
     const std::string failed = write_file(folder + "/plan.txt", text);
     return failed.empty() ? write_file(folder + "/plan.csv", csv) : failed;
@@ -83,7 +77,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.tool = info_of(plugins, *instrument, KERF_KIND_TOOL);
         task.force = info_of(plugins, *instrument, KERF_KIND_FORCE);
         task.gains = scene.gains;
-        task.way = {scene.frames[s].pose_at({.depth = -in_air}), in_air + depth, feed_of(procedure)};
+        task.way = {scene.frames[s].pose_at({.depth = -in_air}), in_air + depth, step.feed};
         task.spacing = procedure.spacing;
         task.coarsest = coarsest_spacing(scene.tool(s).outline.cutting);
         task.accuracy = procedure.accuracy;

@@ -177,9 +177,44 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
                  what + " It needs a spacing of " + needed + " or less.", needed);
 }
 
+void check_guide(const Procedure& procedure, const Instrument& instrument, const ToolSolid& whole,
+                 Diagnostics& diagnostics) {
+    if (!instrument.guide) return;
+    const double width = 2.0 * whole.largest_radius();
+    if (!whole.is_prism() && width < instrument.guide->bore) return;
+    const auto document = document_of(procedure);
+    Report(*document, diagnostics)
+        .error(Code::narrow_guide, span_of_instrument(*document, instrument.id, "guide"),
+               whole.is_prism()
+                   ? "The instrument `" + instrument.id +
+                         "` is a blade, and no blade works through a sleeve. Remove `guide:`."
+                   : "The sleeve's bore of " + in_mm(instrument.guide->bore) + " does not hold the tool, which is " +
+                         in_mm(width) + " wide. Write a wider `bore:`.");
+}
+
+void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolSolid& cutting,
+                       Diagnostics& diagnostics) {
+    if (!cutting.is_prism()) return;
+    const Step& asked = procedure.steps[step];
+    const auto document = document_of(procedure);
+    const Node* steps = document->root.find("steps");
+    const Node* item = steps != nullptr && step < steps->children.size() ? &steps->children[step] : nullptr;
+    const Node* limits = item != nullptr ? item->find("limits") : nullptr;
+    for (std::size_t l = 0; l < asked.limits.size(); ++l) {
+        const Limit& limit = asked.limits[l];
+        if (!limit.is_of_hole()) continue;
+        const Node* written =
+            limits != nullptr && l < limits->children.size() ? limits->children[l].find(limit.quantity) : nullptr;
+        Report(*document, diagnostics)
+            .error(Code::needs_hole, written != nullptr ? written->key_span : TextSpan{},
+                   "`" + limit.quantity + "` is measured on a drilled hole, and `" + asked.instrument +
+                       "` is a blade, which makes none. Use a limit of a cut, or an instrument that drills.");
+    }
+}
+
 void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,
                        Diagnostics& diagnostics) {
-    if (work_force > 0.0 || procedure.force_scale) return;
+    if (work_force > 0.0 || procedure.force_scale || procedure.working_force) return;
     const auto document = document_of(procedure);
     const Node* haptics = document->root.find("haptics");
     const Node* instruments = document->root.find("instruments");
@@ -191,48 +226,30 @@ void check_force_scale(const Procedure& procedure, const DeviceRecord& device, d
                  "No tool cuts with the drives and coefficients that it is given, so no force scale is made to fit: at "
                  "1/1 the device holds " +
                      quantity_text(device.peak_force, "N") +
-                     ". A tool that is pushed needs `force_scale:` under `haptics:`, such as 1/50 for 100 N at 2 N.");
+                     ". A tool that is pushed needs `working_force:` under `haptics:`, such as 100 N, or a "
+                     "`force_scale:`.");
 }
 
-void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
+void check_felt(const Procedure& procedure, std::size_t step, const std::vector<double>& along,
+                const DeviceRecord& device, double force_scale, Diagnostics& diagnostics) {
+    if (std::none_of(along.begin(), along.end(), [](double force) { return force > 0.0; })) return;
+    const auto hidden =
+        std::count_if(along.begin(), along.end(), [&](double f) { return f * force_scale < device.friction; });
+    if (2 * static_cast<std::size_t>(hidden) <= along.size()) return;
     const auto document = document_of(procedure);
-    const auto fastest = std::max_element(procedure.rehearsals.begin(), procedure.rehearsals.end(),
-                                          [](const auto& a, const auto& b) { return a.feed < b.feed; });
-    const auto is_held = [&](const Rehearsal& rehearsal) { return rehearsal.push * force_scale <= device.friction; };
-    const double needed = std::ceil(1.5 * device.friction / force_scale);
-    const std::string scale = "at the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale));
-    // No hand pushes so hard: one feed is wrong, not all the pushes.
-    if (needed > hardest_push && !procedure.force_scale &&
-        std::any_of(procedure.rehearsals.begin(), procedure.rehearsals.end(), is_held)) {
-        std::string held;
-        for (const Rehearsal& rehearsal : procedure.rehearsals)
-            if (is_held(rehearsal)) held += (held.empty() ? "`" : ", `") + rehearsal.id + "`";
-        Report(*document, diagnostics)
-            .warning(Code::hand_held_by_friction,
-                     span_in(*document, "rehearsals", static_cast<std::size_t>(fastest - procedure.rehearsals.begin()),
-                             "hand"),
-                     "The hand of `" + fastest->id + "` feeds with " + quantity_text(fastest->feed, "mm/s") +
-                         ". The force scale follows from how hard bone resists at the fastest feed, and " + scale +
-                         " the push of " + held + " is less at the device than its friction of " +
-                         quantity_text(device.friction, "N") +
-                         ": who pushes so stands still. Feed more slowly, or write `force_scale:` under `haptics:`.");
-        return;
-    }
-    for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
-        const Rehearsal& rehearsal = procedure.rehearsals[i];
-        if (!is_held(rehearsal)) continue;
-        Report(*document, diagnostics)
-            .warning(Code::hand_held_by_friction, span_in(*document, "rehearsals", i, "hand"),
-                     "The hand of `" + rehearsal.id + "` pushes with " + quantity_text(rehearsal.push, "N") + "; " +
-                         scale + " that is less at the device than its friction of " +
-                         quantity_text(device.friction, "N") + ", and it stands still. It needs a push of " +
-                         quantity_text(needed, "N") + " or more" +
-                         (procedure.force_scale
-                              ? std::string(".")
-                              : ", or a slower feed: the scale follows from how hard bone resists at the fastest, " +
-                                    quantity_text(fastest->feed, "mm/s") + " of `" + fastest->id + "`."),
-                     quantity_text(needed, "N"));
-    }
+    const Node* haptics = document->root.find("haptics");
+    const long percent = std::lround(100.0 * static_cast<double>(hidden) / static_cast<double>(along.size()));
+    Report(*document, diagnostics)
+        .warning(
+            Code::felt_below_friction,
+            haptics != nullptr ? haptics->span : span_in(*document, "steps", step, "instrument"),
+            "Most of step `" + procedure.steps[step].id + "` is not felt on `" + procedure.device + "`: over " +
+                std::to_string(percent) + " % of its way, bone takes less than " +
+                quantity_text(std::round(device.friction / force_scale * 10.0) * 0.1, "N") +
+                ", which at the force scale of 1/" + std::to_string(std::lround(1.0 / force_scale)) +
+                " is less than the device's friction of " + quantity_text(device.friction, "N") +
+                (procedure.force_scale ? ". Write a larger `force_scale:`" : ". Write a smaller `working_force:`") +
+                ", or take a device with less friction.");
 }
 
 void check_time(const Procedure& procedure, std::size_t rehearsal, double least_time, Diagnostics& diagnostics) {

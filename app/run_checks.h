@@ -31,9 +31,18 @@ void refuse_tool(const Procedure& procedure, const std::string& instrument, cons
 void check_width_of_cut(const Procedure& procedure, const std::string& instrument, const ToolSolid& cutting,
                         Diagnostics& diagnostics);
 
-/// Warns of a rehearsal's hand whose push, as small as the device feels it, is held by the device's own friction.
-/// [main]
-void check_hands(const Procedure& procedure, const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
+/// Refuses a sleeve into which the tool does not fit.   [main]
+void check_guide(const Procedure& procedure, const Instrument& instrument, const ToolSolid& whole,
+                 Diagnostics& diagnostics);
+
+/// Refuses limits that are measured on a hole in a step whose tool is a blade.   [main]
+void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolSolid& cutting,
+                       Diagnostics& diagnostics);
+
+/// Warns of a step over most of whose way the forces of the bone [N], scaled, lie below the device's own friction.
+/// @param along   one for each stretch of its way in bone; all zero for a tool that does not cut   [main]
+void check_felt(const Procedure& procedure, std::size_t step, const std::vector<double>& along,
+                const DeviceRecord& device, double force_scale, Diagnostics& diagnostics);
 
 /// Warns of tools that take no force to cut with [N], to which no force scale can be made to fit.   [main]
 void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,

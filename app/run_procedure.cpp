@@ -12,6 +12,7 @@
 
 #include "app/belongings.h"
 #include "app/hand_inputs.h"
+#include "app/run_metrics.h"
 #include "app/signal_table.h"
 #include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
@@ -45,6 +46,14 @@ Pose without_negative_zeros(const Pose& p) {
             {p.rotation.w + 0.0, p.rotation.x + 0.0, p.rotation.y + 0.0, p.rotation.z + 0.0}};
 }
 
+/// How deep the tip is below the surface of the bone as it was before any cut [m], where the body has moved to.
+double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3 tip) {
+    const auto& owners = monitor.owners().step;
+    const std::size_t owner = owners.empty() ? 0 : owners[std::min(monitor.current(), owners.size() - 1)];
+    const LiveBody& live = *simulation.bodies()[owner];
+    return -uncut_distance(*live.bone, locate(*live.bone, inverse(live.world_from_body) * tip));
+}
+
 /// The material under the tip, present bone only; −1 in air.
 std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
     // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
@@ -57,7 +66,7 @@ std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 ti
 }
 
 TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
-               const SignalTable& signals, const Pose& handle, double removed) {
+               const SignalTable& signals, const Pose& handle, std::int32_t tissue, double removed) {
     TickRow row;
     row.tick = simulation.ticks() - 1;
     row.time = static_cast<double>(row.tick) * Simulation::dt;
@@ -73,7 +82,7 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     row.depth =
         scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
     row.feed_rate = result.rate[2];
-    row.tissue = tissue_at(scene, simulation, result.world_from_tool.position);
+    row.tissue = tissue;
     row.iterations = result.iterations;
     row.power_hand = result.power_hand;
     row.removed = removed;
@@ -126,6 +135,10 @@ public:
     [[nodiscard]] bool reaches(const Body& bone, std::size_t body, Vec3 p) const {
         return cut_[came_from_[body]].at(locate(bone, p)) > -0.5 * bone.grid().spacing;
     }
+    /// Share of a body's bone at a point that was gone already [–].
+    [[nodiscard]] double share_gone(const Body& bone, std::size_t body, Vec3 p) const {
+        return std::clamp(0.5 + cut_[came_from_[body]].at(locate(bone, p)) / bone.grid().spacing, 0.0, 1.0);
+    }
 
 private:
     std::vector<CutField> cut_;
@@ -152,6 +165,39 @@ std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation,
                      [&](Vec3 p) { return !before.reaches(whole, body, p); });
     }
     return fit_wall(points, window, scene.tool(step).outline.cutting.thickness());
+}
+
+/// The hole that a step, and no earlier one, has left in the body that its axis belongs to, seen where that body was
+/// before it moved. Nothing for a blade.
+std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
+                                  const StepMonitor& monitor, std::size_t step) {
+    const ToolSolid& cutting = scene.tool(step).outline.cutting;
+    const StepState& state = monitor.steps()[step];
+    if (cutting.is_prism() || cutting.outline().empty() || !state.step->has_depth() || !state.has_cut_bone()) return {};
+    const AxisFrame& frame = scene.frames[step];
+    const std::size_t owner = monitor.owners().step[step];
+    const PresentBone& bone = simulation.present();
+    const Body& body = *bone.piece(owner).bone;
+    const CutField& cut = bone.cut(owner);
+    const double spacing = body.grid().spacing;
+    const HolePlan plan{.entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = cutting};
+    HoleResult result;
+    result.hole = measure_hole(body, plan, [&](Vec3 p) {
+        const BrickPlace place = locate(body, p);
+        const double was = std::clamp(0.5 - uncut_distance(body, place) / spacing, 0.0, 1.0),
+                     gone = std::clamp(0.5 + cut.at(place) / spacing, 0.0, 1.0);
+        return was <= 0.0 || gone <= 0.0 ? 0.0 : was * std::max(0.0, gone - before.share_gone(body, owner, p));
+    });
+    if (!result.hole) return result;
+    // Medial and lateral, cranial and caudal; without the landmark `midline` the sides have no names.
+    const Vec3 to_side =
+        frame.medial != Vec3{} ? frame.medial : rotate(quat_between({0, 0, 1}, frame.along), {1, 0, 0});
+    const Vec3 up = cross(to_side, frame.along);
+    for (const Limit& limit : state.step->limits)
+        if (limit.quantity == "breach")
+            result.breaches.emplace_back(limit.diameter, breach_of(body, plan, *result.hole, 0.5 * limit.diameter,
+                                                                   to_side, up.z >= 0.0 ? up : -up));
+    return result;
 }
 
 std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
@@ -319,6 +365,12 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
             recorder->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
     };
 
+    const auto lead = [&] {
+        std::optional<Guide> guide = scene.guides[monitor.current()];
+        if (guide) guide->body = monitor.owners().step[monitor.current()];
+        simulation.lead(guide);
+    };
+    lead();
     const auto most_ticks = static_cast<std::uint64_t>(scene.procedure.time_limit / Simulation::dt);
     while (simulation.ticks() < most_ticks) {
         const bool is_replay = !request.replay.empty();
@@ -352,23 +404,44 @@ RunOutcome run_procedure(const Scene& scene, const PluginRegistry& plugins, cons
         where_they_are();
         const double now = static_cast<double>(simulation.ticks() - 1) * Simulation::dt;
         const std::size_t step = monitor.current();
-        monitor.observe({now, result.world_from_tool, result.is_cutting, result.thrust > 0.0 && !result.is_at_metal,
-                         result.thrust, world_from_body, simulation.held()},
+        const Vec3 tip = result.world_from_tool.position;
+        const std::int32_t tissue = tissue_at(scene, simulation, tip);
+        monitor.observe({.time = now,
+                         .world_from_tool = result.world_from_tool,
+                         .is_running = result.is_cutting,
+                         .is_resisted = result.thrust > 0.0 && !result.is_at_metal,
+                         .thrust = result.thrust,
+                         .world_from_body = world_from_body,
+                         .held = simulation.held(),
+                         .is_bone_ahead = tissue >= 0,
+                         .tip_inside = tip_inside(simulation, monitor, tip),
+                         .handle = handle.position},
                         simulation.outline().cutting);
-        const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, removed);
+        const TickRow row = row_of(result, scene, simulation, monitor, signals, handle, tissue, removed);
         add_tick(hash, row);
         if (request.on_tick) request.on_tick(row);
-        for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+        const auto add_news = [&] {
+            for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+        };
+        add_news();
         if (monitor.current() != step) {
             removed = simulation.present().removed();
             monitor.judge_cut(step, wall_of(scene, simulation, before, monitor, step), removed - removed_before_step,
                               now);
+            add_news();
+            if (auto hole = hole_of(scene, simulation, before, monitor, step)) {
+                monitor.judge_hole(step, std::move(*hole), now);
+                add_news();
+            }
             removed_before_step = removed;
             before.begin(simulation.present());
-            for (const auto& [id, detail] : monitor.news()) add_event(id, detail);
+            if (monitor.current() < scene.procedure.steps.size()) lead();
         }
-        for (std::size_t i = 0; i < result.event_count; ++i)
+        for (std::size_t i = 0; i < result.event_count; ++i) {
             add_event(result.events[i], detail_of(result.events[i], simulation));
+            monitor.report(result.events[i], now);
+            add_news();
+        }
         if (recorder) {
             recorder->push(row);
             record_cuts();

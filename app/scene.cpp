@@ -42,6 +42,51 @@ std::optional<Body> implant_body(const Implant& implant, const Procedure& proced
     return body;
 }
 
+/// The sleeve of a step's instrument, on the step's axis.
+std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, const AxisFrame& frame) {
+    const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                         [&](const Instrument& i) { return i.id == step.instrument; });
+    if (instrument == procedure.instruments.end() || !instrument->guide) return std::nullopt;
+    const Sleeve& sleeve = *instrument->guide;
+    return Guide{.body = 0,
+                 .mouth = frame.entry - sleeve.gap * frame.along,
+                 .along = frame.along,
+                 .length = sleeve.length,
+                 .bore_radius = 0.5 * sleeve.bore};
+}
+
+/// What the densest tissue takes at the steps' feeds [N].
+double hardest_of_steps(const Scene& scene) {
+    double hardest = 0.0;
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
+        hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
+    return hardest;
+}
+
+/// What bone takes at a step's feed, every half millimetre of its axis in bone, as deep as its goal [N]. Empty for a
+/// step without depth.
+std::vector<double> forces_along(const Scene& scene, std::size_t step) {
+    const Step& asked = scene.procedure.steps[step];
+    double depth = 0.0;
+    for (const Goal& goal : asked.goals)
+        if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
+    std::vector<double> forces;
+    const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
+    const AxisFrame& frame = scene.frames[step];
+    constexpr double apart = 0.5e-3;
+    for (double at = 0.5 * apart; at < depth; at += apart) {
+        const BrickPlace place = locate(scene.body, frame.entry + at * frame.along);
+        if (uncut_distance(scene.body, place) >= 0.0) continue;
+        double weight[KERF_MAX_TISSUES];
+        material_weights(scene.body, place, weight);
+        const auto most =
+            static_cast<std::size_t>(std::max_element(weight, weight + scene.body.materials.size()) - weight);
+        const Material& material = scene.body.materials[most];
+        forces.push_back(law.force(most, material.densities.at(place, material.density), asked.feed));
+    }
+    return forces;
+}
+
 /// No hand gets through its legs sooner [s].
 double least_time_of(const HandPlan& plan) {
     double time = 0.0;
@@ -91,21 +136,19 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
             axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
         scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
         scene.share_in_bone.push_back(found.share);
+        scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));
     }
     if (has_error(diagnostics)) return std::nullopt;
     std::vector<const ToolSolid*> cutting;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) cutting.push_back(&scene.tool(s).outline.cutting);
     check_waypoints_in_region(scene.procedure, scene.frames, cutting, scene.body, diagnostics);
 
-    // The scale: so that the hardest tissue at the rehearsals' feed stays within what the device can hold.
-    double feed = 0.0;
-    for (const auto& rehearsal : scene.procedure.rehearsals) feed = std::max(feed, rehearsal.feed);
-    for (const Tool& tool : scene.tools)
-        scene.work_force = std::max(scene.work_force, work_force(tool.setup, scene.body, feed > 0.0 ? feed : 1e-3));
+    scene.work_force = scene.procedure.working_force.value_or(hardest_of_steps(scene));
     scene.gains = in_hands(gains_for(
         *scene.device, scene.procedure.force_scale.value_or(force_scale_for(*scene.device, scene.work_force))));
     check_force_scale(scene.procedure, *scene.device, scene.work_force, diagnostics);
-    check_hands(scene.procedure, *scene.device, scene.gains.force_scale, diagnostics);
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
+        check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return scene;

@@ -30,7 +30,8 @@ struct Scene {
     std::vector<Tool> tools;                ///< those that steps use
     std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
-    std::vector<Body> implants;  ///< that a hand may bring in, in the tool's frame
+    std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve through which its instrument works
+    std::vector<Body> implants;                ///< that a hand may bring in, in the tool's frame
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;         ///< [N] the scale was made for

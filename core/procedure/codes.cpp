@@ -218,6 +218,11 @@ constexpr CodeEntry entries[] = {
      .meaning = "A waypoint inserts an implant that the procedure does not have.",
      .why = "Its surface would be unknown.",
      .write = "Write one of the implants that the message lists, or add it under `implants:`."},
+    {.number = 314,
+     .name = "unknown event",
+     .meaning = "A step allows an event that its instrument does not report as damage.",
+     .why = "The line would change nothing, and whoever wrote it would believe that it does.",
+     .write = "Write one of the events that the message lists; `kerf describe` shows which events fail a step."},
     // ---- its numbers
     {.number = 401,
      .name = "not a number",
@@ -319,6 +324,11 @@ constexpr CodeEntry entries[] = {
      .meaning = "A step takes a piece, and no step before it parts the bone.",
      .why = "The bone is still whole, so there is no piece to hold.",
      .write = "Put a step with the goal `{separated: {}}` before it."},
+    {.number = 510,
+     .name = "no hole to measure",
+     .meaning = "A limit is measured on a drilled hole, and the instrument of its step is a blade.",
+     .why = "A blade leaves a slot, which has no axis and no middle line.",
+     .write = "Use a limit of a cut, such as `plane_angle`, or give the step an instrument that drills."},
     // ---- bone and data files
     {.number = 601,
      .name = "phantom without bone",
@@ -713,13 +723,6 @@ constexpr CodeEntry entries[] = {
             "three voxels and hundreds at two. Only a warning.",
      .write = "Write the spacing that the message gives.",
      .is_warning = true},
-    {.number = 709,
-     .name = "hand held by friction",
-     .meaning = "The scaled push of a rehearsal's hand is less than the friction of the device.",
-     .why = "The force scale fits the hardest bone, at the fastest feed, to the device. It also scales the push, so "
-            "the hand would not move. Only a warning.",
-     .write = "Write a larger `push:` or a slower `feed:`.",
-     .is_warning = true},
     {.number = 710,
      .name = "waypoint beyond region",
      .meaning = "A rehearsal moves the tool into bone beyond the region in which bone can be cut.",
@@ -750,9 +753,21 @@ constexpr CodeEntry entries[] = {
      .meaning = "No tool cuts with its drives, and `force_scale:` is not given.",
      .why = "Kerf computes the scale from the cutting force. Without one the scale is 1, and the device cannot push as "
             "hard as an awl or a still drill needs. Only a warning.",
-     .write = "Write a `force_scale:` under `haptics:`: the force that the hand can hold on the device, divided by the "
-              "force that the tool needs in the bone.",
+     .write = "Write a `working_force:` under `haptics:`: the force that the tool needs in the bone. Or write a "
+              "`force_scale:`: the force that the hand can hold on the device, divided by that force.",
      .is_warning = true},
+    {.number = 715,
+     .name = "felt below friction",
+     .meaning = "Over more than half of a step's way, the bone's force is below the device's friction once it is "
+                "scaled.",
+     .why = "The friction hides such a force: a trainee feels the device, not the bone. Only a warning.",
+     .write = "Write a smaller `working_force:`, or take a device with less friction.",
+     .is_warning = true},
+    {.number = 716,
+     .name = "narrow guide",
+     .meaning = "The bore of a sleeve is not wider than the tool that works through it, or the tool is a blade.",
+     .why = "The tool would not fit, and the sleeve would push it with kilonewtons.",
+     .write = "Write a `bore:` a few tenths of a millimetre wider than the tool."},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -22,6 +22,13 @@ struct ParameterSetting {
     double value = 0.0;  ///< SI
 };
 
+/// A sleeve through which an instrument works, on the axis of its step.
+struct Sleeve {
+    double bore = 0.0;    ///< [m] its inner diameter
+    double length = 0.0;  ///< [m]
+    double gap = 0.0;     ///< [m] from its mouth to the planned entry
+};
+
 struct Instrument {
     std::string id;
     std::string plugin;                    ///< "kerf.drilling"
@@ -31,7 +38,9 @@ struct Instrument {
     std::vector<double> tool_parameters;   ///< SI, declared order, defaults filled in
     std::vector<double> force_parameters;  ///< SI, declared order, defaults filled in
     std::vector<double> drives;            ///< SI, declared order, defaults filled in
+    std::vector<EventInfo> damages{};      ///< events of the force that spoil the tool
     int hands = 0;                         ///< 1 or 2; 0: as many as the tool asks for
+    std::optional<Sleeve> guide{};
 };
 
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.
@@ -56,22 +65,35 @@ struct Goal {
 };
 
 struct Limit {
-    /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside) or
-    /// "thrust" [N]. When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness"
-    /// [m].
+    /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside), "thrust"
+    /// [N], "plunge" [m] past a far face, "time_in_air" [s] or "damage" (an event that spoils the tool).
+    /// When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m]; of the
+    /// hole it left: "hole_angle" [rad], "entry_offset", "narrowest_offset", "end_offset", "breach" [m] or
+    /// "excess_removal" [–].
     std::string quantity;
     std::string zone;  ///< for "clearance"
     Bound bound;
     std::string reason;  ///< the sentence a trainee reads when it is broken
     SourcePlace place;
+    std::string event{};    ///< for "damage"
+    double diameter = 0.0;  ///< [m] for "breach": of the cylinder that is to lie in the hole
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {
         return quantity == "plane_angle" || quantity == "plane_offset" || quantity == "flatness";
     }
+    /// Measured on the hole that a turning tool left.
+    [[nodiscard]] bool is_of_hole() const noexcept {
+        return quantity == "hole_angle" || quantity == "entry_offset" || quantity == "narrowest_offset" ||
+               quantity == "end_offset" || quantity == "breach" || quantity == "excess_removal";
+    }
     /// How rehearsals and results call it.
-    [[nodiscard]] const std::string& name() const noexcept { return zone.empty() ? quantity : zone; }
+    [[nodiscard]] const std::string& name() const noexcept {
+        return !zone.empty() ? zone : !event.empty() ? event : quantity;
+    }
 };
+
+inline constexpr double default_feed = 1e-3;  ///< [m/s] of a step that states none
 
 struct Step {
     std::string id, title;
@@ -81,11 +103,17 @@ struct Step {
     std::vector<Limit> limits;
     std::string
         plane{};  ///< name of the landmark plane that the tool's flat side lies in; empty: turned anyhow about the axis
+    std::vector<std::string> allowed{};  ///< events that spoil the tool and do not fail this step
+    double feed = default_feed;          ///< [m/s] at which the tool is meant to work
 
     /// Whether anything is to be reached in bone, and not only with a piece of it.
     [[nodiscard]] bool cuts() const noexcept {
         return std::any_of(goals.begin(), goals.end(),
                            [](const Goal& goal) { return goal.quantity != "held" && goal.quantity != "moved"; });
+    }
+    /// Whether a depth is to be reached in bone.
+    [[nodiscard]] bool has_depth() const noexcept {
+        return std::any_of(goals.begin(), goals.end(), [](const Goal& goal) { return goal.quantity == "depth"; });
     }
 };
 
@@ -111,13 +139,14 @@ inline constexpr double hardest_push = 500.0;  ///< [N] of a simulated hand
 /// Intent, carried out by the simulated hand; it never writes the tool's pose.
 struct Rehearsal {
     std::string id, title;
-    std::string expect;         ///< "pass", "fail" or "incomplete"
-    std::string expect_limit;   ///< for "fail": the zone (or quantity) whose limit must be the only one broken
-    std::string expect_step{};  ///< for "fail": the only step in which it is broken; empty: any
-    double feed = 1e-3;         ///< [m/s] what the hand aims at in bone
-    double approach = 10e-3;    ///< [m/s] in air
-    double push = 60.0;         ///< [N] the most it pushes, bone side; no more than `hardest_push`
-    double reaction = 0.15;     ///< [s]
+    std::string expect;           ///< "pass", "fail" or "incomplete"
+    std::string expect_limit;     ///< for "fail": the zone (or quantity) whose limit must be the only one broken
+    std::string expect_step{};    ///< for "fail": the only step in which it is broken; empty: any
+    bool expects_others = false;  ///< for "fail": other limits may break too, and goals be missed
+    double feed = 1e-3;           ///< [m/s] what the hand aims at in bone
+    double approach = 10e-3;      ///< [m/s] in air
+    double push = 60.0;           ///< [N] the most it pushes, bone side; no more than `hardest_push`
+    double reaction = 0.15;       ///< [s]
     std::vector<Waypoint> path;
 };
 
@@ -155,8 +184,9 @@ struct Procedure {
     Budget budget;
     std::string device;      ///< name of the device record the simulated hand holds
     bool is_direct = false;  ///< `coupling: direct`: the device's own rate goes into the law, as the papers do
-    std::optional<double> force_scale;  ///< [–] device newton per bone newton; computed when absent
-    double time_limit = 120.0;          ///< [s] simulated
+    std::optional<double> force_scale;    ///< [–] device newton per bone newton; computed when absent
+    std::optional<double> working_force;  ///< [N] of the bone, that the device holds with ease at the computed scale
+    double time_limit = 120.0;            ///< [s] simulated
     std::vector<Instrument> instruments;
     std::vector<Implant> implants;
     std::vector<Step> steps;

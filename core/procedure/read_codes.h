@@ -54,6 +54,7 @@ enum class Code {
     unknown_variant = 311,
     unknown_step = 312,     ///< a waypoint is seen from a step that there is not
     unknown_implant = 313,  ///< a waypoint brings in what there is not
+    unknown_event = 314,    ///< a step allows what its instrument does not report as damage
 
     // Its numbers
     not_a_number = 401,
@@ -77,6 +78,7 @@ enum class Code {
     axis_off_plane = 507,  ///< a step's axis leads out of its plane
     needs_plane = 508,     ///< something is measured in the plane of a step that names none
     needs_piece = 509,     ///< a step takes a piece that no step before it parts from the bone
+    needs_hole = 510,      ///< something is measured on the hole of a tool that makes none
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,
@@ -90,12 +92,13 @@ enum class Code {
     narrow_kerf = 706,  ///< under two voxels
     blade_beyond_region = 707,
     narrow_hole = 708,  ///< under four voxels
-    hand_held_by_friction = 709,
     waypoint_beyond_region = 710,
     too_slow_to_cut = 711,
     short_of_goal = 712,
     short_of_time = 713,
     no_force_scale = 714,
+    felt_below_friction = 715,
+    narrow_guide = 716,  ///< a tool does not fit into its sleeve
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <type_traits>
@@ -112,10 +113,15 @@ public:
         if (tool && force) check_fit(*force_node, *tool, *force);
         if (tool) instrument.tool_parameters = defaults(tool->parameters);
         if (tool) instrument.drives = defaults(tool->drives);
-        if (force) instrument.force_parameters = defaults(force->parameters);
+        if (force) {
+            instrument.force_parameters = defaults(force->parameters);
+            std::copy_if(force->events.begin(), force->events.end(), std::back_inserter(instrument.damages),
+                         [](const EventInfo& event) { return event.is_damage; });
+        }
 
         const std::string hands = map.word("hands");
         instrument.hands = hands == "one" ? 1 : hands == "two" ? 2 : 0;
+        if (const Node* guide = map.find("guide")) instrument.guide = read_guide(*guide);
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);
@@ -141,6 +147,15 @@ public:
     }
 
 private:
+    Sleeve read_guide(const Node& node) {
+        MapReader map(node, shapes::guide, "guide", report_);
+        Sleeve sleeve{.bore = map.quantity("bore"), .length = 30e-3, .gap = 1e-3};
+        map.quantity("length", sleeve.length);
+        map.quantity("gap", sleeve.gap);
+        map.finish();
+        return sleeve;
+    }
+
     static std::vector<double> defaults(const std::vector<ParameterInfo>& parameters) {
         std::vector<double> values;
         for (const ParameterInfo& parameter : parameters) values.push_back(parameter.def);
@@ -383,6 +398,7 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
             if (!limit.zone.empty() && !contains(procedure.needs_zones, limit.zone))
                 refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
+        if (quantity->key == "breach") limit.diameter = bound.quantity("diameter");
         read_bound_values(bound, shape, quantity->key, limit.bound, report);
         bound.finish();
     }
@@ -461,6 +477,37 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
     }
 }
 
+/// `allow:` names events that the step's instrument reports as damage.
+std::vector<std::string> read_allowed(const Node& node, const Instrument& instrument, Report& report) {
+    std::vector<std::string> known, allowed;
+    for (const EventInfo& event : instrument.damages) known.push_back(event.id);
+    for (const Node& item : read_list(node, "allow", report)) {
+        const std::string id = read_id(item, "allow", report).value_or("");
+        if (id.empty()) continue;
+        allowed.push_back(id);
+        if (contains(known, id)) continue;
+        const std::string meant = closest(straightened(id), known, report);
+        report.error(Code::unknown_event, item.span,
+                     "The event `" + excerpt(id, 60) + "` cannot be allowed: " +
+                         (known.empty() ? "nothing that `" + instrument.id + "` reports fails a step. Remove it."
+                                        : "expected " + listed(known) + "." + or_choose(meant)),
+                     meant);
+    }
+    return allowed;
+}
+
+/// What spoils the tool fails the step, unless the step allows it.
+void add_damage_limits(const Instrument& instrument, SourcePlace place, Step& step) {
+    for (const EventInfo& event : instrument.damages) {
+        if (contains(step.allowed, event.id)) continue;
+        Limit& limit = step.limits.emplace_back();
+        limit.quantity = "damage";
+        limit.event = event.id;
+        limit.reason = event.help;
+        limit.place = place;
+    }
+}
+
 Step read_step(const Node& item, const Procedure& procedure, const std::vector<std::string>& instrument_ids,
                const Document& document, Report& report) {
     MapReader map(item, shapes::step, item_name(item, "step"), report);
@@ -484,6 +531,7 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
             refuse_undeclared(Code::undeclared_landmark, *plane, "landmark", procedure.needs_landmarks, document,
                               report);
     }
+    map.quantity("feed", step.feed);
     if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report))
             step.goals.push_back(read_goal(goal, document, report));
@@ -491,6 +539,14 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
         for (const Node& limit : read_list(*limits, "limits", report))
             step.limits.push_back(read_limit(limit, procedure, document, report));
     refuse_contradictions(step, item, report);
+    const Node* allow = map.find("allow");
+    const auto used = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
+                                   [&](const Instrument& i) { return i.id == step.instrument; });
+    if (used != procedure.instruments.end()) {
+        if (allow) step.allowed = read_allowed(*allow, *used, report);
+        const Node* written = item.find("instrument");
+        add_damage_limits(*used, document.place(written ? written->span : item.span), step);
+    }
     map.finish();
     return step;
 }
@@ -566,6 +622,7 @@ void read_expectation(const Node& node, const LimitNames& limits, const Procedur
             if (!rehearsal.expect_limit.empty() && !limits.has(rehearsal.expect_limit))
                 refuse_limit(*limit, limits, report);
         }
+        rehearsal.expects_others = map.yes_no("others");
         if (const Node* step = map.find("step")) {
             rehearsal.expect_step = read_id(*step, "expect.step", report).value_or("");
             const auto is_it = [&](const Step& s) { return s.id == rehearsal.expect_step; };
@@ -768,6 +825,9 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
         if (const Node* force_scale = haptics.find("force_scale"))
             procedure.force_scale =
                 read_quantity(*force_scale, "haptics.force_scale", haptics.need_of("force_scale"), report);
+        if (const Node* force = haptics.find("working_force"))
+            procedure.working_force =
+                read_quantity(*force, "haptics.working_force", haptics.need_of("working_force"), report);
         haptics.finish();
     }
     map.quantity("time_limit", procedure.time_limit);

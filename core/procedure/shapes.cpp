@@ -102,7 +102,21 @@ const Shape haptics{
          "`solved`, or `direct` to apply the force law to the device's own motion, as published methods do.", "solved",
          "solved"},
         {optional, "force_scale", number(1e-4, 10.0),
-         "Device newton per bone newton; computed from the device's greatest force if not given.", "1/50"},
+         "Device newton per bone newton; computed if not given, from `working_force` or from the steps.", "1/50"},
+        {optional, "working_force", quantity(dimension::force, "N", 0.1_N, 1000.0_N),
+         "The force of the bone that the device should hold with ease, at 0.6 of its continuous force; without it, "
+         "that "
+         "of the densest tissue at the steps' `feed`. `force_scale` has precedence.",
+         "20 N"},
+    }};
+
+const Shape guide{
+    "guide",
+    "A fixed sleeve on the step's axis, through which the instrument works.",
+    {
+        {required, "bore", length(0.5_mm, 50.0_mm), "Its inner diameter, wider than the tool.", "3.4 mm"},
+        {optional, "length", length(1.0_mm, 300.0_mm), "From its mouth backwards.", "30 mm", "30 mm"},
+        {optional, "gap", length(0.0_mm, 100.0_mm), "From its mouth to the planned entry.", "1 mm", "1 mm"},
     }};
 
 const Shape instrument{
@@ -118,6 +132,7 @@ const Shape instrument{
          "example.drilling"},
         {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` lists them.",
          "{diameter: 3.2 mm}"},
+        {optional, "guide", map(guide), "A sleeve that leads it along the step's axis.", "{bore: 3.4 mm}"},
         {optional, "hands", word({"one", "two"}), "How many hands hold it, if not as many as the tool demands.", "two"},
         {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",
          "{spindle_speed: 1000 rpm}"},
@@ -177,6 +192,46 @@ const Shape flatness_bound{"flatness_bound",
                                {required, "at_most", length(0.05_mm, 20.0_mm), "No more than this.", "0.5 mm"},
                            }};
 
+const Shape hole_angle_bound{
+    "hole_angle_bound",
+    "The angle between the hole and the step's axis.",
+    {
+        {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 90.0_deg), "No more than this.", "5 deg"},
+    }};
+
+const Shape hole_offset_bound{"hole_offset_bound",
+                              "Distance of the hole's middle from the step's axis.",
+                              {
+                                  {required, "at_most", length(0.05_mm, 50.0_mm), "No farther than this.", "2 mm"},
+                              }};
+
+const Shape breach_bound{"breach_bound",
+                         "How far a cylinder along the hole, such as a screw, leaves the bone.",
+                         {
+                             {required, "diameter", length(0.5_mm, 50.0_mm), "The diameter of the cylinder.", "6.5 mm"},
+                             {required, "at_most", length(0.0_mm, 50.0_mm), "No farther than this.", "2 mm"},
+                         }};
+
+const Shape excess_bound{
+    "excess_bound",
+    "Bone removed beyond what the tool takes on the step's axis.",
+    {
+        {required, "at_most", quantity(dimension::none, "%", 0.01, 100.0), "No more than this.", "50 %"},
+    }};
+
+const Shape plunge_bound{"plunge_bound",
+                         "How far the tip goes on behind a face through which it leaves the bone.",
+                         {
+                             {required, "at_most", length(0.1_mm, 200.0_mm), "No farther than this.", "5 mm"},
+                         }};
+
+const Shape air_bound{
+    "air_bound",
+    "How long the tip goes on without bone in front of it, after it has met bone.",
+    {
+        {required, "at_most", quantity(dimension::time, "s", 0.01_s, 600.0_s), "No longer than this.", "1 s"},
+    }};
+
 const Shape goal{"goal",
                  "What must be reached; goals are met in their order.",
                  {
@@ -202,6 +257,22 @@ const Shape limit{
          "The distance of the cut from the plane, measured when the step has ended.", "{at_most: 1 mm}"},
         {one_of, "flatness", map(flatness_bound), "The unevenness of the cut, measured when the step has ended.",
          "{at_most: 0.5 mm}"},
+        {one_of, "hole_angle", map(hole_angle_bound),
+         "The angle between the drilled hole and the axis, measured when the step has ended.", "{at_most: 5 deg}"},
+        {one_of, "entry_offset", map(hole_offset_bound),
+         "The distance of the hole from the axis where the drill had bitten, measured when the step has ended.",
+         "{at_most: 2 mm}"},
+        {one_of, "narrowest_offset", map(hole_offset_bound),
+         "The same where the bone around the axis is narrowest, such as a pedicle's isthmus.", "{at_most: 2 mm}"},
+        {one_of, "end_offset", map(hole_offset_bound), "The same where the hole ends.", "{at_most: 3 mm}"},
+        {one_of, "breach", map(breach_bound),
+         "How far a cylinder along the hole leaves the bone, measured when the step has ended.",
+         "{diameter: 6.5 mm, at_most: 2 mm}"},
+        {one_of, "excess_removal", map(excess_bound),
+         "The bone removed beyond the planned hole, measured when the step has ended.", "{at_most: 50 %}"},
+        {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
+        {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
+         "{at_most: 1 s}"},
         {required, "reason", text(), "The sentence that a trainee reads when it happens.",
          "The hole is deeper than planned."},
     }};
@@ -221,14 +292,20 @@ const Shape step{
          "[{entry: {}}, {depth: {at_least: 30 mm}}]"},
         {optional, "limits", list(map(limit)), "What must not happen during the step.",
          "[{clearance: {zone: canal, at_least: 0 mm}, reason: The drill entered the canal.}]"},
+        {optional, "feed", speed(), "The feed at which the tool is meant to work; the force scale follows from it.",
+         "0.5 mm/s", "1 mm/s"},
+        {optional, "allow", list(id()),
+         "Events that spoil the tool and yet do not fail this step; `kerf describe` lists them.",
+         "[drilling.bit_overbent]"},
     }};
 
 const Shape expectation{
     "expectation",
     "The expected failure.",
     {
-        {required, "fail", id(), "The one limit that breaks: its zone, or else its quantity.", "canal"},
+        {required, "fail", id(), "The one limit that breaks: its zone, its event, or else its quantity.", "canal"},
         {optional, "step", id(), "The one step in which it breaks; any step if not given.", "drill"},
+        {optional, "others", yes_no(), "Other limits may break as well, and goals be missed.", "true", "false"},
     }};
 
 const Shape hand{"hand",

@@ -80,6 +80,10 @@ double clearance(const ToolSolid& solid, const Pose& world_from_tool, const Zone
 
 namespace {
 
+/// From the world to the body `owner`.
+Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
+    return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
+}
 /// The tool as the body `owner` sees it.
 Pose seen_from(std::size_t owner, const Observation& now) noexcept {
     if (owner >= now.world_from_body.size()) return now.world_from_tool;
@@ -122,7 +126,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     const bool is_first_bone = is_in_bone && !state.has_cut_bone();
     if (is_first_bone) {
         state.deepest = 0.0;
-        state.entry_offset = offset;
+        state.advance.front = depth;
         news_.emplace_back("entered_bone", state.step->id);
     }
     if (is_resisted && !is_running) state.has_met_bone_still = true;
@@ -130,13 +134,21 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
         state.deepest = std::max(state.deepest, depth);
         state.farthest_offset = std::max(state.farthest_offset, offset);
     }
+    if (is_running && state.has_cut_bone())
+        follow(now, depth, frame.depth_of(body_from_world(owners_.step[current_], now) * now.handle), time - before_,
+               state);
+    before_ = time;
 
     for (auto& limit : state.limits) {
-        if (!is_running) continue;                // a still tool harms nothing
-        if (limit.limit->is_of_wall()) continue;  // there is none yet
+        if (!is_running) continue;  // a still tool harms nothing
+        if (limit.limit->is_of_wall() || limit.limit->is_of_hole() || limit.limit->quantity == "damage")
+            continue;  // judged when it is there
         if (limit.limit->quantity == "depth" && !state.has_cut_bone())
             continue;  // beside the bone there is no hole that could be too deep
-        double value = limit.limit->quantity == "thrust" ? now.thrust : depth;
+        double value = limit.limit->quantity == "thrust"        ? now.thrust
+                       : limit.limit->quantity == "plunge"      ? state.advance.plunge
+                       : limit.limit->quantity == "time_in_air" ? state.advance.in_air
+                                                                : depth;
         if (limit.limit->quantity == "clearance") {
             const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
                                            [&](const Zone& z) { return z.id == limit.limit->zone; });
@@ -188,6 +200,64 @@ void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall
         if (quantity == "plane_offset") hold(limit, wall->offset, time);
         if (quantity == "flatness") hold(limit, wall->flatness, time);
     }
+}
+
+void StepMonitor::judge_hole(std::size_t step, HoleResult drilled, double time) {
+    news_.clear();
+    StepState& state = steps_[step];
+    for (auto& limit : state.limits) {
+        if (!drilled.hole) break;
+        const DrilledHole& hole = *drilled.hole;
+        const std::string& quantity = limit.limit->quantity;
+        if (quantity == "hole_angle" && hole.angle) hold(limit, *hole.angle, time);
+        if (quantity == "entry_offset") hold(limit, hole.entry_offset, time);
+        if (quantity == "narrowest_offset") hold(limit, hole.narrowest_offset, time);
+        if (quantity == "end_offset") hold(limit, hole.end_offset, time);
+        if (quantity == "excess_removal" && hole.ideal > 0.0) hold(limit, hole.drilled / hole.ideal - 1.0, time);
+        for (const auto& [diameter, breach] : drilled.breaches)
+            if (quantity == "breach" && diameter == limit.limit->diameter) hold(limit, breach.worst(), time);
+    }
+    state.drilled = std::move(drilled);
+}
+
+void StepMonitor::report(const std::string& event, double time) {
+    news_.clear();
+    if (current_ >= steps_.size()) return;
+    for (auto& limit : steps_[current_].limits) {
+        if (limit.limit->event != event) continue;
+        limit.is_seen = true;
+        limit.worst += 1.0;
+        if (limit.broken_at) continue;
+        limit.broken_at = time;
+        news_.emplace_back("limit_broken", limit.limit->name());
+    }
+}
+
+// The tip is at its front until it has gone back by a tenth of a millimetre; half a millimetre below the surface it is
+// within bone. A face that it passes on its way back is its own entry.
+void StepMonitor::follow(const Observation& now, double depth, double hand, double dt, StepState& state) {
+    constexpr double give = 0.1e-3, well_inside = 0.5e-3;
+    Advance& advance = state.advance;
+    const bool is_at_front = depth >= advance.front - give;
+    if (is_at_front && !now.is_bone_ahead) {
+        advance.in_air += dt;
+        advance.depth_in_air += std::max(0.0, depth - advance.front);
+    }
+    if (now.tip_inside > well_inside) {
+        advance.is_inside = true;
+        advance.left_at.reset();
+    } else if (now.tip_inside <= 0.0 && advance.is_inside) {
+        advance.is_inside = false;
+        if (is_at_front) {
+            advance.left_at = depth;
+            advance.hand_left_at = hand;
+        }
+    }
+    if (advance.left_at) {
+        advance.plunge = std::max(advance.plunge, depth - *advance.left_at);
+        advance.hand_plunge = std::max(advance.hand_plunge, hand - *advance.hand_left_at);
+    }
+    advance.front = std::max(advance.front, depth);
 }
 
 void StepMonitor::hold(LimitState& limit, double value, double time) {

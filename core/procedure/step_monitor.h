@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/field/cut_wall.h"
+#include "core/field/drilled_hole.h"
 #include "core/field/tool_solid.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
@@ -46,12 +47,33 @@ struct Observation {
     double thrust = 0.0;                      ///< [N] of the bone on the tool, against its feed
     std::span<const Pose> world_from_body{};  ///< of each body; empty: there is one, and it has not moved
     int held = -1;                            ///< the body that the tool holds; −1: none
+    bool is_bone_ahead = true;                ///< present bone in front of the tip
+    double tip_inside = 0.0;                  ///< [m] of the tip below the surface of the bone before any cut
+    Vec3 handle{};                            ///< [m] the place that the device reported, world frame
 };
 
 /// Which body each thing of the anatomy belongs to, and moves with.
 struct Owners {
     std::vector<std::size_t> zone;  ///< of each of the anatomy's zones
     std::vector<std::size_t> step;  ///< of the frame of each step
+};
+
+/// How the tip went on where there was no bone to stop it.
+struct Advance {
+    double front = 0.0;         ///< [m] the deepest that the tip has been, along the axis
+    double in_air = 0.0;        ///< [s] that it went on at its front without bone ahead
+    double depth_in_air = 0.0;  ///< [m] gained so
+    double plunge = 0.0;        ///< [m] the farthest behind a face through which it left the bone
+    double hand_plunge = 0.0;   ///< [m] that the hand moved on meanwhile, along the axis
+
+    bool is_inside = false;                       ///< it has been within the bone since the last face
+    std::optional<double> left_at, hand_left_at;  ///< [m] along the axis, where it left the bone last
+};
+
+/// What a step that drills has left.
+struct HoleResult {
+    std::optional<DrilledHole> hole;                  ///< none: no section shows a whole circle
+    std::vector<std::pair<double, Breach>> breaches;  ///< diameter [m] of each cylinder that a limit names
 };
 
 struct LimitState {
@@ -65,13 +87,14 @@ struct StepState {
     const Step* step = nullptr;
     std::vector<bool> goal_done;
     std::vector<LimitState> limits;
-    std::optional<double> start, end;  ///< [s]
-    double deepest = -1.0;             ///< [m] of the tip in bone; negative until it has cut some
-    double entry_offset = 0.0;         ///< [m] of the tip from the axis when it first cut bone
-    double farthest_offset = 0.0;      ///< [m] of the tip from the axis while it cut bone
-    bool has_met_bone_still = false;   ///< it stood on bone without running
-    std::optional<CutWall> wall;       ///< that its cut left, measured when it had ended
-    double removed = 0.0;              ///< [m³] in this step
+    std::optional<double> start, end;   ///< [s]
+    double deepest = -1.0;              ///< [m] of the tip in bone; negative until it has cut some
+    double farthest_offset = 0.0;       ///< [m] of the tip from the axis while it cut bone
+    bool has_met_bone_still = false;    ///< it stood on bone without running
+    Advance advance;                    ///< while it cut
+    std::optional<CutWall> wall;        ///< that its cut left, measured when it had ended
+    std::optional<HoleResult> drilled;  ///< the hole that it left, likewise
+    double removed = 0.0;               ///< [m³] in this step
 
     double moved = 0.0;  ///< [m] the farthest that the bone at the entry was from where it had been
 
@@ -89,6 +112,10 @@ public:
     /// Shows what the step that ended in the last tick left: the wall of its cut, if one was found, and what was
     /// `removed` in it [m³].
     void judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time);
+    /// Shows the hole that the step left.
+    void judge_hole(std::size_t step, HoleResult drilled, double time);
+    /// An event that the tool's law reported in this tick.
+    void report(const std::string& event, double time);
     /// From now on things move with these bodies.
     void belong(Owners owners) { owners_ = std::move(owners); }
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
@@ -102,6 +129,7 @@ public:
 
 private:
     [[nodiscard]] bool is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept;
+    static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
     /// Holds a measured value against its limit.
     void hold(LimitState& limit, double value, double time);
 
@@ -110,6 +138,7 @@ private:
     Owners owners_;  ///< at first all belongs to body 0
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
+    double before_ = 0.0;  ///< [s] of the last tick that was shown
     std::vector<std::pair<std::string, std::string>> news_;
 };
 

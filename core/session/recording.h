@@ -69,6 +69,10 @@ struct MetricRow {
     std::string help;
 };
 
+/// The scope of metrics that check the simulation itself, and say nothing of the operation.
+inline constexpr const char* simulation_scope = "simulation";
+inline bool is_of_simulation(const MetricRow& metric) noexcept { return metric.scope == simulation_scope; }
+
 struct CutRow {
     std::uint64_t sequence = 0, tick = 0;
     std::uint32_t body = 0, solid = 0;

@@ -121,12 +121,15 @@ std::string metric_row_html(const MetricRow& metric) {
            (is_known_status ? metric.status : "info") + "\">" + html_escaped(metric.status) + "</td></tr>";
 }
 
-std::string metrics_html(const RunSummary& summary) {
-    if (summary.metrics.empty()) return {};
-    std::string html = "<section><h2>Measured</h2><div class=\"wide\"><table><thead><tr><th>Metric</th><th>Where</th>"
-                       "<th class=\"number\">Value</th><th>Status</th></tr></thead><tbody>";
-    for (const MetricRow& metric : summary.metrics) html += metric_row_html(metric);
-    return html + "</tbody></table></div></section>\n";
+std::string metrics_html(const RunSummary& summary, bool of_simulation, const char* title) {
+    std::string rows;
+    for (const MetricRow& metric : summary.metrics)
+        if (is_of_simulation(metric) == of_simulation) rows += metric_row_html(metric);
+    if (rows.empty()) return {};
+    return std::string("<section><h2>") + title +
+           "</h2><div class=\"wide\"><table><thead><tr><th>Metric</th><th>Where</th>"
+           "<th class=\"number\">Value</th><th>Status</th></tr></thead><tbody>" +
+           rows + "</tbody></table></div></section>\n";
 }
 
 std::string steps_html(const RunSummary& summary) {
@@ -242,10 +245,11 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run) {
     html += "</style></head><body><main>\n";
     html += header_html(summary);
     html += facts_html(summary);
-    html += metrics_html(summary);
+    html += metrics_html(summary, false, "Measured");
     html += steps_html(summary);
     html += plots_html(summary, run);
     html += bone_html();
+    html += metrics_html(summary, true, "Checks of the simulation");
     html += events_html(run);
     html += "</main>\n" + footer_html(summary);
     html +=

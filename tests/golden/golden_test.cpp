@@ -115,8 +115,8 @@ TEST_P(GoldenNamed, TextMatchesTheFile) {
     EXPECT_EQ(text, test::contents_of(file.string()));
     EXPECT_NE(text, "");
 }
-INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenNamed,
-                         testing::Values("saw-no-teeth", "saw-half-a-tooth", "one-feed-too-fast"), [](const auto& of) {
+INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenNamed, testing::Values("saw-no-teeth", "saw-half-a-tooth"),
+                         [](const auto& of) {
                              std::string name = of.param;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;

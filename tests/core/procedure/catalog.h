@@ -21,6 +21,8 @@ inline ComponentCatalog drilling_catalog() {
     force.id = "drill_cutting";
     force.kind = KERF_KIND_FORCE;
     force.parameters = {{"wear", "", dimension::none, "", 0.0, 1.0, 0.25, ""}};
+    force.events = {{"drilling.bit_overbent", "The bit was bent.", true},
+                    {"drilling.stalled", "The spindle was held fast.", false}};
     return {tool, force};
 }
 

@@ -100,6 +100,72 @@ TEST(ReadProcedure, GivesGoalsLimitsAndRehearsals) {
     EXPECT_EQ(procedure->rehearsals.at(1).path.at(1).medial_angle, -10.0_deg);
 }
 
+TEST(ReadProcedure, DamageOfTheToolIsALimitOfTheStepUnlessItIsAllowed) {
+    Diagnostics diagnostics;
+    const std::optional<Procedure> strict = read(faultless, diagnostics);
+    ASSERT_TRUE(strict) << to_text(diagnostics);
+    const Limit& damage = strict->steps.at(0).limits.at(2);
+    EXPECT_EQ(damage.quantity, "damage");
+    EXPECT_EQ(damage.name(), "drilling.bit_overbent");
+    EXPECT_EQ(damage.reason, "The bit was bent.");
+    EXPECT_EQ(strict->steps.at(0).limits.size(), 3u) << "a stalled spindle is no damage";
+
+    const std::optional<Procedure> lenient =
+        read(replaced(faultless, "    axis: pedicle\n", "    axis: pedicle\n    allow: [drilling.bit_overbent]\n"),
+             diagnostics);
+    ASSERT_TRUE(lenient) << to_text(diagnostics);
+    EXPECT_EQ(lenient->steps.at(0).limits.size(), 2u);
+    expect_refused(Code::unknown_event, "    axis: pedicle\n", "    axis: pedicle\n    allow: [«drilling.stalled»]\n");
+}
+
+TEST(ReadProcedure, ARehearsalMayExpectDamageAndOtherLimitsBeside) {
+    Diagnostics diagnostics;
+    const auto procedure =
+        read(replaced(faultless, "{fail: canal}", "{fail: drilling.bit_overbent, others: true}"), diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_EQ(procedure->rehearsals.at(1).expect_limit, "drilling.bit_overbent");
+    EXPECT_TRUE(procedure->rehearsals.at(1).expects_others);
+    EXPECT_FALSE(procedure->rehearsals.at(0).expects_others);
+}
+
+TEST(ReadProcedure, LimitsOfAHoleHaveTheirBoundsAndABreachItsDiameter) {
+    Diagnostics diagnostics;
+    const auto procedure = read(replaced(faultless, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
+                                         "      - {hole_angle: {at_most: 5 deg}, reason: Askew.}\n"
+                                         "      - {breach: {diameter: 6.5 mm, at_most: 2 mm}, reason: Breach.}\n"
+                                         "      - {time_in_air: {at_most: 2 s}, reason: Beside.}\n"),
+                                diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    const std::vector<Limit>& limits = procedure->steps.at(0).limits;
+    EXPECT_EQ(limits.at(1).bound.at_most, 5.0_deg);
+    EXPECT_TRUE(limits.at(1).is_of_hole());
+    EXPECT_EQ(limits.at(2).diameter, 6.5_mm);
+    EXPECT_EQ(limits.at(2).bound.at_most, 2.0_mm);
+    EXPECT_FALSE(limits.at(3).is_of_hole()) << "it breaks while the step lasts";
+    EXPECT_EQ(limits.at(3).bound.at_most, 2.0_s);
+}
+
+TEST(ReadProcedure, GivesTheFeedTheWorkingForceAndTheSleeve) {
+    Diagnostics diagnostics;
+    const auto plain = read(faultless, diagnostics);
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(plain->steps.at(0).feed, 1.0_mm_per_s) << "the default";
+    EXPECT_FALSE(plain->working_force);
+    EXPECT_FALSE(plain->instruments.at(0).guide);
+    std::string text = replaced(faultless, "force_scale: 1/50", "working_force: 20 N");
+    text = replaced(text, "    axis: pedicle\n", "    axis: pedicle\n    feed: 0.5 mm/s\n");
+    text = replaced(text, "    force: drill_cutting\n",
+                    "    force: drill_cutting\n    guide: {bore: 4.2 mm, gap: 3 mm}\n");
+    const auto procedure = read(text, diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_EQ(procedure->steps.at(0).feed, 0.5_mm_per_s);
+    EXPECT_EQ(procedure->working_force, 20.0_N);
+    ASSERT_TRUE(procedure->instruments.at(0).guide);
+    EXPECT_EQ(procedure->instruments.at(0).guide->bore, 4.2_mm);
+    EXPECT_EQ(procedure->instruments.at(0).guide->length, 30.0_mm) << "the default";
+    EXPECT_EQ(procedure->instruments.at(0).guide->gap, 3.0_mm);
+}
+
 TEST(ReadProcedure, ResolvesTheAnatomyAgainstItsOwnFolder) {
     Diagnostics diagnostics;
     const std::optional<Procedure> procedure = read(faultless, diagnostics);

@@ -130,7 +130,8 @@ TEST(Shipped, ProcedureOpensWithWhatItIsNotFor) {
 TEST(Shipped, BlunderIsTheExpertShiftedAndNothingElse) {
     const Procedure procedure = shipped_procedure();
     const std::vector<Waypoint>& expert = procedure.rehearsals.at(0).path;
-    const std::vector<Waypoint>& blunder = procedure.rehearsals.at(1).path;
+    ASSERT_EQ(procedure.rehearsals.at(2).id, "medial-breach");
+    const std::vector<Waypoint>& blunder = procedure.rehearsals.at(2).path;
     ASSERT_EQ(expert.size(), blunder.size());
     for (std::size_t i = 0; i < expert.size(); ++i) {
         EXPECT_EQ(expert[i].depth, blunder[i].depth);

@@ -148,7 +148,6 @@ TEST(StepMonitor, HowFarItWanderedIsCountedInBoneOnly) {
     run.show(0.1_mm, 0.2_mm);
     run.show(2.0_mm, 0.7_mm);
     run.show(3.0_mm, 0.1_mm);
-    EXPECT_NEAR(run.monitor.steps()[0].entry_offset, 0.2_mm, 1e-12);
     EXPECT_NEAR(run.monitor.steps()[0].farthest_offset, 0.7_mm, 1e-12);
 }
 
@@ -206,6 +205,110 @@ TEST(StepMonitor, AWallIsJudgedWhenItsStepHasEnded) {
     EXPECT_TRUE(monitor.steps()[0].limits[0].broken_at);
     EXPECT_FALSE(monitor.steps()[0].limits[1].broken_at);
     EXPECT_EQ(monitor.steps()[0].removed, 2e-9);
+}
+
+// ---- holes -----------------------------------------------------------------------------------------------------
+
+TEST(StepMonitor, AHoleIsJudgedWhenItsStepHasEnded) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"hole_angle", "", {{}, 5.0_deg}, "Leads away.", {}},
+                                       {"narrowest_offset", "", {{}, 2.0_mm}, "Off.", {}},
+                                       {"excess_removal", "", {{}, 0.3}, "Too much.", {}},
+                                       {"breach", "", {{}, 2.0_mm}, "Breaches.", {}, "", 6.5_mm}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    HoleResult result;
+    result.hole = DrilledHole{.narrowest_offset = 2.5_mm, .angle = 4.0_deg, .drilled = 1.5e-7, .ideal = 1e-7};
+    result.breaches.emplace_back(6.5_mm, Breach{.towards = {0.5_mm, 0, 0, 1.9_mm}, .depth = 20.0_mm});
+    monitor.judge_hole(0, result, 1.0);
+    ASSERT_EQ(monitor.news().size(), 2u);
+    EXPECT_EQ(monitor.news()[0].second, "narrowest_offset");
+    EXPECT_EQ(monitor.news()[1].second, "excess_removal");
+    EXPECT_NEAR(monitor.steps()[0].limits[2].worst, 0.5, 1e-12);
+    EXPECT_NEAR(monitor.steps()[0].limits[3].worst, 1.9_mm, 1e-12);
+    for (const LimitState& limit : monitor.steps()[0].limits) EXPECT_TRUE(limit.is_seen);
+}
+
+TEST(StepMonitor, OfAScratchNothingIsMeasured) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"end_offset", "", {{}, 2.0_mm}, "Off.", {}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    monitor.judge_hole(0, {}, 1.0);
+    EXPECT_FALSE(monitor.steps()[0].limits[0].is_seen);
+}
+
+TEST(StepMonitor, DamageBreaksTheLimitOfThatEventOnce) {
+    Case scene;
+    Limit damage{"damage", "", {}, "It bent.", {}, "drilling.bit_overbent"};
+    scene.procedure.steps[0].limits = {damage};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    monitor.report("drilling.stalled", 0.5);
+    EXPECT_FALSE(monitor.steps()[0].limits[0].broken_at);
+    monitor.report("drilling.bit_overbent", 1.0);
+    ASSERT_EQ(monitor.news().size(), 1u);
+    EXPECT_EQ(monitor.news()[0].second, "drilling.bit_overbent");
+    monitor.report("drilling.bit_overbent", 2.0);
+    EXPECT_TRUE(monitor.news().empty());
+    EXPECT_EQ(monitor.steps()[0].limits[0].broken_at, 1.0);
+    EXPECT_EQ(monitor.steps()[0].limits[0].worst, 2.0) << "it happened twice";
+}
+
+/// A tip that goes in along z, bone from 0 to 10 mm, air behind it.
+struct Passage {
+    Case scene;
+    std::optional<StepMonitor> monitor;
+    double time = 0.0;
+
+    Passage() {
+        scene.procedure.steps[0].goals = {{"depth", {1.0, {}}, {}}};  // never reached
+        scene.procedure.steps[0].limits = {{"plunge", "", {{}, 3.0_mm}, "Plunged.", {}},
+                                           {"time_in_air", "", {{}, 0.5_s}, "In air.", {}}};
+        monitor.emplace(scene.procedure, scene.anatomy, scene.frames);
+    }
+    /// The hand stands 120 mm behind the tip, `ahead` nearer.
+    void show(double depth, double ahead = 0.0, bool is_hole = false) {
+        const bool is_bone = depth >= 0.0 && depth < 10.0_mm;
+        monitor->observe({.time = time += 1e-3,
+                          .world_from_tool = {{0, 0, depth}, {1, 0, 0, 0}},
+                          .is_running = true,
+                          .is_resisted = is_bone && !is_hole,
+                          .is_bone_ahead = is_bone && !is_hole,
+                          .tip_inside = std::min(depth, 10.0_mm - depth),
+                          .handle = {0, 0, depth - 120.0_mm + ahead}},
+                         scene.drill);
+    }
+    const Advance& advance() const { return monitor->steps()[0].advance; }
+    bool is_broken(std::size_t limit) const { return monitor->steps()[0].limits[limit].broken_at.has_value(); }
+};
+
+TEST(StepMonitor, APlungeCountsFromTheFarFaceOn) {
+    Passage passage;
+    for (double depth = -1.0_mm; depth < 10.0_mm; depth += 0.01_mm) passage.show(depth);
+    EXPECT_EQ(passage.advance().plunge, 0.0);
+    for (double depth = 10.0_mm; depth < 14.0_mm; depth += 0.1_mm) passage.show(depth, 0.25 * (depth - 10.0_mm));
+    EXPECT_NEAR(passage.advance().plunge, 3.9_mm, 0.11_mm);
+    EXPECT_NEAR(passage.advance().hand_plunge, 1.25 * 3.9_mm, 0.14_mm) << "the hand went on a quarter farther";
+    EXPECT_TRUE(passage.is_broken(0));
+}
+
+TEST(StepMonitor, WithdrawingThroughTheEntryIsNoPlunge) {
+    Passage passage;
+    for (double depth = -1.0_mm; depth < 6.0_mm; depth += 0.01_mm) passage.show(depth);
+    for (double depth = 6.0_mm; depth > -5.0_mm; depth -= 0.05_mm) passage.show(depth, 0.0, true);
+    EXPECT_EQ(passage.advance().plunge, 0.0);
+    EXPECT_LT(passage.advance().in_air, 5e-3) << "and in its own hole it is not at its front, a tenth of a mm deep";
+    EXPECT_FALSE(passage.is_broken(0));
+}
+
+TEST(StepMonitor, TimeInAirCountsAtTheFrontOnly) {
+    Passage passage;
+    for (double depth = -1.0_mm; depth < 10.0_mm; depth += 0.01_mm) passage.show(depth);
+    const double begun = passage.advance().in_air;
+    for (int tick = 0; tick < 400; ++tick) passage.show(12.0_mm);
+    EXPECT_NEAR(passage.advance().in_air - begun, 0.4, 2e-3);
+    EXPECT_NEAR(passage.advance().depth_in_air, 2.0_mm, 0.05_mm);
+    EXPECT_FALSE(passage.is_broken(1));
+    for (int tick = 0; tick < 200; ++tick) passage.show(12.0_mm);
+    EXPECT_TRUE(passage.is_broken(1));
 }
 
 TEST(StepMonitor, AStillToolHarmsNothing) {

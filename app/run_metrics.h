@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "app/scene.h"
+#include "core/session/recording.h"
+
+/// What a run measured, as rows: of the operation, and of the simulation itself.
+namespace kerf {
+
+/// The metric rows of the steps: depth, clearance to each limited zone, cut or hole, time in air.   [any] pure.
+[[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
+
+/// What came of the bone, if it came apart: pieces and crumbs; and, as a check of the simulation, the balance with the
+/// bone `before` [m³].   [any] pure.
+[[nodiscard]] std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,
+                                                   double crumb_volume);
+
+/// How passive the loop was, a check of the simulation.   [any] pure.
+[[nodiscard]] MetricRow port_energy_row(const PassivityGuard& guard);
+
+}  // namespace kerf
