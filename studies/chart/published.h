@@ -40,10 +40,11 @@ struct FeedLaw {
 /// fastest).
 [[nodiscard]] std::vector<FeedLaw> fitted_laws(const PublishedSeries& series, bool of_torque);
 
-/// Thrust [N] or torque [N·m] of the shared law's exact integral over all edges of a 3.2 mm drill.
-[[nodiscard]] double shared_law_at(const CuttingLaw& law, double feed, bool of_torque);
+/// Thrust [N] or torque [N·m] of the shared law's exact integral over all edges of a drill, 3.2 mm if not said.
+[[nodiscard]] double shared_law_at(const CuttingLaw& law, double feed, bool of_torque, double diameter = 3.2e-3);
 
-/// One prediction of a mean that its law was not calibrated on; "Kerf" was, on the line through all three.
+/// One prediction of a mean that its law was not calibrated on. "Kerf" was, on the line through all three of the human
+/// femur; of the bovine femur it knows nothing.
 struct Prediction {
     std::string source{}, tissue{}, law{}, quantity{};
     double speed = 0.0, predicted = 0.0, measured = 0.0, sd = 0.0;  ///< SI
@@ -57,7 +58,7 @@ struct Check {
     bool passes = false;
     std::string remark{};
 };
-/// B1-a … B1-e. `awl`: all of `awl_ways()`.
+/// B1-a … B1-f. `awl`: all of `awl_ways()`.
 [[nodiscard]] std::vector<Check> published_checks(const CuttingLaw& law, std::span<const AwlWay> awl);
 
 }  // namespace kerf::chart

@@ -91,7 +91,7 @@ TEST(SawnTube, LosesItsRingsAreaTimesTheKerf) {
         const double exact = 1.0_mm * pi * (outer * outer - inner * inner);
         RecordProperty("volume_at_" + std::to_string(static_cast<int>(h * 1e6)) + "_um",
                        std::to_string(removed / exact));
-        EXPECT_NEAR(removed / exact, 1.0, 0.01) << "at " << h << ", a kerf of 1 mm";
+        EXPECT_NEAR(removed / exact, 1.0, 1e-4) << "at " << h << ", a kerf of 1 mm";
     }
 }
 
