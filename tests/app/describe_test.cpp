@@ -31,7 +31,9 @@ TEST(Describe, TellsEveryValueOfEveryComponentWithUnitDefaultRangeHelpAndSource)
             for (const std::string& part : {s.id, s.help, s.display_unit})
                 EXPECT_NE(text.find(part), std::string::npos) << s.id;
         for (const EventInfo& e : component.events)
-            EXPECT_NE(text.find(e.id + "\n        " + e.help + "\n"), std::string::npos) << e.id;
+            EXPECT_NE(text.find(e.id + (e.is_damage ? "  (fails the step)" : "") + "\n        " + e.help + "\n"),
+                      std::string::npos)
+                << e.id;
     }
     EXPECT_NE(text.find("drilling.wall_broken\n"), std::string::npos);
     EXPECT_NE(text.find("not for diagnosis"), std::string::npos);
