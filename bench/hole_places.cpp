@@ -185,7 +185,7 @@ std::string picture_of(const Bone& bone, const Scene& scene, const std::map<std:
         svg += path_svg(view, runs.at("expert").path, "#0072b2", drill * pixels, "stroke-opacity=\"0.45\"");
         svg += path_svg(view, runs.at("no-starting-hole").path, "#d55e00", drill * pixels, "stroke-opacity=\"0.45\"");
         const std::vector<Vec3> planned{frame.entry - shown_before * frame.along, frame.entry + 32.0_mm * frame.along};
-        svg += path_svg(view, planned, "#000", 1.5, "stroke-dasharray=\"6 4\"");
+        svg += path_svg(view, planned, "#444", 1.5, "stroke-dasharray=\"6 4\"");
     }
     const double below = View::y_of(shown_behind) + 24.0;
     svg += drawing::text_at(20.0, below,
@@ -204,8 +204,7 @@ double offset_at(double angle_deg, double push) {
     };
     const Scene scene =
         scene_of(phantoms[0], {"rehearsals.no-starting-hole.path=[" + point("-5") + ", " + point("8") + "]",
-                               "rehearsals.no-starting-hole.hand.push=" + drawing::figure(push) + " N",
-                               "steps.pilot-hole.goals=[{entry: {}}]"});
+                               "rehearsals.no-starting-hole.hand.push=" + drawing::figure(push) + " N"});
     const AxisFrame& frame = scene.frames.front();
     const Pose way = frame.pose_at({.depth = 0.0, .cranial_angle = angle_deg * 1.0_deg});
     const Vec3 along = rotate(way.rotation, {0, 0, 1});

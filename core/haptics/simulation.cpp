@@ -9,8 +9,6 @@
 
 #include "core/field/reach.h"
 #include "core/haptics/free_pose.h"
-#include "core/haptics/metal_wall.h"
-#include "core/haptics/region_wall.h"
 #include "core/plugin/plugin_call.h"
 #include "kerf/assert.hpp"
 
@@ -115,59 +113,10 @@ kerf_tick_in Simulation::tick_in(double step) const noexcept {
 }
 
 bool Simulation::ask(double step) noexcept {
-    kerf_law law{sizeof(kerf_law), 0, channels_, {}, {}};
-    const kerf_tick_in in = tick_in(step);
-    const std::uint64_t begun = clock_count();
-    const kerf_status status = call_resist(*setup().force, in, state_, law);
-    resist_times_[tool_].add(clock_count() - begun);
-    channel_count_ = law_channel_count_ = 0;
-    if (!take_law(status, law)) return false;
-    channel_count_ = law_channel_count_ = law.count;
-    is_at_region_wall_ = false;
-    for (const LiveBody* body : view_.near())
-        if (region_wall(*body->bone, body->view, outline().cutting, body->body_from(world_from_tool_),
-                        channels_[channel_count_])) {
-            ++channel_count_;
-            is_at_region_wall_ = true;
-            break;
-        }
-    metal_channel_ = -1;
-    for (const LiveBody* body : view_.near())
-        if (!body->is_cuttable && metal_wall(*body, outline().cutting, channels_[channel_count_])) {
-            metal_channel_ = static_cast<int>(channel_count_++);
-            break;
-        }
-    if (guide_ && guide_->body < bodies_.size()) {
-        const Pose body_from_tool = bodies_[guide_->body]->body_from(world_from_tool_);
-        channel_count_ += static_cast<std::uint32_t>(
-            guide_wall(*guide_, outline().whole, inverse(body_from_tool), channels_ + channel_count_));
-    }
-    if (held_.is_any())
-        channel_count_ +=
-            static_cast<std::uint32_t>(held_.add_contact(bodies_, world_from_tool_, channels_ + channel_count_));
-    return true;
-}
-
-bool Simulation::take_law(kerf_status status, const kerf_law& law) noexcept {
-    using What = LawFault::What;
-    if (status != KERF_OK) return release_because({.what = What::status, .value = static_cast<double>(status)});
-    if (law.count > KERF_MAX_CHANNELS)
-        return release_because({.what = What::count, .value = static_cast<double>(law.count)});
-    for (std::uint32_t c = 0; c < law.count; ++c)
-        if (const ChannelFault fault = fault_of(channels_[c]); fault.field != nullptr)
-            return release_because({.what = What::channel,
-                                    .index = c,
-                                    .id = channels_[c].id,
-                                    .field = fault.field,
-                                    .expected = fault.expected,
-                                    .value = fault.value});
-    for (std::uint32_t i = 0; i < 6; ++i) {
-        if (!std::isfinite(law.wrench[i]))
-            return release_because({.what = What::wrench, .index = i, .value = law.wrench[i]});
-        law_wrench_[i] = law.wrench[i];
-    }
-    std::copy(std::begin(law.note), std::end(law.note), notes_);
-    return true;
+    const LawFault fault =
+        evaluate_law(*setup().force, tick_in(step), state_,
+                     {view_, bodies_, held_, guide_, outline(), world_from_tool_}, resist_times_[tool_], law_);
+    return fault.what == LawFault::What::none || release_because(fault);
 }
 
 bool Simulation::release_because(LawFault fault) noexcept {
@@ -187,8 +136,8 @@ std::vector<std::string> Simulation::laws_over_budget() const {
 bool Simulation::find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept {
     if (!ask(step)) return false;
     coupling_.hold(handle, hand_.rate(), world_from_tool_, step, balance);
-    balance.channels = {channels_, channel_count_};
-    balance.following = following_.wrench(balance, law_wrench_);
+    balance.channels = law_.channels();
+    balance.following = following_.wrench(balance, law_.wrench);
     balance.inertia = outline().inertia;
     balance.previous_rate = last_rate_;
     motion = solve_from(balance, last_rate_);
@@ -236,12 +185,12 @@ TickResult Simulation::tick(const DeviceSample& sample) noexcept {
     }
     if (was_barred || result.is_barred) coupling_.let_go(hand_.pose(), world_from_tool_);
 
-    if (is_at_region_wall_ && !has_left_region_) {
+    if (law_.is_at_region_wall && !has_left_region_) {
         has_left_region_ = true;
         result.add_event("haptics.left_region");
     }
     if (result.is_at_metal && !std::exchange(has_met_metal_, true)) result.add_event("haptics.met_metal");
-    if (metal_channel_ < 0) has_met_metal_ = false;  // well away from it
+    if (law_.metal_channel < 0) has_met_metal_ = false;  // well away from it
     command(result);
     if (!result.is_barred)
         coupling_.allow(gate_.share(coupling_.gains().force_limit, length(linear(commanded_)), period_), gate_.gain());
@@ -283,7 +232,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     for (int part = 1;; ++part) {
         if (is_fast) {
             const double most =
-                is_resisted_by(motion, channel_count_) ? std::min(half_voxel, fastest * step) : half_voxel;
+                is_resisted_by(motion, law_.count) ? std::min(half_voxel, fastest * step) : half_voxel;
             const double wanted = motion_in(step);
             if (wanted > most) {
                 for (double& component : motion.rate) component *= most / wanted;
@@ -305,7 +254,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
 
 /// Whether the tip slips sideways on bone by itself, faster than the hand goes.
 bool Simulation::is_skidding(const Balance& balance, const Motion& motion) const noexcept {
-    if (!is_resisted_by(motion, law_channel_count_)) return false;
+    if (!is_resisted_by(motion, law_.law_count)) return false;
     const Vec3 hand = balance.hand_velocity - cross(balance.hand_turn, balance.centre);
     const Vec3 slip = linear(motion.rate) - hand;
     return slip.x * slip.x + slip.y * slip.y > skidding * skidding;
@@ -316,11 +265,11 @@ bool Simulation::is_skidding(const Balance& balance, const Motion& motion) const
 bool Simulation::is_resisted_at(Vec3 point, const Motion& motion) const noexcept {
     const double radius = std::sqrt(point.x * point.x + point.y * point.y);
     const Vec3 outwards = radius > 0.0 ? (1.0 / radius) * Vec3{point.x, point.y, 0.0} : Vec3{};
-    for (std::uint32_t c = 0; c < channel_count_; ++c) {
-        const Vec3 along{channels_[c].d[0], channels_[c].d[1], channels_[c].d[2]},
-            moment{channels_[c].d[3], channels_[c].d[4], channels_[c].d[5]};
+    for (std::uint32_t c = 0; c < law_.count; ++c) {
+        const kerf_channel& channel = law_.channel[c];
+        const Vec3 along{channel.d[0], channel.d[1], channel.d[2]}, moment{channel.d[3], channel.d[4], channel.d[5]};
         const double size = length(along);
-        const bool is_two_sided = channels_[c].kind == KERF_FRICTION || channels_[c].kind == KERF_HOLD;
+        const bool is_two_sided = channel.kind == KERF_FRICTION || channel.kind == KERF_HOLD;
         const double into = dot(along, outwards);
         if (motion.lambda[c] == 0.0 || (is_two_sided ? std::abs(into) : into) < unresisted_slant * size) continue;
         if (length(cross(point, along) - moment) <= (radius + unresisted_reach) * size) return true;
@@ -364,8 +313,8 @@ void Simulation::rest(TickResult& result) noexcept {
 void Simulation::report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept {
     // Bone on tool: minus the channels, plus what follows them.
     Vec6 bone = balance.following;
-    for (std::uint32_t c = 0; c < channel_count_; ++c)
-        for (std::size_t i = 0; i < 6; ++i) bone[i] -= channels_[c].d[i] * motion.lambda[c];
+    for (std::uint32_t c = 0; c < law_.count; ++c)
+        for (std::size_t i = 0; i < 6; ++i) bone[i] -= law_.channel[c].d[i] * motion.lambda[c];
     report_bone(bone, share, result);
 
     // Hand: the reaction of coupling and release damper, about the grip.
@@ -431,12 +380,13 @@ TickResult Simulation::tick_direct(const DeviceSample& sample) noexcept {
 
     result.is_quarantined = !ask(period_);
     double lambda[most_channels] = {};
-    Vec6 following = result.is_quarantined ? Vec6{} : law_wrench_, bone{};
-    for (std::uint32_t c = 0; c < channel_count_; ++c) {
-        lambda[c] = channel_force(channels_[c], dot(direction(channels_[c]), result.rate), period_).lambda;
+    Vec6 following = result.is_quarantined ? Vec6{} : law_.wrench, bone{};
+    for (std::uint32_t c = 0; c < law_.count; ++c) {
+        const kerf_channel& channel = law_.channel[c];
+        lambda[c] = channel_force(channel, dot(direction(channel), result.rate), period_).lambda;
         for (std::size_t i = 0; i < 6; ++i) {
-            following[i] += channels_[c].follow[i] * lambda[c];
-            bone[i] -= channels_[c].d[i] * lambda[c];
+            following[i] += channel.follow[i] * lambda[c];
+            bone[i] -= channel.d[i] * lambda[c];
         }
     }
     for (std::size_t i = 0; i < 6; ++i) bone[i] += following[i];
@@ -467,12 +417,12 @@ void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     last_rate_ = rate;
     kerf_advance advance{};
     advance.size = sizeof advance;
-    advance.channel_count = law_channel_count_;
+    advance.channel_count = law_.law_count;
     std::copy(rate.begin(), rate.end(), advance.rate);
-    advance.channel = channels_;
+    advance.channel = law_.channel.data();
     advance.lambda = lambda;
     std::copy(following.begin(), following.end(), advance.following);
-    advance.note = notes_;
+    advance.note = law_.note.data();
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_commit_out out{};
     out.size = sizeof out;
@@ -481,13 +431,14 @@ void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     const kerf_tick_in in = tick_in(step);
     static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
 
-    if (metal_channel_ >= 0 && lambda[metal_channel_] > 0.0) result.is_at_metal = true;
+    if (law_.metal_channel >= 0 && lambda[law_.metal_channel] > 0.0) result.is_at_metal = true;
 
     // At the front: some edge met uncut bone in this step.
     bool is_at_front = false;
-    for (std::uint32_t c = 0; c < law_channel_count_; ++c) {
-        const double rate_along = dot(direction(channels_[c]), rate);
-        if (channels_[c].kind == KERF_CUT && lambda[c] > 0.0 && rate_along * step > channels_[c].gap)
+    for (std::uint32_t c = 0; c < law_.law_count; ++c) {
+        const kerf_channel& channel = law_.channel[c];
+        const double rate_along = dot(direction(channel), rate);
+        if (channel.kind == KERF_CUT && lambda[c] > 0.0 && rate_along * step > channel.gap)
             is_at_front = true;
     }
 

@@ -15,6 +15,7 @@
 #include "core/haptics/bodies_view.h"
 #include "core/haptics/call_times.h"
 #include "core/haptics/coupling.h"
+#include "core/haptics/evaluate_law.h"
 #include "core/haptics/following.h"
 #include "core/haptics/force_gate.h"
 #include "core/haptics/guide_wall.h"
@@ -202,8 +203,7 @@ private:
 
     [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;  ///< of this tick
     [[nodiscard]] bool ask(double step) noexcept;
-    [[nodiscard]] bool take_law(kerf_status status, const kerf_law& law) noexcept;  ///< false: it is unsound
-    bool release_because(LawFault fault) noexcept;                                  ///< false
+    bool release_because(LawFault fault) noexcept;  ///< false
     [[nodiscard]] bool is_skidding(const Balance& balance, const Motion& motion) const noexcept;
     [[nodiscard]] bool is_resisted_at(Vec3 point, const Motion& motion) const noexcept;
     void look_for_unresisted(const Motion& motion, TickResult& result) noexcept;
@@ -246,16 +246,11 @@ private:
     std::unique_ptr<std::byte[]> state_storage_;
     std::byte* state_ = nullptr;
     double signals_[KERF_MAX_SIGNALS]{};
-    kerf_channel channels_[most_channels]{};
-    std::uint32_t channel_count_ = 0;      ///< of the plugin's law, the wall, and what a held body touches
-    std::uint32_t law_channel_count_ = 0;  ///< of the plugin's law
+    EvaluatedLaw law_;  ///< of this tick, or of its last part
     Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
                         ///< same from anywhere, and here it is near
-    Vec6 law_wrench_{};
-    unsigned char notes_[KERF_NOTE_BYTES]{};
     kerf_solid solid_{};  ///< of the held tool
-    bool is_at_region_wall_ = false, has_left_region_ = false, has_met_metal_ = false;
-    int metal_channel_ = -1;      ///< −1: no metal near
+    bool has_left_region_ = false, has_met_metal_ = false;
     std::optional<Guide> guide_;  ///< that leads the tool
     Following following_;
 

@@ -31,9 +31,8 @@ void Simulation::take_tool(std::size_t tool) {
         body->tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool));
     }
     held_.let_go();
-    channel_count_ = law_channel_count_ = 0;
-    last_rate_ = law_wrench_ = Vec6{};
-    std::fill(std::begin(notes_), std::end(notes_), static_cast<unsigned char>(0));
+    law_ = {};
+    last_rate_ = Vec6{};
     following_.forget();
     coupling_ = Coupling(coupling_.gains(), outline().handling);
     coupling_.let_go(hand_.pose(), world_from_tool_);
