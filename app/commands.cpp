@@ -156,7 +156,8 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
 
 std::string expectation_of(const Rehearsal& rehearsal) {
     if (rehearsal.expect != "fail") return rehearsal.expect;
-    return "fail by the limit `" + rehearsal.expect_limit + (rehearsal.expects_others ? "`" : "` alone") +
+    return "fail by the limit `" + rehearsal.expect_limit +
+           (rehearsal.expects_others ? "`, and others may break" : "` alone") +
            (rehearsal.expect_step.empty() ? "" : ", in the step `" + rehearsal.expect_step + "`");
 }
 

@@ -180,16 +180,33 @@ void check_width_of_cut(const Procedure& procedure, const std::string& instrumen
 void check_guide(const Procedure& procedure, const Instrument& instrument, const ToolSolid& whole,
                  Diagnostics& diagnostics) {
     if (!instrument.guide) return;
-    const double width = 2.0 * whole.largest_radius();
-    if (!whole.is_prism() && width < instrument.guide->bore) return;
+    const Sleeve& sleeve = *instrument.guide;
     const auto document = document_of(procedure);
-    Report(*document, diagnostics)
-        .error(Code::narrow_guide, span_of_instrument(*document, instrument.id, "guide"),
-               whole.is_prism()
-                   ? "The instrument `" + instrument.id +
-                         "` is a blade, and no blade works through a sleeve. Remove `guide:`."
-                   : "The sleeve's bore of " + in_mm(instrument.guide->bore) + " does not hold the tool, which is " +
-                         in_mm(width) + " wide. Write a wider `bore:`.");
+    Report report(*document, diagnostics);
+    const TextSpan here = span_of_instrument(*document, instrument.id, "guide");
+    const Node* bore = &document->root;
+    for (const std::string& key :
+         {std::string("instruments"), instrument.id, std::string("guide"), std::string("bore")})
+        bore = bore != nullptr ? bore->find(key) : nullptr;
+    const double width = 2.0 * whole.largest_radius(), length = -whole.end_z();
+    if (whole.is_prism())
+        return report.error(
+            Code::narrow_guide, here,
+            "The instrument `" + instrument.id + "` is a blade, and no blade works through a sleeve. Remove `guide:`.");
+    if (width >= sleeve.bore)
+        return report.error(Code::narrow_guide, bore != nullptr ? bore->span : here,
+                            "The sleeve's bore of " + in_mm(sleeve.bore) + " does not hold the tool, which is " +
+                                in_mm(width) + " wide. Write a wider `bore:`.");
+    const double reach = std::max(0.0, length - sleeve.length - sleeve.gap);
+    for (const Step& step : procedure.steps)
+        for (const Goal& goal : step.goals) {
+            const double asked = goal.quantity == "depth" ? goal.bound.at_least.value_or(0.0) : 0.0;
+            if (step.instrument != instrument.id || asked <= reach) continue;
+            return report.warning(Code::short_of_sleeve, here,
+                                  "Through this sleeve a tool of " + in_mm(length) + " reaches a depth of " +
+                                      in_mm(reach) + "; step `" + step.id + "` asks for " + in_mm(asked) +
+                                      ". Write a shorter `length:`, or take a longer tool.");
+        }
 }
 
 void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolSolid& cutting,

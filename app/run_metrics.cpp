@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,7 +85,7 @@ void add_wall(const StepState& state, StepRows& rows) {
 
 void add_advance(const Advance& advance, StepRows& rows) {
     rows.row("time-in-air", advance.in_air, "s", 1.0, rows.status_of("time_in_air"),
-             "How long the tip went on without bone in front of it, after it had met bone.");
+             "How long the tip itself had no bone in front of it while it went on, after it had met bone.");
     rows.length("depth-in-air", advance.depth_in_air, rows.half_voxel(), "info", "Depth that it gained so.");
     if (advance.plunge <= 0.0 && advance.hand_plunge <= 0.0) return;
     rows.length("plunge", advance.plunge, rows.half_voxel(), rows.status_of("plunge"),
@@ -92,8 +93,13 @@ void add_advance(const Advance& advance, StepRows& rows) {
     rows.length("plunge.hand", advance.hand_plunge, -1.0, "info", "The farthest that the hand moved on meanwhile.");
 }
 
-void add_breach(double diameter, const Breach& breach, const AxisFrame& frame, StepRows& rows) {
-    const std::string name = "breach";
+/// @param is_one   of several, which are told apart by their diameters
+void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
+    std::string name = "breach";
+    if (is_one) {
+        const std::string width = quantity_text(diameter, "mm");
+        name += "-" + width.substr(0, width.find(' ')) + "mm";
+    }
     const bool knows_sides = frame.medial != Vec3{};
     rows.length(name, breach.worst(), rows.half_voxel(), rows.status_of("breach", diameter),
                 "How far a cylinder of " + quantity_text(diameter, "mm") + " along the hole leaves the bone.");
@@ -114,20 +120,23 @@ void add_hole(const HoleResult& result, const AxisFrame& frame, double width, St
     if (hole.angle)
         rows.row("hole-angle", *hole.angle, "deg", 1.0_deg, rows.status_of("hole_angle"),
                  "Between the line of least squares through the hole's middles and the planned axis.");
-    const auto offset = [&](const char* name, const char* quantity, double value, std::string where) -> MetricRow& {
-        return rows.length(name, value, rows.sharp(), rows.status_of(quantity),
-                           "Distance of the hole's middle from the planned axis " + std::move(where));
+    const auto offset = [&](const char* name, const char* quantity, const std::optional<double>& value,
+                            std::string where, int revision = 1) {
+        if (value)
+            rows.length(name, *value, rows.sharp(), rows.status_of(quantity),
+                        "Distance of the hole's middle from the planned axis " + std::move(where))
+                .revision = revision;
     };
-    // Once it was the place of the tip at first touch.
-    offset("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.").revision =
-        2;
+    // Revision 1 was the place of the tip at first touch.
+    offset("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.", 2);
     offset("narrowest-offset", "narrowest_offset", hole.narrowest_offset,
-           "where the bone around the axis is narrowest.");
+           "at the waist of the bone around the axis; where there is none, at the entry.");
     offset("end-offset", "end_offset", hole.end_offset, "where its last whole circle is.");
     rows.row("excess-removal", hole.ideal > 0.0 ? hole.drilled / hole.ideal - 1.0 : 0.0, "%", 0.01,
              rows.status_of("excess_removal"), "Bone removed beyond what the same tool takes on the planned axis.")
         .uncertainty = volume_uncertainty(width / rows.spacing());
-    for (const auto& [diameter, breach] : result.breaches) add_breach(diameter, breach, frame, rows);
+    for (const auto& [diameter, breach] : result.breaches)
+        add_breach(diameter, breach, result.breaches.size() > 1, frame, rows);
 }
 
 }  // namespace
@@ -144,7 +153,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             continue;
         }
         rows.length("depth", std::max(0.0, state.deepest), rows.half_voxel(), "info",
-                    "Deepest tip position in bone, along the planned axis from its entry.");
+                    "Deepest that the tip was while bone resisted it, along the planned axis from its entry.");
         if (state.has_cut_bone())  // of one that cut nothing nobody knows how well it was aimed
             rows.length("offset", state.farthest_offset, rows.half_voxel(), "info",
                         "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");

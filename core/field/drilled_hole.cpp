@@ -121,20 +121,21 @@ double planned_volume(const Body& body, const HolePlan& plan, const std::array<V
     return volume;
 }
 
-/// Where bone is narrowest around the axis: the least of the places that are narrower than those beside them, or the
-/// least of all if there is none; among sections where the planned hole is in bone.
-const Section& narrowest_of(const std::vector<Section>& sections, double radius) noexcept {
+/// The waist of the bone around the axis: the narrowest section that has wider ones on both sides. Nothing where bone
+/// only widens, or ends. Sections in which the planned hole is not in bone do not count.
+std::optional<double> waist_of(const std::vector<Section>& sections, double radius) noexcept {
+    constexpr double wider = 0.3e-3;  // [m] more than what the grid does to a straight wall
+    const auto first =
+        std::find_if(sections.begin(), sections.end(), [&](const Section& s) { return s.narrowness >= radius; });
+    const auto has_wider = [&](auto begin, auto end, double than) {
+        return std::any_of(begin, end, [&](const Section& s) { return s.narrowness >= than + wider; });
+    };
     const Section* found = nullptr;
-    const auto is_inside = [&](const Section& s) { return s.narrowness >= radius; };
-    const auto first = std::find_if(sections.begin(), sections.end(), is_inside);
-    for (auto s = first; s != sections.end(); ++s) {
-        if (s == first || s + 1 == sections.end()) continue;
-        const bool is_waist = s->narrowness <= (s - 1)->narrowness && s->narrowness <= (s + 1)->narrowness;
-        if (is_waist && (found == nullptr || s->narrowness < found->narrowness)) found = &*s;
-    }
-    if (found != nullptr) return *found;
-    return *std::min_element(first != sections.end() ? first : sections.begin(), sections.end(),
-                             [](const Section& a, const Section& b) { return a.narrowness < b.narrowness; });
+    for (auto s = first; s != sections.end(); ++s)
+        if (s->narrowness >= radius && has_wider(first, s, s->narrowness) &&
+            has_wider(s, sections.end(), s->narrowness) && (found == nullptr || s->narrowness < found->narrowness))
+            found = &*s;
+    return found != nullptr ? std::optional(found->depth) : std::nullopt;
 }
 
 const Section& nearest_to(const std::vector<Section>& whole, double depth) noexcept {
@@ -193,19 +194,20 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
 
     hole.end_depth = whole.back().depth;
     hole.end_offset = offset_of(whole.back());
-    const double bitten = std::min(whole.front().depth + 2.0 * radius, hole.end_depth);
-    whole.erase(whole.begin(),
-                std::find_if(whole.begin(), whole.end(), [&](const Section& s) { return s.depth >= bitten; }));
-    hole.entry_depth = whole.front().depth;
-    hole.entry_offset = offset_of(whole.front());
-    const Section& narrowest = nearest_to(whole, narrowest_of(sections, radius).depth);
-    hole.narrowest_depth = narrowest.depth;
-    hole.narrowest_offset = offset_of(narrowest);
+    hole.entry_depth = whole.front().depth + 2.0 * radius;
+    const bool has_bitten = hole.end_depth >= hole.entry_depth;
+    if (has_bitten)
+        whole.erase(whole.begin(), std::find_if(whole.begin(), whole.end(),
+                                                [&](const Section& s) { return s.depth >= hole.entry_depth; }));
+    if (has_bitten) hole.entry_offset = offset_of(whole.front());
+    hole.narrowest_depth = std::max(waist_of(sections, radius).value_or(hole.entry_depth), hole.entry_depth);
+    if (hole.end_depth >= hole.narrowest_depth)
+        hole.narrowest_offset = offset_of(nearest_to(whole, hole.narrowest_depth));
 
     const Line line = line_through(whole);
     hole.at = plan.entry + line.depth * plan.along + line.x * plane[0] + line.y * plane[1];
     hole.direction = normalized(plan.along + line.slope_x * plane[0] + line.slope_y * plane[1]);
-    if (hole.end_depth - hole.entry_depth >= 4.0 * radius)
+    if (hole.end_depth - whole.front().depth >= 4.0 * radius)
         hole.angle = std::atan(std::hypot(line.slope_x, line.slope_y));
     return hole;
 }
@@ -224,15 +226,22 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
         const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
         const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
         const std::array<Vec3, 2> around = across(hole.direction);
+        const auto side_of = [&](Vec3 way) -> std::size_t {
+            const double to_a = dot(way, a), to_b = dot(way, b);
+            return std::abs(to_a) >= std::abs(to_b) ? (to_a >= 0.0 ? 0 : 1) : (to_b >= 0.0 ? 2 : 3);
+        };
+        if (uncut_at(body, middle) >= 0.0) {  // all of it is on the side to which the hole strayed
+            if (radius > breach.worst()) breach.depth = depth;
+            breach.towards[side_of(middle - plan.entry - depth * plan.along)] = radius;
+            continue;
+        }
         for (int k = 0; k < ray_count; ++k) {
             const Vec3 way = ray(around, k);
             const double beyond = radius - to_border(body, middle, way);
             if (beyond <= 0.0) continue;
-            const double to_a = dot(way, a), to_b = dot(way, b);
-            const std::size_t side =
-                std::abs(to_a) >= std::abs(to_b) ? (to_a >= 0.0 ? 0u : 1u) : (to_b >= 0.0 ? 2u : 3u);
             if (beyond > breach.worst()) breach.depth = depth;
-            breach.towards[side] = std::max(breach.towards[side], beyond);
+            double& towards = breach.towards[side_of(way)];
+            towards = std::max(towards, beyond);
         }
     }
     return breach;

@@ -27,16 +27,16 @@ using DrilledShare = std::function<double(Vec3)>;
 
 /// A hole against its plan. Depths are along the planned axis from its entry.
 struct DrilledHole {
-    double entry_depth = 0.0;       ///< [m] where the drill had bitten: one diameter behind the first whole circle
-    double entry_offset = 0.0;      ///< [m] of the hole's middle from the axis there
-    double narrowest_depth = 0.0;   ///< [m] where bone is narrowest around the planned axis
-    double narrowest_offset = 0.0;  ///< [m] of the hole's middle there
-    double end_depth = 0.0;         ///< [m] of the last whole circle
-    double end_offset = 0.0;        ///< [m] of the hole's middle there
-    std::optional<double> angle{};  ///< [rad] between hole and axis; nothing for a hole under two diameters
-    Vec3 at{}, direction{};         ///< the line of least squares through its middles, body frame; unit
-    double drilled = 0.0;           ///< [m³] in the window
-    double ideal = 0.0;             ///< [m³] that the same drill takes on the planned axis, as deep
+    double entry_depth = 0.0;              ///< [m] where a drill has bitten: one diameter behind the first whole circle
+    std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there; nothing: it ends before
+    double narrowest_depth = 0.0;  ///< [m] of the waist of the bone around the planned axis; without a waist, the entry
+    std::optional<double> narrowest_offset{};  ///< [m] of the hole's middle there; nothing: it ends before
+    double end_depth = 0.0;                    ///< [m] of the last whole circle
+    double end_offset = 0.0;                   ///< [m] of the hole's middle there
+    std::optional<double> angle{};             ///< [rad] between hole and axis; nothing for a hole under two diameters
+    Vec3 at{}, direction{};                    ///< the line of least squares through its middles, body frame; unit
+    double drilled = 0.0;                      ///< [m³] in the window
+    double ideal = 0.0;                        ///< [m³] that the same drill takes on the planned axis, as deep
 };
 
 /// Measures a hole on sections across the planned axis, half a millimetre apart. Nothing where no section shows a whole

@@ -54,6 +54,7 @@ std::size_t guide_wall(const Guide& guide, const ToolSolid& tool, const Pose& to
     constexpr std::array ids{OwnContact::guide_front, OwnContact::guide_rear};
     const std::array places{front, rear};
     for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] < tool.end_z()) continue;  // behind the tool's own end
         const Vec3 bore = bore_at(places[i]);
         const double apart = std::hypot(bore.x, bore.y);
         const double depth = apart + radius_at(tool, places[i]) - guide.bore_radius;

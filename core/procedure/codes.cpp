@@ -768,6 +768,13 @@ constexpr CodeEntry entries[] = {
      .meaning = "The bore of a sleeve is not wider than the tool that works through it, or the tool is a blade.",
      .why = "The tool would not fit, and the sleeve would push it with kilonewtons.",
      .write = "Write a `bore:` a few tenths of a millimetre wider than the tool."},
+    {.number = 717,
+     .name = "short of its sleeve",
+     .meaning = "A tool is too short to reach the depth of its step through the sleeve.",
+     .why = "A real chuck would meet the sleeve. The simulated sleeve stops nothing along its axis, so the hole would "
+            "be one that nobody can drill. Only a warning.",
+     .write = "Write a shorter `length:` or `gap:` of the sleeve, or a longer tool.",
+     .is_warning = true},
 };
 
 /// `text` in lines of at most 100 characters, each after `indent`.

@@ -98,7 +98,8 @@ enum class Code {
     short_of_time = 713,
     no_force_scale = 714,
     felt_below_friction = 715,
-    narrow_guide = 716,  ///< a tool does not fit into its sleeve
+    narrow_guide = 716,     ///< a tool does not fit into its sleeve
+    short_of_sleeve = 717,  ///< a tool does not reach through its sleeve
 };
 
 /// `E0412`; `W0412` for a warning.

@@ -210,8 +210,8 @@ void StepMonitor::judge_hole(std::size_t step, HoleResult drilled, double time) 
         const DrilledHole& hole = *drilled.hole;
         const std::string& quantity = limit.limit->quantity;
         if (quantity == "hole_angle" && hole.angle) hold(limit, *hole.angle, time);
-        if (quantity == "entry_offset") hold(limit, hole.entry_offset, time);
-        if (quantity == "narrowest_offset") hold(limit, hole.narrowest_offset, time);
+        if (quantity == "entry_offset" && hole.entry_offset) hold(limit, *hole.entry_offset, time);
+        if (quantity == "narrowest_offset" && hole.narrowest_offset) hold(limit, *hole.narrowest_offset, time);
         if (quantity == "end_offset") hold(limit, hole.end_offset, time);
         if (quantity == "excess_removal" && hole.ideal > 0.0) hold(limit, hole.drilled / hole.ideal - 1.0, time);
         for (const auto& [diameter, breach] : drilled.breaches)

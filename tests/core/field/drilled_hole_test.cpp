@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -63,8 +64,8 @@ TEST(DrilledHole, AHoleAlongItsAxisIsNowhereOffAndHoldsWhatThePlanTakes) {
     block.drill_in({0, 0, 0}, {0, 0, 1}, 30.0_mm);
     const auto hole = block.hole();
     ASSERT_TRUE(hole);
-    EXPECT_LT(hole->entry_offset, 0.02_mm);
-    EXPECT_LT(hole->narrowest_offset, 0.02_mm);
+    EXPECT_LT(hole->entry_offset.value(), 0.02_mm);
+    EXPECT_LT(hole->narrowest_offset.value(), 0.02_mm);
     EXPECT_LT(hole->end_offset, 0.02_mm);
     ASSERT_TRUE(hole->angle);
     EXPECT_LT(*hole->angle, 0.1_deg);
@@ -96,8 +97,8 @@ TEST(DrilledHole, AHoleBesideItsAxisIsOffByThatMuchAllTheWay) {
     block.drill_in({1.2_mm, -0.9_mm, 0}, {0, 0, 1}, 25.0_mm);
     const auto hole = block.hole();
     ASSERT_TRUE(hole && hole->angle);
-    EXPECT_NEAR(hole->entry_offset, 1.5_mm, 0.02_mm);
-    EXPECT_NEAR(hole->narrowest_offset, 1.5_mm, 0.02_mm);
+    EXPECT_NEAR(hole->entry_offset.value(), 1.5_mm, 0.02_mm);
+    EXPECT_NEAR(hole->narrowest_offset.value(), 1.5_mm, 0.02_mm);
     EXPECT_NEAR(hole->end_offset, 1.5_mm, 0.02_mm);
     EXPECT_LT(*hole->angle, 0.1_deg);
 }
@@ -110,7 +111,7 @@ TEST(DrilledHole, ATiltedHoleHasThatAngleAndLeavesTheAxisByItsTangent) {
         ASSERT_TRUE(hole && hole->angle);
         EXPECT_NEAR(*hole->angle, tilt, 0.1_deg);
         EXPECT_NEAR(hole->end_offset, hole->end_depth * std::tan(tilt), 0.05_mm);
-        EXPECT_NEAR(hole->entry_offset, hole->entry_depth * std::tan(tilt), 0.05_mm);
+        EXPECT_NEAR(hole->entry_offset.value(), hole->entry_depth * std::tan(tilt), 0.05_mm);
     }
 }
 
@@ -130,6 +131,12 @@ TEST(DrilledHole, AShortHoleHasNoAngleAndAScratchIsNoHole) {
     const auto shallow = block.hole();
     ASSERT_TRUE(shallow);
     EXPECT_FALSE(shallow->angle);
+    DrilledBlock too_shallow;
+    too_shallow.drill_in({0, 0, 0}, {0, 0, 1}, 3.0_mm);
+    const auto start = too_shallow.hole();
+    ASSERT_TRUE(start);
+    EXPECT_FALSE(start->entry_offset) << "the drill has not bitten";
+    EXPECT_FALSE(start->narrowest_offset);
     DrilledBlock scratched;
     scratched.drill_in({0, 0, 0}, {0, 0, 1}, 0.5_mm);
     EXPECT_FALSE(scratched.hole());
@@ -149,6 +156,37 @@ TEST(DrilledHole, ACylinderAlongTheHoleBreachesByWhatItReachesBeyondTheFace) {
     EXPECT_EQ(breach.towards[3], 0.0);
     EXPECT_EQ(breach.worst(), breach.towards[0]);
     EXPECT_EQ(breach_of(block.body, block.plan, *hole, 2.9_mm, {1, 0, 0}, {0, 1, 0}).worst(), 0.0);
+}
+
+// A waist of 3 mm radius 15 mm deep; the rim where the bone ends is none, however thin.
+TEST(DrilledHole, TheNarrowestPlaceIsAWaistAndNotTheFarEnd) {
+    const auto waisted = [](double waist) {
+        DrilledBlock block;
+        block.body.surface = LevelSet::build(block.body.grid(), [=](Vec3 p) {
+            const double narrower = waist * std::exp(-std::pow((p.z - 15.0_mm) / 4.0_mm, 2.0));
+            return std::max({std::hypot(p.x, p.y) - (6.0_mm - narrower), -p.z, p.z - 30.0_mm});
+        });
+        block.cut = CutField(block.body, 4096);
+        const double tilt = 3.0_deg;
+        block.drill_in({0, 0, 0}, {std::sin(tilt), 0, std::cos(tilt)}, 40.0_mm);
+        return block.hole();
+    };
+    const auto with = waisted(3.0_mm), without = waisted(0.0);
+    ASSERT_TRUE(with && without);
+    EXPECT_NEAR(with->narrowest_depth, 15.0_mm, 0.6_mm);
+    EXPECT_NEAR(with->narrowest_offset.value(), 15.0_mm * std::tan(3.0_deg), 0.1_mm);
+    EXPECT_EQ(without->narrowest_depth, without->entry_depth);
+}
+
+// Where the line itself is outside, only the side to which it strayed counts.
+TEST(DrilledHole, AHoleOutsideTheBoneBreachesOnTheSideToWhichItStrayed) {
+    DrilledBlock block;
+    block.drill_in({0, 0, 0}, {0, 0, 1}, 30.0_mm);
+    DrilledHole hole = block.hole().value();
+    hole.at = hole.at + Vec3{14.0_mm, 0, 0};
+    const Breach breach = breach_of(block.body, block.plan, hole, 3.0_mm, {1, 0, 0}, {0, 1, 0});
+    EXPECT_EQ(breach.towards[0], 3.0_mm);
+    for (const std::size_t side : {1u, 2u, 3u}) EXPECT_EQ(breach.towards[side], 0.0);
 }
 
 // Along a tilted hole the cylinder comes nearer to the face with every millimetre.
