@@ -55,8 +55,7 @@ void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
             guide_wall(*around.guide, around.outline.whole, inverse(body_from_tool), next()));
     }
     if (around.held.is_any())
-        law.count +=
-            static_cast<std::uint32_t>(around.held.add_contact(around.bodies, around.world_from_tool, next()));
+        law.count += static_cast<std::uint32_t>(around.held.add_contact(around.bodies, around.world_from_tool, next()));
 }
 
 }  // namespace

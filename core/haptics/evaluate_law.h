@@ -21,9 +21,9 @@ namespace kerf {
 /// What resists the tool at a pose: the channels of its law, then the walls of the host's own.
 struct EvaluatedLaw {
     std::array<kerf_channel, most_channels> channel{};
-    std::uint32_t count = 0;      ///< of the channels in use
-    std::uint32_t law_count = 0;  ///< the first of them: those of the plugin's law
-    Vec6 wrench{};                ///< that the law applies beside its channels, tool frame
+    std::uint32_t count = 0;                            ///< of the channels in use
+    std::uint32_t law_count = 0;                        ///< the first of them: those of the plugin's law
+    Vec6 wrench{};                                      ///< that the law applies beside its channels, tool frame
     std::array<unsigned char, KERF_NOTE_BYTES> note{};  ///< of the law, for its commit
     bool is_at_region_wall = false;
     int metal_channel = -1;  ///< that of a body that cannot be cut; −1: none is near

@@ -231,8 +231,7 @@ bool Simulation::move(const Pose& last_handle, TickResult& result) noexcept {
     }
     for (int part = 1;; ++part) {
         if (is_fast) {
-            const double most =
-                is_resisted_by(motion, law_.count) ? std::min(half_voxel, fastest * step) : half_voxel;
+            const double most = is_resisted_by(motion, law_.count) ? std::min(half_voxel, fastest * step) : half_voxel;
             const double wanted = motion_in(step);
             if (wanted > most) {
                 for (double& component : motion.rate) component *= most / wanted;
@@ -438,8 +437,7 @@ void Simulation::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     for (std::uint32_t c = 0; c < law_.law_count; ++c) {
         const kerf_channel& channel = law_.channel[c];
         const double rate_along = dot(direction(channel), rate);
-        if (channel.kind == KERF_CUT && lambda[c] > 0.0 && rate_along * step > channel.gap)
-            is_at_front = true;
+        if (channel.kind == KERF_CUT && lambda[c] > 0.0 && rate_along * step > channel.gap) is_at_front = true;
     }
 
     world_from_tool_ = advanced(world_from_tool_, rate, step);

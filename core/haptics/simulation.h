@@ -246,9 +246,9 @@ private:
     std::unique_ptr<std::byte[]> state_storage_;
     std::byte* state_ = nullptr;
     double signals_[KERF_MAX_SIGNALS]{};
-    EvaluatedLaw law_;  ///< of this tick, or of its last part
-    Vec6 last_rate_{};  ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
-                        ///< same from anywhere, and here it is near
+    EvaluatedLaw law_;    ///< of this tick, or of its last part
+    Vec6 last_rate_{};    ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
+                          ///< same from anywhere, and here it is near
     kerf_solid solid_{};  ///< of the held tool
     bool has_left_region_ = false, has_met_metal_ = false;
     std::optional<Guide> guide_;  ///< that leads the tool

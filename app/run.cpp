@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/belongings.h"
+#include "app/run_metrics.h"
+#include "app/tick_row.h"
+#include "core/field/bone_surface.h"
+#include "core/field/removed_volume.h"
+#include "core/procedure/quantity.h"
+#include "core/session/envelope.h"
+#include "core/session/read_run.h"
+#include "core/session/report.h"
+#include "core/session/stl.h"
+#include "core/session/summary.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr int volume_interval = 50;  // ticks between counts of the removed volume
+constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
+
+std::vector<std::size_t> bodies_of(const Separation& separation) {
+    std::vector<std::size_t> bodies;
+    for (const auto& part : separation.parts) bodies.push_back(part.body);
+    return bodies;
+}
+
+/// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
+Pose without_negative_zeros(const Pose& p) {
+    return {{p.position.x + 0.0, p.position.y + 0.0, p.position.z + 0.0},
+            {p.rotation.w + 0.0, p.rotation.x + 0.0, p.rotation.y + 0.0, p.rotation.z + 0.0}};
+}
+
+std::string text_of(const Separation& separation) {
+    const auto volume = [](double v) { return quantity_text(std::round(v * 1e9) * 1e-9, "mm3"); };
+    std::string text;
+    if (separation.parts.size() > 1)
+        for (const auto& part : separation.parts)
+            text += (text.empty() ? "body " : ", body ") + std::to_string(part.body) + ": " + volume(part.volume);
+    if (separation.crumbs == 0) return text;
+    return text + (text.empty() ? "" : "; ") + std::to_string(separation.crumbs) +
+           (separation.crumbs == 1 ? " crumb, " : " crumbs, ") + volume(separation.crumb_volume);
+}
+
+std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
+
+/// The page of the session that lies in a folder.
+std::string write_report(const std::string& folder) {
+    std::string error;
+    const auto run = read_run(folder + "/session.db", error, true);
+    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn))
+               : folder + "/report.html could not be made: " + error;
+}
+
+void append(const Mesh& more, Mesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+    mesh.tissue.insert(mesh.tissue.end(), more.tissue.begin(), more.tissue.end());
+    for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+}
+/// Each piece where it is at the end.
+Mesh all_surfaces(const Simulation& simulation, int stride) {
+    Mesh all;
+    for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
+        const LiveBody& live = *simulation.bodies()[body];
+        if (!live.is_present) continue;
+        Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
+        for (Vec3& p : one.vertices) p = live.world_from_body * p;
+        for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
+        append(one, all);
+    }
+    return all;
+}
+
+/// What is known of a run before its first tick.
+RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                      const Rehearsal& rehearsal, const SignalTable& signals) {
+    RunSummary summary;
+    summary.procedure = scene.procedure.id;
+    summary.procedure_version = scene.procedure.version;
+    summary.variant = scene.procedure.variant;
+    summary.anatomy = scene.anatomy.id;
+    summary.rehearsal = rehearsal.id;
+    summary.hand = request.replay.empty() ? "simulated" : "replay";
+    summary.device = scene.device->id;
+    summary.force_scale = scene.gains.force_scale;
+    summary.coupling_stiffness = scene.procedure.is_direct ? 0.0 : scene.gains.stiffness;
+    summary.versions.emplace_back("kerf", KERF_VERSION);
+    for (const auto& plugin : plugins.plugins())
+        summary.versions.emplace_back(plugin->entry().plugin_id, plugin->entry().plugin_version);
+    for (const auto& material : scene.body.materials) summary.tissues.push_back(material.id);
+    summary.signals = signals.columns;
+    summary.anatomy_notes = scene.import.notes;
+    return summary;
+}
+
+SessionHeader header_of(const Scene& scene, const RunRequest& request, const RunSummary& summary) {
+    SessionHeader header;
+    header.procedure = summary.procedure;
+    header.procedure_version = summary.procedure_version;
+    header.anatomy = summary.anatomy;
+    header.rehearsal = summary.rehearsal;
+    header.hand = summary.hand;
+    header.procedure_text = scene.procedure.text;
+    header.anatomy_hash = scene.anatomy_hash;
+    header.anatomy_notes = scene.import.notes;
+    header.versions = summary.versions;
+    header.envelope.uuid = random_uuid();
+    header.envelope.start = utc_now();
+    header.envelope.learner = request.learner;
+    header.envelope.mode = request.mode;
+    header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
+                         scene.procedure.variant};
+    header.signals = summary.signals;
+    header.tissues = summary.tissues;
+    return header;
+}
+
+}  // namespace
+
+// ---- before the first tick ----------------------------------------------------------------------------------------
+
+std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                                 RunOutcome& refusal) {
+    if (refusal.error = refusal_of_rehearsal(scene.procedure, request.rehearsal); !refusal.error.empty()) {
+        refusal.is_bad_input = true;
+        return nullptr;
+    }
+    const auto rehearsal =
+        std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
+                     [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
+    RunSummary summary = summary_of(scene, plugins, request, *rehearsal, SignalTable(scene.tools));
+    auto record = std::make_unique<Record>();
+    if (!open(*record, scene, request, summary, refusal)) return nullptr;
+    return std::unique_ptr<Run>(new Run(scene, request, *rehearsal, std::move(summary), std::move(record)));
+}
+
+bool Run::open(Record& record, const Scene& scene, const RunRequest& request, const RunSummary& summary,
+               RunOutcome& refusal) {
+    if (request.out.empty()) return true;
+    if (refusal.error = prepare_output(request.out, record.lock, record.made); !refusal.error.empty()) {
+        refusal.is_bad_input = true;
+        return false;
+    }
+    auto created = Recorder::create(request.out + "/session.db", header_of(scene, request, summary));
+    refusal.error = created.error;
+    record.recorder = std::move(created.recorder);
+    if (record.recorder == nullptr) return false;
+    record.made.keep();
+    return true;
+}
+
+Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
+         std::unique_ptr<Record> record)
+    : record_(std::move(record)),
+      recorder_(record_->recorder.get()),
+      scene_(&scene),
+      request_(request),
+      rehearsal_(&rehearsal),
+      signals_(scene.tools),
+      plan_(plan_of(rehearsal, scene)),
+      hand_(plan_.plant, plan_.intent, plan_.start, Simulation::dt),
+      simulation_(scene.body, scene.tools, scene.gains, plan_.start),
+      hand_inputs_(plan_, request_.replay.empty() ? nullptr : &request_.hand_inputs),
+      monitor_(scene.procedure, scene.anatomy, scene.frames),
+      world_from_body_(1, identity_pose()) {
+    outcome_.summary = std::move(summary);
+    simulation_.look_for_pieces(crumb);
+    if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
+    before_.begin(simulation_.present());
+    lead();
+}
+
+Run::~Run() = default;
+
+// ---- a tick -------------------------------------------------------------------------------------------------------
+
+bool Run::step() {
+    take_tool_of_step();
+    take_hand_inputs();
+    return tick(is_replay() ? request_.replay[simulation_.ticks()] : hand_.reported());
+}
+
+bool Run::step(const Pose& handle) {
+    take_tool_of_step();
+    return tick(handle);
+}
+
+bool Run::tick(const Pose& reported) {
+    const Pose handle = without_negative_zeros(reported);
+    result_ = scene_->procedure.is_direct ? simulation_.tick_direct({handle}) : simulation_.tick({handle});
+    simulation_.after_tick();
+    if (!is_replay()) hand_.step(result_.command, result_.world_from_tool.position);
+
+    if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
+    take_separations(simulation_.ticks() - 1);
+    const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
+    const std::size_t step = monitor_.current();
+    observe(handle, now);
+    if (monitor_.current() != step) judge_step(step, now);
+    for (std::size_t i = 0; i < result_.event_count; ++i) {
+        add_event(result_.events[i], detail_of(result_.events[i], simulation_));
+        monitor_.report(result_.events[i], now);
+        add_news();
+    }
+    const auto end = end_after_tick();
+    if (end) end_ = *end;
+    return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
+}
+
+void Run::take_tool_of_step() {
+    const std::size_t tool = scene_->tool_of_step[monitor_.current()];
+    if (tool == simulation_.tool()) return;
+    simulation_.take_tool(tool);
+    record_cuts();
+    take_separations(simulation_.ticks());
+    add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
+}
+
+void Run::take_hand_inputs() {
+    for (const HandInput& input : hand_inputs_.take(simulation_.ticks(), hand_.leg())) {
+        add_event_at(simulation_.ticks(), hand_input_event, text_of(input));
+        const std::string why_not = carry_out(input, *scene_, simulation_);
+        if (!why_not.empty()) {
+            add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
+        } else if (input.kind != HandInput::Kind::drive) {
+            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
+                input.kind == HandInput::Kind::subtract)
+                record_cuts();
+            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) find_owners();
+            before_.follow(simulation_.present());
+        }
+    }
+}
+
+void Run::observe(const Pose& handle, double now) {
+    world_from_body_.clear();
+    for (const auto& body : simulation_.bodies()) world_from_body_.push_back(body->world_from_body);
+    const Vec3 tip = result_.world_from_tool.position;
+    const std::int32_t tissue = tissue_at(*scene_, simulation_, tip);
+    monitor_.observe({.time = now,
+                      .world_from_tool = result_.world_from_tool,
+                      .is_running = result_.is_cutting,
+                      .is_resisted = result_.thrust > 0.0 && !result_.is_at_metal,
+                      .thrust = result_.thrust,
+                      .world_from_body = world_from_body_,
+                      .held = simulation_.held(),
+                      .is_bone_ahead = tissue >= 0,
+                      .tip_inside = tip_inside(simulation_, monitor_, tip),
+                      .handle = handle.position},
+                     simulation_.outline().cutting);
+    const TickRow row = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
+    add_tick(hash_, row);
+    if (request_.on_tick) request_.on_tick(row);
+    add_news();
+    if (recorder_) row_ = row;
+}
+
+/// The step that ended in this tick.
+void Run::judge_step(std::size_t step, double now) {
+    removed_ = simulation_.present().removed();
+    monitor_.judge_cut(step, wall_of(*scene_, simulation_, before_, monitor_, step), removed_ - removed_before_step_,
+                       now);
+    add_news();
+    if (auto hole = hole_of(*scene_, simulation_, before_, monitor_, step)) {
+        monitor_.judge_hole(step, std::move(*hole), now);
+        add_news();
+    }
+    removed_before_step_ = removed_;
+    before_.begin(simulation_.present());
+    if (monitor_.current() < scene_->procedure.steps.size()) lead();
+}
+
+std::optional<RunEnd> Run::end_after_tick() {
+    if (recorder_) {
+        recorder_->push(row_);
+        record_cuts();
+        if (!recorder_->wait_for_room()) return RunEnd::unrecorded;
+    }
+    const std::uint64_t ticks = simulation_.ticks();
+    if (request_.progress && ticks % 250 == 0)
+        request_.progress(is_replay()
+                              ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
+                              : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size()),
+                          "working, " + std::to_string(ticks / 1000) + " s simulated");
+    if (result_.is_quarantined && linear(result_.command.wrench) == Vec3{}) return RunEnd::fault;  // it has faded
+    if (monitor_.current() >= scene_->procedure.steps.size()) return RunEnd::steps_done;
+    if (request_.is_interrupted && request_.is_interrupted()) {
+        outcome_.was_interrupted = true;
+        return RunEnd::interrupted;
+    }
+    if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
+    return std::nullopt;
+}
+
+// ---- events, bodies, cuts -----------------------------------------------------------------------------------------
+
+void Run::add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail) {
+    EventRow event;
+    event.tick = tick;
+    event.time = static_cast<double>(event.tick) * Simulation::dt;
+    event.id = id;
+    event.detail = detail;
+    kerf::add_event(hash_, event);
+    if (recorder_) recorder_->push_event(event);
+    if (request_.on_event) request_.on_event(Recorder::as_kept(std::move(event)));
+}
+
+void Run::add_news() {
+    for (const auto& [id, detail] : monitor_.news()) add_event(id, detail);
+}
+
+/// Undo and redo leave other bodies than there were.
+void Run::find_owners() {
+    Owners owners = monitor_.owners();
+    std::fill(owners.zone.begin(), owners.zone.end(), std::size_t{0});
+    std::fill(owners.step.begin(), owners.step.end(), std::size_t{0});
+    pass_on(owners, 0, parts_of_the_bone(simulation_.present()), *scene_, simulation_.present());
+    monitor_.belong(std::move(owners));
+}
+
+/// The tick is that after which the loop took the parts over.
+void Run::take_separations(std::uint64_t tick) {
+    for (const Separation& separation : simulation_.take_separations()) {
+        add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
+        before_.follow(simulation_.present());
+        Owners owners = monitor_.owners();
+        pass_on(owners, separation.parent, bodies_of(separation), *scene_, simulation_.present());
+        monitor_.belong(std::move(owners));
+    }
+}
+
+void Run::record_cuts() {
+    if (recorder_ == nullptr) return;
+    for (const CutRecord& record : simulation_.closed())
+        recorder_->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
+}
+
+/// The sleeve of the step that runs, on the body that its axis belongs to.
+void Run::lead() {
+    std::optional<Guide> guide = scene_->guides[monitor_.current()];
+    if (guide) guide->body = monitor_.owners().step[monitor_.current()];
+    simulation_.lead(guide);
+}
+
+// ---- after the last tick ------------------------------------------------------------------------------------------
+
+RunOutcome Run::finish() {
+    simulation_.finish();
+    record_cuts();
+    take_separations(simulation_.ticks());  // a tick that never came: a replay takes over what is left at its end too
+    hash_.add(simulation_.present().hash());
+    measure();
+    if (recorder_) write_results();
+    return std::move(outcome_);
+}
+
+void Run::measure() {
+    RunSummary& summary = outcome_.summary;
+    const PresentBone& bone = simulation_.present();
+    summary.duration = static_cast<double>(simulation_.ticks()) * Simulation::dt;
+    summary.ticks = simulation_.ticks();
+    summary.removed = simulation_.present().removed();
+    for (std::size_t m = 0; m < scene_->body.materials.size(); ++m)
+        summary.removed_by_tissue.emplace_back(scene_->body.materials[m].id,
+                                               simulation_.present().removed_of_material(m));
+    summary.hash = hash_.value();
+    judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
+    if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
+    outcome_.over_budget = simulation_.laws_over_budget();
+    summary.metrics = metrics_of(monitor_, *scene_);
+    summary.metrics.push_back(port_energy_row(simulation_.passivity()));
+    for (std::size_t body = 0; body < bone.count(); ++body)
+        summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)), surface_file(body)});
+    for (MetricRow& row : piece_metrics(summary, bone_volume(scene_->body, CutField(scene_->body, 0)) + bone.added(),
+                                        bone.crumbs(), bone.crumb_volume()))
+        summary.metrics.push_back(std::move(row));
+    outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
+}
+
+void Run::write_results() {
+    if (request_.progress) request_.progress(1.0, "writing the results");
+    const RunSummary& summary = outcome_.summary;
+    const PresentBone& bone = simulation_.present();
+    const auto note = [&](const std::string& error) {
+        if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
+    };
+    const DrawnSurface drawn = drawn_surface(all_surfaces(simulation_, 2));
+    note(recorder_->finish(summary, drawn));
+    note(write_file(request_.out + "/summary.json", summary_json(summary)));
+    note(write_report(request_.out));
+    for (const PieceRow& piece : summary.pieces)
+        note(write_file(request_.out + "/" + piece.file,
+                        stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body)))));
+}
+
+}  // namespace kerf

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cut_results.h"
+#include "app/hand_inputs.h"
+#include "app/run_procedure.h"
+#include "app/signal_table.h"
+#include "core/haptics/simulation.h"
+#include "core/session/content_hash.h"
+#include "core/session/recorder.h"
+#include "core/session/write_file.h"
+#include "devices/simulated_hand/simulated_hand.h"
+
+namespace kerf {
+
+/// A run in lock-step, one tick at a time: `create`, `step` until it says no more, `finish`.
+///
+/// Memory does not grow with its ticks: the record goes to the session, and the page is made from that.   [main]
+class Run {
+public:
+    /// Opens the record before any tool begins, so that whatever happens leaves something to read. Null: why not is in
+    /// `refusal`. Scene and plugins must outlive the run.
+    static std::unique_ptr<Run> create(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
+                                       RunOutcome& refusal);
+    ~Run();
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    /// Does one tick with the simulated hand, or with the recorded one. Returns whether there is more to do.
+    bool step();
+    /// Does one tick with a device that reported this pose [world frame]; `last().command` is what to send it. The path
+    /// of the rehearsal is not followed, and nothing is asked for at its waypoints.
+    bool step(const Pose& handle);
+    /// What the last tick did.
+    [[nodiscard]] const TickResult& last() const noexcept { return result_; }
+    [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
+    [[nodiscard]] const StepMonitor& monitor() const noexcept { return monitor_; }
+
+    /// Judges the run and writes its results. Pre: called once.
+    [[nodiscard]] RunOutcome finish();
+
+private:
+    /// The folder of the results, ours until the end, and the record in it.
+    struct Record {
+        OutputLock lock;
+        MadeFolders made;
+        std::unique_ptr<Recorder> recorder;  ///< null: nothing is written
+    };
+    Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
+        std::unique_ptr<Record> record);
+
+    [[nodiscard]] static bool open(Record& record, const Scene& scene, const RunRequest& request,
+                                   const RunSummary& summary, RunOutcome& refusal);
+    [[nodiscard]] bool is_replay() const noexcept { return !request_.replay.empty(); }
+    void add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail);
+    /// Of the tick that just was.
+    void add_event(const std::string& id, const std::string& detail) {
+        add_event_at(simulation_.ticks() - 1, id, detail);
+    }
+    void add_news();
+    void find_owners();
+    void take_separations(std::uint64_t tick);
+    void record_cuts();
+    void lead();
+    [[nodiscard]] bool tick(const Pose& reported);
+    void take_tool_of_step();
+    void take_hand_inputs();
+    void observe(const Pose& handle, double now);
+    void judge_step(std::size_t step, double now);
+    [[nodiscard]] std::optional<RunEnd> end_after_tick();
+    void measure();
+    void write_results();
+
+    std::unique_ptr<Record> record_;
+    Recorder* recorder_;  ///< that of the record
+    const Scene* scene_;
+    RunRequest request_;
+    const Rehearsal* rehearsal_;
+    RunOutcome outcome_;
+    SignalTable signals_;
+    HandPlan plan_;
+    simulated_hand::SimulatedHand hand_;
+    Simulation simulation_;
+    HandInputs hand_inputs_;
+    StepMonitor monitor_;
+    CutBefore before_;
+    ContentHash hash_;
+    TickResult result_;
+    TickRow row_;  ///< of the last tick, for the record
+    RunEnd end_ = RunEnd::time_over;
+    std::vector<Pose> world_from_body_;
+    double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
+};
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/tick_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/procedure/quantity.h"
+
+namespace kerf {
+
+double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3 tip) {
+    const auto& owners = monitor.owners().step;
+    const std::size_t owner = owners.empty() ? 0 : owners[std::min(monitor.current(), owners.size() - 1)];
+    const LiveBody& live = *simulation.bodies()[owner];
+    return -uncut_distance(*live.bone, locate(*live.bone, inverse(live.world_from_body) * tip));
+}
+
+std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
+    // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
+    const Vec3 ahead = tip + scene.procedure.spacing * rotate(simulation.world_from_tool().rotation, {0, 0, 1});
+    const BrickPlace place = locate(scene.body, ahead);
+    if (std::max(scene.body.surface.at(place), simulation.exact().at(place)) > 0.0) return -1;
+    double weight[KERF_MAX_TISSUES];
+    material_weights(scene.body, place, weight);
+    return static_cast<std::int32_t>(std::max_element(weight, weight + scene.body.materials.size()) - weight);
+}
+
+TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
+               const SignalTable& signals, const Pose& handle, std::int32_t tissue, double removed) {
+    TickRow row;
+    row.tick = simulation.ticks() - 1;
+    row.time = static_cast<double>(row.tick) * Simulation::dt;
+    row.step = monitor.current() < scene.procedure.steps.size() ? static_cast<std::int32_t>(monitor.current()) : -1;
+    row.device_from_handle = handle;
+    row.world_from_tool = result.world_from_tool;
+    row.modelled = result.bone_on_tool;
+    row.coupled = result.coupled_on_hand;
+    row.limited = result.limited_on_hand;
+    row.commanded = result.command.wrench;
+    row.thrust = result.thrust;
+    row.torque = result.torque;
+    row.depth =
+        scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
+    row.feed_rate = result.rate[2];
+    row.tissue = tissue;
+    row.iterations = result.iterations;
+    row.power_hand = result.power_hand;
+    row.removed = removed;
+    signals.fill(simulation, row);
+    return row;
+}
+
+std::string detail_of(const std::string& event, const Simulation& simulation) {
+    if (event == "haptics.quarantined") return text_of(simulation.law_fault());
+    if (event != "haptics.unresisted") return "";
+    const auto in_mm = [](double v) { return quantity_text(std::round(v * 1e4) * 1e-4, "mm"); };
+    const Unresisted& where = simulation.unresisted();
+    return "the tool, " + in_mm(-where.point.z) + " behind its tip, is " + in_mm(where.depth) +
+           " or more in uncut bone, and no channel of " + name_of_law(*simulation.setup().force) + " resists it there";
+}
+
+}  // namespace kerf
