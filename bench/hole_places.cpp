@@ -221,7 +221,7 @@ std::string offset_over_tilt() {
     drawing::Panel panel{
         .title = "Start without a starting hole: offset at 4 mm depth over the tilt of the face",
         .x = {.title = "tilt of the drill against the face's normal [deg]", .is_log = false, .low = 10.0, .high = 45.0},
-        .y = {.title = "offset [mm]", .is_log = false, .low = 0.0, .high = 12.0}};
+        .y = {.title = "offset [mm]", .is_log = false, .low = 0.0, .high = 8.0}};
     std::printf("\noffset at 4 mm depth over tilt, premium-1.5-6dof\n  %6s %10s %10s\n", "deg", "20 N", "40 N");
     drawing::Curve weak{.name = "20 N", .colour = 0}, strong{.name = "40 N", .colour = 1};
     for (const double cranial : {0.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0}) {

@@ -91,7 +91,9 @@ drawing::Panel deviation_panel(const CuttingLaw& law) {
                                      .y = off,
                                      .y_spread = 100.0 * p.sd / p.measured,
                                      .is_filled = p.sd > 0.0 && std::abs(p.off_in_sd()) <= 1.0,
-                                     .label = p.sd > 0.0 ? figure(p.off_in_sd(), 2) : "",
+                                     .label = p.sd > 0.0             ? figure(p.off_in_sd(), 2)
+                                              : std::abs(off) > 50.0 ? figure(off, 3) + " %"
+                                                                     : "",
                                      .told = p.source + ", " + p.tissue + ", " + p.quantity + " at " +
                                              figure(p.speed * 60.0, 4) + " rpm, " + p.law + ": " + figure(off, 3) +
                                              " %"});
