@@ -83,7 +83,7 @@ void add_wall(const StepState& state, StepRows& rows) {
     rows.row("removed", state.removed, "mm3", 1e-9, "info", "Bone removed in this step.");
 }
 
-void add_advance(const Advance& advance, StepRows& rows) {
+void add_advance(const TipProgress& advance, StepRows& rows) {
     rows.row("time-in-air", advance.in_air, "s", 1.0, rows.status_of("time_in_air"),
              "How long the tip itself had no bone in front of it while it went on, after it had met bone.");
     rows.length("depth-in-air", advance.depth_in_air, rows.half_voxel(), "info", "Depth that it gained so.");

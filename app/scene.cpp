@@ -70,6 +70,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     double depth = 0.0;
     for (const Goal& goal : asked.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
+    if (depth <= 0.0) return {};
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];

@@ -237,7 +237,7 @@ void StepMonitor::report(const std::string& event, double time) {
 // within bone. A face that it passes on its way back is its own entry.
 void StepMonitor::follow(const Observation& now, double depth, double hand, double dt, StepState& state) {
     constexpr double give = 0.1e-3, well_inside = 0.5e-3;
-    Advance& advance = state.advance;
+    TipProgress& advance = state.advance;
     const bool is_at_front = depth >= advance.front - give;
     if (is_at_front && !now.is_bone_ahead) {
         advance.in_air += dt;

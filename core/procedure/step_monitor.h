@@ -59,7 +59,7 @@ struct Owners {
 };
 
 /// How the tip went on where there was no bone to stop it.
-struct Advance {
+struct TipProgress {
     double front = 0.0;         ///< [m] the deepest that the tip has been, along the axis
     double in_air = 0.0;        ///< [s] that it went on at its front without bone ahead
     double depth_in_air = 0.0;  ///< [m] gained so
@@ -91,7 +91,7 @@ struct StepState {
     double deepest = -1.0;              ///< [m] of the tip in bone; negative until it has cut some
     double farthest_offset = 0.0;       ///< [m] of the tip from the axis while it cut bone
     bool has_met_bone_still = false;    ///< it stood on bone without running
-    Advance advance;                    ///< while it cut
+    TipProgress advance;                ///< while it cut
     std::optional<CutWall> wall;        ///< that its cut left, measured when it had ended
     std::optional<HoleResult> drilled;  ///< the hole that it left, likewise
     double removed = 0.0;               ///< [m³] in this step

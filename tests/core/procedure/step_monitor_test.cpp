@@ -276,7 +276,7 @@ struct Passage {
                           .handle = {0, 0, depth - 120.0_mm + ahead}},
                          scene.drill);
     }
-    const Advance& advance() const { return monitor->steps()[0].advance; }
+    const TipProgress& advance() const { return monitor->steps()[0].advance; }
     bool is_broken(std::size_t limit) const { return monitor->steps()[0].limits[limit].broken_at.has_value(); }
 };
 
