@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/belongings.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "core/field/bone_surface.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
 
-std::vector<std::size_t> parts_of_the_bone(const PresentBone& bone) {
-    std::vector<std::size_t> parts;
-    for (std::size_t body = 0; body < bone.count(); ++body) {
-        std::size_t first = body;
-        while (bone.piece(first).came_off != first) first = bone.piece(first).came_off;
-        if (first == 0 && !bone.piece(body).still_in) parts.push_back(body);
-    }
-    return parts;
-}
+namespace {
 
 void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
              const PresentBone& bone) {
@@ -41,6 +34,17 @@ void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
     for (std::size_t s = 0; s < owners.step.size(); ++s)
         if (owners.step[s] == from)
             owners.step[s] = nearest_to([&](Vec3 p) { return length(p - scene.frames[s].entry); });
+}
+
+}  // namespace
+
+Belongings belongings_of(const Scene& scene) {
+    Belongings belongings;
+    belongings.owners.zone.assign(scene.anatomy.zones.size(), 0);
+    belongings.owners.step.assign(scene.frames.size(), 0);
+    belongings.pass_on = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
+                                  const PresentBone& bone) { pass_on(owners, from, bodies, scene, bone); };
+    return belongings;
 }
 
 }  // namespace kerf

@@ -24,12 +24,6 @@ namespace {
 constexpr int volume_interval = 50;  // ticks between counts of the removed volume
 constexpr double crumb = 10e-9;      // [m³] smaller pieces are no bodies: they are washed away
 
-std::vector<std::size_t> bodies_of(const Separation& separation) {
-    std::vector<std::size_t> bodies;
-    for (const auto& part : separation.parts) bodies.push_back(part.body);
-    return bodies;
-}
-
 /// SQLite keeps no −0: an input is made the way it will be read again, so that a replay starts from the same bits.
 Pose without_negative_zeros(const Pose& p) {
     return {{p.position.x + 0.0, p.position.y + 0.0, p.position.z + 0.0},
@@ -171,7 +165,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
       monitor_(scene.procedure, scene.anatomy, scene.frames),
       world_from_body_(1, identity_pose()) {
     outcome_.summary = std::move(summary);
-    simulation_.look_for_pieces(crumb);
+    simulation_.look_for_pieces(crumb, belongings_of(*scene_));
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
     lead();
@@ -195,7 +189,6 @@ bool Run::step(const Pose& handle) {
 bool Run::tick(const Pose& reported) {
     const Pose handle = without_negative_zeros(reported);
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct({handle}) : simulation_.tick({handle});
-    simulation_.after_tick();
     if (!is_replay()) hand_.step(result_.command, result_.world_from_tool.position);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
@@ -316,23 +309,15 @@ void Run::add_news() {
     for (const auto& [id, detail] : monitor_.news()) add_event(id, detail);
 }
 
-/// Undo and redo leave other bodies than there were.
-void Run::find_owners() {
-    Owners owners = monitor_.owners();
-    std::fill(owners.zone.begin(), owners.zone.end(), std::size_t{0});
-    std::fill(owners.step.begin(), owners.step.end(), std::size_t{0});
-    pass_on(owners, 0, parts_of_the_bone(simulation_.present()), *scene_, simulation_.present());
-    monitor_.belong(std::move(owners));
-}
+/// Undo, redo and separations leave other bodies than there were.
+void Run::find_owners() { monitor_.belong(simulation_.owners()); }
 
 /// The tick is that after which the loop took the parts over.
 void Run::take_separations(std::uint64_t tick) {
     for (const Separation& separation : simulation_.take_separations()) {
         add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
         before_.follow(simulation_.present());
-        Owners owners = monitor_.owners();
-        pass_on(owners, separation.parent, bodies_of(separation), *scene_, simulation_.present());
-        monitor_.belong(std::move(owners));
+        find_owners();
     }
 }
 

@@ -46,8 +46,8 @@ void go_through(const Row& row, double h, std::vector<double>& microseconds) {
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.05_mm));
     for (double depth = -0.05_mm; depth < row.to; depth += feed * Simulation::dt) {
         const DeviceSample sample{test::at_depth(depth)};
-        const double took = processor_time_of([&] { (void)simulation.tick_direct(sample); });
-        simulation.after_tick();
+        const double took = processor_time_of([&] { (void)simulation.loop().tick_direct(sample); });
+        simulation.follow();
         if (depth >= row.from) microseconds.push_back(took);
     }
 }

@@ -46,13 +46,13 @@ double seconds_of(clockid_t clock) {
 struct Sawing {
     const Body& body;
     ToolSetup setup = test::saw({{"tooth_count", 40.0}, {"tooth_pitch", 0.6_mm}, {"run_up", 200.0_ms}});
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm)};
+    HapticLoop haptic{body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm)};
     std::unique_ptr<SurfaceWorker> worker{};
     bool has_neighbours = false;  ///< of whose cuts only the worker knows
     double hand = -1.0_mm;
     std::vector<double> processor{}, wall{};
 
-    [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
+    [[nodiscard]] double depth() const { return -haptic.world_from_tool().position.z; }
     void tick(double rate, bool is_measured) {
         hand += rate * Simulation::dt;
         double on_processor = 0.0;
@@ -61,17 +61,17 @@ struct Sawing {
             processor.push_back(on_processor);
             wall.push_back(by_clock);
         }
-        simulation.make_room();
+        haptic.make_room();
         if (has_neighbours) push_neighbours();
     }
     /// What a loop does in a tick.
     void loop() {
-        simulation.tick({test::at_depth(hand)});
+        haptic.tick({test::at_depth(hand)});
         if (worker == nullptr) return;
-        (void)worker->exchange(simulation);
+        (void)worker->exchange(haptic);
     }
     void push_neighbours() {
-        for (const CutRecord& own : simulation.closed())
+        for (const CutRecord& own : haptic.closed())
             for (const double aside : {-3.0_mm, -1.5_mm, 1.5_mm, 3.0_mm}) {
                 CutRecord record = own;
                 record.from.position.y += aside;
@@ -129,9 +129,8 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
     bool is_same = true;
     for (int round = 0; round < rounds; ++round) {
         Sawing with{body}, without{body};
-        with.worker =
-            std::make_unique<SurfaceWorker>(body, std::vector<const ToolSolid*>{&with.simulation.outline().cutting},
-                                            SurfaceWorker::Options{.crumb = 1e-9});
+        with.worker = std::make_unique<SurfaceWorker>(
+            body, std::vector<const ToolSolid*>{&with.haptic.outline().cutting}, SurfaceWorker::Options{.crumb = 1e-9});
         for (Sawing* one : {&with, &without}) {
             while (one->depth() < 5.0_mm) one->tick(approach, false);
             for (int i = 0; i < 1000; ++i) one->tick(feed, false);  // until nothing of the approach waits any more
@@ -148,7 +147,7 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
             with.worker->wait_for_all();
         }
         is_same = is_same && with.worker->lost() == 0 &&
-                  with.simulation.world_from_tool().position == without.simulation.world_from_tool().position;
+                  with.haptic.world_from_tool().position == without.haptic.world_from_tool().position;
         felt_with.add(with);
         felt_without.add(without);
     }

@@ -52,7 +52,6 @@ struct Led {
     Led(const Body& body, const Pose& start) : simulation(body, setup, test::outline(setup), test::gains(), start) {}
     double to(const Pose& pose) {
         const TickResult r = simulation.tick_direct({pose});
-        simulation.after_tick();
         ++ticks;
         return r.thrust;
     }

@@ -47,7 +47,6 @@ bool saw(double h, bool is_told, Row& row) {
     };
     while (depth() < 5.0_mm) {
         (void)simulation.tick(move(approach));
-        simulation.after_tick();
         if (hand > 15.0_mm) {
             std::printf("the saw does not come so deep: it stands at %.2f mm\n", depth() / 1.0_mm);
             return false;
@@ -55,14 +54,13 @@ bool saw(double h, bool is_told, Row& row) {
     }
     for (int i = 0; i < ticks / 2; ++i) {  // until nothing of the approach waits any more
         (void)simulation.tick(move(feed));
-        simulation.after_tick();
     }
     const double from = depth();
     double teeth = 0.0;
     for (int i = 0; i < ticks; ++i) {
         const DeviceSample sample = move(feed);
-        const double in_loop = processor_time_of([&] { (void)simulation.tick(sample); });
-        const double by_worker = processor_time_of([&] { simulation.after_tick(); });
+        const double in_loop = processor_time_of([&] { (void)simulation.loop().tick(sample); });
+        const double by_worker = processor_time_of([&] { simulation.follow(); });
         row.loop.push_back(in_loop);
         row.no_lag.push_back(by_worker);
         row.both.push_back(in_loop + by_worker);

@@ -81,7 +81,6 @@ struct Feeding {
     Felt go(double feed) {
         depth += feed * Simulation::dt;
         const TickResult r = simulation.tick_direct({test::at_depth(depth, 0.0, entry)});
-        simulation.after_tick();
         const Quat tool_from_world = inverse(r.world_from_tool).rotation;
         const Vec3 on_saw = rotate(tool_from_world, linear(r.bone_on_tool));
         return {on_saw.y, on_saw.x, -on_saw.z};

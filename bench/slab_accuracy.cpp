@@ -32,7 +32,6 @@ int main() {
                 for (int t = 0; t < ticks; ++t) {
                     const double depth = -1.0_mm + t * rate * Simulation::dt;
                     const TickResult r = simulation.tick_direct({test::at_depth(depth + rate * Simulation::dt, tilt)});
-                    simulation.after_tick();
                     // The motor follows at once, but it is told at the end of the first tick.
                     const double angle = 2.0 * pi * n * Simulation::dt * std::max(0, t - 1);
                     const double exact =

@@ -155,7 +155,6 @@ void measure(double h) {
     const auto drill = [&](double rate) {
         move(rate);
         sink += simulation.tick({test::at_depth(hand)}).thrust;
-        simulation.after_tick();
     };
     while (at() < depth - (0.5 * ticks + settling) * feed * Simulation::dt) {
         drill(approach);
@@ -182,8 +181,8 @@ void measure(double h) {
         for (int n = 0; n < turn; ++n) {
             move(feed);
             const DeviceSample sample{test::at_depth(hand)};
-            const double in_loop = cost_of([&] { sink += simulation.tick(sample).thrust; });
-            const double by_worker = cost_of([&] { simulation.after_tick(); });
+            const double in_loop = cost_of([&] { sink += simulation.loop().tick(sample).thrust; });
+            const double by_worker = cost_of([&] { simulation.follow(); });
             const double more = cost_of([&] {
                 points.ask_edges(simulation.bone(), points.edge_count());
                 points.ask_contact(simulation.bone());

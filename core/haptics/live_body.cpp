@@ -60,17 +60,4 @@ std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, c
     return std::make_unique<LiveBody>(number, of_bone, std::move(field), solid);
 }
 
-Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid,
-                     std::uint64_t through) {
-    Adoption adoption;
-    adoption.sequence = separation.sequence;
-    adoption.tick = separation.tick;
-    adoption.parent = separation.parent;
-    adoption.through = through;
-    const auto body = [&](std::uint16_t id) { return live_body(id, *bone.piece(id).bone, bone.cut(id), solid); };
-    adoption.renewed = body(separation.parent);
-    for (std::size_t n = 1; n < separation.parts.size(); ++n) adoption.parts.push_back(body(separation.parts[n].body));
-    return adoption;
-}
-
 }  // namespace kerf

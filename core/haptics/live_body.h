@@ -46,18 +46,4 @@ struct LiveBody {
 [[nodiscard]] std::unique_ptr<LiveBody> live_body(std::uint16_t number, const Body& of_bone, const CutField& cut,
                                                   const ToolSolid& solid);
 
-/// What the loop adopts when bone came apart: a new field for the parent and a body for each part, all made beforehand,
-/// so that taking them over neither allocates nor waits. What they replace goes back in their place.
-struct Adoption {
-    std::uint64_t sequence = 0, tick = 0;  ///< of the record that parted the parent
-    std::uint16_t parent = 0;
-    std::uint64_t through = 0;          ///< the parent's first record that the fields do not hold
-    std::unique_ptr<LiveBody> renewed;  ///< the parent, with less bone
-    std::vector<std::unique_ptr<LiveBody>> parts;
-};
-
-/// Fields that hold all of the parent's records before `through`.   [worker]
-[[nodiscard]] Adoption adoption_of(const Separation& separation, const PresentBone& bone, const ToolSolid& solid,
-                                   std::uint64_t through);
-
 }  // namespace kerf

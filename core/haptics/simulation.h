@@ -1,280 +1,116 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/haptics/bodies_view.h"
-#include "core/haptics/call_times.h"
-#include "core/haptics/coupling.h"
-#include "core/haptics/evaluate_law.h"
-#include "core/haptics/following.h"
-#include "core/haptics/force_gate.h"
-#include "core/haptics/guide_wall.h"
-#include "core/haptics/hand_motion.h"
-#include "core/haptics/held_body.h"
-#include "core/haptics/law_fault.h"
-#include "core/haptics/passivity.h"
-#include "core/haptics/present_scene.h"
-#include "core/haptics/tool.h"
+#include "core/haptics/bone_scene.h"
+#include "core/haptics/haptic_loop.h"
 
-/// One tool among bodies: the haptic loop's tick, from pose read to force out.
 namespace kerf {
 
-/// What one tick came to. Wrenches: world frame. Bone newtons unless said otherwise. In fast motion a tick has several
-/// parts: rates, wrenches and powers are then their mean.
-struct TickResult {
-    static constexpr std::size_t most_events = 2 * KERF_MAX_ACTIONS;
-
-    Pose world_from_tool = identity_pose();
-    Vec6 rate{};                  ///< of the tool, tool frame
-    Vec6 bone_on_tool{};          ///< modelled, about the tip
-    Vec6 coupled_on_hand{};       ///< what an unlimited coupling would carry, at the grip
-    Vec6 limited_on_hand{};       ///< what it carried
-    Vec3 released_on_hand{};      ///< of that, what the release damper did [N]
-    DeviceCommand command;        ///< to the device [device newtons]
-    double thrust = 0.0;          ///< [N] bone on tool, against the shaft
-    double torque = 0.0;          ///< [N·m] about the shaft
-    double power_hand = 0.0;      ///< [W] from the hand into the tool
-    int parts = 1;                ///< 1 … 16: how often the law was asked
-    int iterations = 0;           ///< of the hardest of their solves
-    bool is_cutting = false;      ///< the plugin removed bone in this tick
-    bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
-    bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
-    bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
-    bool is_coming_back = false;  ///< after that: less force is allowed than the device can make
-    std::size_t event_count = 0;
-    const char* events[most_events]{};
-
-    void add_event(const char* id) noexcept {
-        if (event_count < most_events) events[event_count++] = id;
-    }
-};
-
-/// A part of the tool that cuts nothing is in uncut bone, and no channel of the law resists it there.
-struct Unresisted {
-    Vec3 point{};        ///< tool frame
-    double depth = 0.0;  ///< [m] at least
-};
-
-class Simulation {
+/// A haptic loop and its bone in lock-step, on one thread: after each tick the scene follows, and each change of bodies
+/// is taken over at once. The bits are those of a loop on the clock that took the same changes over after the same
+/// ticks.   [main]
+class Simulation : private HapticLoop {
 public:
-    static constexpr double dt = 1e-3;  ///< [s] of a tick, unless another period is asked for
+    using HapticLoop::adoption_delay;
+    using HapticLoop::dt;
 
-    /// Pre: `outline_of` succeeded for this setup. Everything is uncut. The tool begins at `start`, where the hand is;
-    /// if that lies in bone, drawn back along its axis until it is free, with the event `haptics.started_in_bone`.
-    /// [main]
+    /// As `HapticLoop`.
     Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains, const Pose& start,
                double period = dt);
-    /// The same with several tools, the first of them in hand. Pre: at least one.   [main]
     Simulation(const Body& body, std::vector<Tool> tools, const CouplingGains& gains, const Pose& start,
                double period = dt);
-    ~Simulation();
-    Simulation(const Simulation&) = delete;
-    Simulation& operator=(const Simulation&) = delete;
 
-    /// One millisecond.
-    ///
-    /// Where a point of the tool would move by more than half a voxel with bone in reach, the tick is done in up to 16
-    /// equal parts, each with its own law and its part of the hand's way; beyond that, at more than 1 m/s, or while too
-    /// much that was cut waits to be committed (the event `haptics.held_back`), the tool is slower than the hand (R1,
-    /// B9). A sample that is no pose, a leap of the hand, three missed ticks or an unsound law bar the force gate: the
-    /// tool rests, the force fades, and hand and tool go on from where they are.   [haptic, nonblocking]
-    TickResult tick(const DeviceSample& sample) noexcept;
-
-    /// `coupling: direct`: the tool is where the device says, the law is evaluated at the device's rate, and nothing
-    /// is solved. Shows where the papers' way fails, and prescribes a feed exactly in tests.   [haptic, nonblocking]
-    TickResult tick_direct(const DeviceSample& sample) noexcept;
-
-    /// Sets a drive channel from the next tick on: a pedal, a trigger, a step of the procedure. Beyond its range it is
-    /// held at the end of it.   [haptic, nonblocking] between ticks
-    void command_drive(std::size_t drive, double value) noexcept;
-
-    /// Takes up another of the tools, where the hand is, with its law as at the beginning; drawn back along its axis if
-    /// it lies in bone there. What was held is let go. What the last tool cut is closed and committed before.   [main]
-    /// between ticks
+    /// `HapticLoop::tick`; then the scene follows.
+    TickResult tick(const DeviceSample& sample);
+    /// `HapticLoop::tick_direct`; then the scene follows.
+    TickResult tick_direct(const DeviceSample& sample);
+    /// `HapticLoop::take_tool`. What the last tool cut is closed and committed before.
     void take_tool(std::size_t tool);
-    [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
-    /// From the next tick on a sleeve leads the tool; nothing: none.   [main] between ticks
-    void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
-
-    /// Lock-step: stamps the records closed since the last call into the present bone, makes room for coming cuts, and,
-    /// if pieces are looked for, gives each part of a body that came apart a life of its own, `adoption_delay` ticks
-    /// after the record that parted it. It follows every tick; it may allocate.   [worker]
-    void after_tick();
-    /// On the clock, where a worker does the rest of it: makes room for coming cuts. It may allocate.   [main] between
-    /// ticks
-    void make_room();
-    /// Closes and commits everything: both fields of a body then hold the same bits.   [main]
+    /// Closes and commits everything: both fields of a body then hold the same bits.
     void finish();
 
-    /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to
-    /// make them.
-    static constexpr std::uint64_t adoption_delay = 20;
-    /// Lock-step: bone that comes apart becomes bodies of its own, if it is larger than `crumb` [m³].   [main]
-    void look_for_pieces(double crumb) { scene_.bone().look_for_pieces(crumb); }
-    /// Lock-step: the ticks after which separations were adopted in a run that is replayed, one by one, and no others.
-    /// [main]
+    /// Makes bodies of bone that comes apart, if it is larger than `crumb` [m³]. Pre: no tick was done.
+    void look_for_pieces(double crumb, Belongings belongings = {}) {
+        scene_.look_for_pieces(crumb, std::move(belongings));
+    }
+    /// The ticks after which separations were taken over in a run that is replayed, one by one, and no others.
     void replay_adoptions(std::vector<std::uint64_t> ticks) { adoption_ticks_ = std::move(ticks); }
-    /// Takes over what a worker has made, between ticks. False, and nothing happens, where it lacks more than eight
-    /// records that remove bone: the worker is to bring it up to date. What was replaced comes back in it. [haptic,
-    /// nonblocking]
-    bool adopt(Adoption& adoption) noexcept;
-    /// The same with bodies as they were before a cut, or after it. False, and the bodies stay, where the tool touches
-    /// bone or has removed some since they were made. Unless it touches bone, open stretches are closed: `closed()`.
-    /// [haptic, nonblocking] between ticks
-    bool go_to(Restoration& restoration) noexcept;
-    /// Whether the tool and what it holds touch no bone, cut or uncut.   [haptic, nonblocking]
-    [[nodiscard]] bool is_clear_of_bone() const noexcept { return !is_bone_in_reach(0.0); }
-    [[nodiscard]] Placings placings() const noexcept;
-    /// From here on no body has numbered a record.
-    [[nodiscard]] std::uint64_t next_sequence() const noexcept;
-    /// What came apart since the last call and is adopted.   [main]
+    /// Returns what came apart and was taken over since the last call.
     [[nodiscard]] std::vector<Separation> take_separations() { return std::exchange(separations_, {}); }
+    /// The body that each zone and step belongs to now.
+    [[nodiscard]] const Owners& owners() const noexcept { return scene_.owners(); }
 
-    /// Lock-step: another body in the scene, which must outlive it; if it is not `cuttable`, it stops what would cut
-    /// it. Not empty: why it cannot be: there are sixteen, or its tissues are others.   [main] between ticks
+    /// Puts another body into the scene, which must outlive it; if it is not `cuttable`, it stops what would cut it.
+    /// Returns why it cannot be, or nothing: there are sixteen, or its tissues are others.
     std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable);
-    /// Lock-step: all that the cutting solid of one of the tools holds at a pose is gone from every body there. [main]
-    /// between ticks
+    /// Removes all that the cutting solid of a tool holds at a pose from every body there.
     void subtract(std::size_t tool, const Pose& world_from_tool);
-    /// Lock-step: the body that is held grows together with the piece nearest to it: a bridge of bone fills what is
-    /// between them, and they are rigid to each other from now on. Not empty: why they cannot.   [main] between ticks
+    /// Lets the body that is held grow together with the piece nearest to it: a bridge of bone fills the gap between
+    /// them, and they are rigid to each other from now on. Returns why they cannot, or nothing.
     std::string fuse();
-
-    /// Lock-step: brings the bone, its pieces and where they are back to what they were before the last cut; one cut is
-    /// all that is removed from leaving the air to being clear of the bone again. `redo` does it again, until something
-    /// else is cut. Not empty: why it cannot be, and nothing has changed.   [main] between ticks
+    /// Brings the bone, its pieces and where they are back to what they were before the last cut; one cut is all that
+    /// is removed from leaving the air to being clear of the bone again. Returns why it cannot be, or nothing; then
+    /// nothing has changed.
     std::string undo() { return turn_back(Turn::undo); }
+    /// Does again what was taken back, until something else is cut. Returns as `undo`.
     std::string redo() { return turn_back(Turn::redo); }
 
-    [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_; }
-    /// Moves a body, between ticks; nothing is cut on the way.   [haptic, nonblocking]
-    void place_body(std::size_t body, const Pose& world_from_body) noexcept;
-    /// Takes a body out of the scene, or puts it back.   [haptic, nonblocking] between ticks
-    void show_body(std::size_t body, bool is_present) noexcept;
-    /// Takes what the tool holds out of the scene, all that is fused together.   [haptic, nonblocking] between ticks
-    void remove_held() noexcept;
-    /// The body that the tool holds; −1 for none.
-    [[nodiscard]] int held() const noexcept { return held_.is_any() ? static_cast<int>(held_.body()) : -1; }
-
-    /// What was closed by the last `tick`, `take_tool` or `finish`.
-    [[nodiscard]] std::span<const CutRecord> closed() const noexcept { return closed_; }
-    /// Without lag, in lock-step.
+    /// Without lag.
     [[nodiscard]] const PresentBone& present() const noexcept { return scene_.bone(); }
     [[nodiscard]] PresentBone& present() noexcept { return scene_.bone(); }
     [[nodiscard]] const CutField& exact(std::size_t body = 0) const noexcept { return present().cut(body); }
-    [[nodiscard]] const CutField& committed(std::size_t body = 0) const noexcept { return bodies_[body]->committed; }
-    [[nodiscard]] const BodiesView& bone() const noexcept { return view_; }
-    [[nodiscard]] const Pose& world_from_tool() const noexcept { return world_from_tool_; }
-    [[nodiscard]] const ToolOutline& outline() const noexcept { return tools_[tool_].outline; }
-    [[nodiscard]] const ToolSetup& setup() const noexcept { return tools_[tool_].setup; }
-    [[nodiscard]] const double* signals() const noexcept { return signals_; }
-    [[nodiscard]] const CutTracker& tracker(std::size_t body = 0) const noexcept { return bodies_[body]->tracker; }
-    /// What made the last `haptics.quarantined`.
-    [[nodiscard]] const LawFault& law_fault() const noexcept { return law_fault_; }
-    /// Where the last `haptics.unresisted` was, tool frame.
-    [[nodiscard]] const Unresisted& unresisted() const noexcept { return unresisted_; }
-    /// Which laws were slower than they declare, one line each.   [main]
-    [[nodiscard]] std::vector<std::string> laws_over_budget() const;
-    [[nodiscard]] const PassivityGuard& passivity() const noexcept { return guard_; }
-    /// What the coupling would give back to a handle there [J], device side.
-    [[nodiscard]] double stored_at(const Pose& handle) const noexcept {
-        return coupling_.stored(handle, world_from_tool_);
-    }
-    [[nodiscard]] std::uint64_t ticks() const noexcept { return tick_; }
-    /// The plugin's state, as bytes.
-    [[nodiscard]] const std::byte* state() const noexcept { return state_; }
-    [[nodiscard]] std::size_t state_size() const noexcept { return setup().force->force->state_size; }
 
-    /// How fast it lets a tool follow the hand near bone [m/s]: half a voxel in each part of a tick.
-    [[nodiscard]] double fastest_near_bone() const noexcept { return 0.5 * spacing_ * most_parts / period_; }
+    /// The loop alone, for what measures or watches its tick: `follow` has to come after each of them.
+    [[nodiscard]] HapticLoop& loop() noexcept { return *this; }
+    [[nodiscard]] const HapticLoop& loop() const noexcept { return *this; }
+    /// Lets the scene follow a tick of `loop()`, makes room for coming cuts, and takes over each separation,
+    /// `adoption_delay` ticks after the record that parted the body.
+    void follow();
+
+    using HapticLoop::bodies;
+    using HapticLoop::bone;
+    using HapticLoop::closed;
+    using HapticLoop::command_drive;
+    using HapticLoop::committed;
+    using HapticLoop::fastest_near_bone;
+    using HapticLoop::held;
+    using HapticLoop::is_clear_of_bone;
+    using HapticLoop::law_fault;
+    using HapticLoop::laws_over_budget;
+    using HapticLoop::lead;
+    using HapticLoop::next_sequence;
+    using HapticLoop::outline;
+    using HapticLoop::passivity;
+    using HapticLoop::place_body;
+    using HapticLoop::placings;
+    using HapticLoop::remove_held;
+    using HapticLoop::setup;
+    using HapticLoop::show_body;
+    using HapticLoop::signals;
+    using HapticLoop::state;
+    using HapticLoop::state_size;
+    using HapticLoop::stored_at;
+    using HapticLoop::ticks;
+    using HapticLoop::tool;
+    using HapticLoop::tracker;
+    using HapticLoop::unresisted;
+    using HapticLoop::world_from_tool;
 
 private:
-    static constexpr int most_parts = 16;
-
-    [[nodiscard]] kerf_tick_in tick_in(double step) const noexcept;  ///< of this tick
-    [[nodiscard]] bool ask(double step) noexcept;
-    bool release_because(LawFault fault) noexcept;  ///< false
-    [[nodiscard]] bool is_skidding(const Balance& balance, const Motion& motion) const noexcept;
-    [[nodiscard]] bool is_resisted_at(Vec3 point, const Motion& motion) const noexcept;
-    void look_for_unresisted(const Motion& motion, TickResult& result) noexcept;
-    /// [m] A millimetre and two voxels, as far as depths are known.
-    [[nodiscard]] double unresisted_depth() const noexcept {
-        return std::min(std::max(1e-3, 2.0 * spacing_), 0.9 * clamp_voxels * spacing_);
-    }
-    /// Holds, asks and solves for one step. False: the law or the solve is unsound.
-    [[nodiscard]] bool find_motion(const Pose& handle, double step, Balance& balance, Motion& motion) noexcept;
-    [[nodiscard]] bool move(const Pose& last_handle, TickResult& result) noexcept;
-    void rest(TickResult& result) noexcept;
-    void report(const Balance& balance, const Motion& motion, double share, TickResult& result) noexcept;
-    void report_bone(const Vec6& bone_on_tool_in_tool, double share, TickResult& result) const noexcept;
-    void commit(const Vec6& rate, const double* lambda, const Vec6& following, double step,
-                TickResult& result) noexcept;
-    void command(TickResult& result) noexcept;
-
-    /// Whether any bone that can be felt comes within `margin` [m] of the tool.
-    [[nodiscard]] bool is_bone_in_reach(double margin) const noexcept;
-    void take_closed(CutTracker& tracker, int count) noexcept;
-    void close_all() noexcept;  ///< open stretches
-    void begin_with_tool();     ///< its law as at the beginning, out of bone
-    void do_as_told(const kerf_action& action, TickResult& result) noexcept;
-    void adopt_what_is_due(bool all);
+    void close_and_follow();
+    void take_over(Offer offer);
+    void take_separations_due(bool all);
     std::string turn_back(Turn turn);
-    void exchange_bodies(Restoration& restoration) noexcept;
-    [[nodiscard]] std::string why_no_more_bodies() const;  ///< empty: there may be
-    void look_around() noexcept;
 
-    double period_;  ///< [s] of a tick
-    double spacing_;
-    std::vector<Tool> tools_;  ///< records call them by their place here
-    std::size_t tool_ = 0;
-    std::array<double, KERF_MAX_DRIVES> drives_{};  ///< as commanded
-    PresentScene scene_;
-    std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the place of their id; room for all there may be
-    BodiesView view_;
-    HeldBody held_;
-
-    std::unique_ptr<std::byte[]> state_storage_;
-    std::byte* state_ = nullptr;
-    double signals_[KERF_MAX_SIGNALS]{};
-    EvaluatedLaw law_;    ///< of this tick, or of its last part
-    Vec6 last_rate_{};    ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
-                          ///< same from anywhere, and here it is near
-    kerf_solid solid_{};  ///< of the held tool
-    bool has_left_region_ = false, has_met_metal_ = false;
-    std::optional<Guide> guide_;  ///< that leads the tool
-    Following following_;
-
-    Pose world_from_tool_;
-    HandMotion hand_;
-    Coupling coupling_;
-    PassivityGuard guard_;
-    ForceGate gate_;
-    Vec6 commanded_{};       ///< the last command: on the hand, device newtons
-    Vec6 before_fault_{};    ///< what the gate fades
-    double supplied_ = 0.0;  ///< [J] what follows the law gave the last tick, device side
-    LawFault law_fault_;
-    Unresisted unresisted_;
-    bool is_unresisted_ = false;  ///< reported, and not yet over
-    ClockScale clock_scale_;
-    std::vector<CallTimes> resist_times_;  ///< of each tool
-    bool is_drawn_back_ = false, is_held_back_ = false;
-    std::uint64_t tick_ = 0;
-    int bricks_left_ = 0;            ///< that this tick may stamp yet
-    std::vector<CutRecord> closed_;  ///< of the last tick; has room
-    std::vector<CutRecord> to_stamp_;
-    std::uint64_t removing_ = 0;  ///< records closed so far that remove bone
+    BoneScene scene_;
     std::vector<Separation> separations_;
-    std::vector<std::unique_ptr<Body>> grown_;                  ///< bridges
     std::optional<std::vector<std::uint64_t>> adoption_ticks_;  ///< of those still to come; none: as soon as may be
 };
 

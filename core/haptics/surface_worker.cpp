@@ -14,9 +14,10 @@ constexpr auto poll_time = std::chrono::milliseconds(2);      // the loop wakes 
 constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows more
 }  // namespace
 
-SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options)
-    : options_(options), scene_(body, std::move(cutting)), next_(1, 0), queue_(queue_records) {
-    if (options_.looks_for_pieces) scene_.bone().look_for_pieces(options_.crumb);
+SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
+                             Belongings belongings)
+    : owners_(belongings.owners), options_(options), scene_(body, std::move(cutting)), queue_(queue_records) {
+    if (options_.looks_for_pieces) scene_.look_for_pieces(options_.crumb, std::move(belongings));
     if (options_.makes_surface) patches_.reserve(most_bodies);
     make_surface();
     thread_ = std::thread([this] { work(); });
@@ -53,37 +54,40 @@ bool SurfaceWorker::ask(Turn turn) noexcept {
     return true;
 }
 
-SurfaceWorker::TakenOver SurfaceWorker::exchange(Simulation& simulation, std::uint64_t delay) noexcept {
+SurfaceWorker::TakenOver SurfaceWorker::exchange(HapticLoop& loop, std::uint64_t delay) noexcept {
     TakenOver taken;
-    tell_cuts(simulation);
+    told_records_ = 0;
+    tell_cuts(loop);
     if (queue_.size() + queue_margin > queue_.capacity()) return taken;
-    if (offer_.is_out(restorations_) && offer_.made.tick + delay <= simulation.ticks()) {
-        taken.separation = simulation.adopt(offer_.made);
-        offer_.set(taken.separation ? offer_.taken : offer_.refused, restorations_);
+    if (separation_.is_out(turns_) && separation_.offer.tick + delay <= loop.ticks()) {
+        taken.separation = take(separation_, loop);
+        separation_.set(taken.separation ? Slot::taken : Slot::refused, turns_);
         // In the queue, so that the worker knows which records came before.
-        if (taken.separation) (void)send({.kind = Message::Kind::adopted});
+        if (taken.separation) (void)send({.kind = Message::Kind::parted});
     }
-    if (restoration_.is_out(restorations_)) take_restoration(simulation, taken);
+    if (turn_.is_out(turns_)) take_turn(loop, taken);
     if (asked_) {  // after what tells that the tool has left the bone
-        is_asked_ = send({.kind = *asked_ == Turn::undo ? Message::Kind::undo : Message::Kind::redo});
+        sent_turn_ = *asked_;
+        is_asked_ = send({.kind = sent_turn_ == Turn::undo ? Message::Kind::undo : Message::Kind::redo});
         asked_.reset();
     }
     return taken;
 }
 
-void SurfaceWorker::tell_cuts(const Simulation& simulation) noexcept {
+void SurfaceWorker::tell_cuts(const HapticLoop& loop) noexcept {
     bool has_cut = false;
-    for (const CutRecord& record : simulation.closed()) {
+    for (; told_records_ < loop.closed().size(); ++told_records_) {
+        const CutRecord& record = loop.closed()[told_records_];
         if (!record.removes) continue;
-        if (!std::exchange(has_cut, true)) tell_placings(simulation);
+        if (!std::exchange(has_cut, true)) tell_placings(loop);
         (void)push(record);
     }
-    if (!has_cut && !is_told_clear_ && simulation.is_clear_of_bone())
+    if (!has_cut && !is_told_clear_ && loop.is_clear_of_bone())
         is_told_clear_ = send({.kind = Message::Kind::clear_of_bone});
 }
 
-void SurfaceWorker::tell_placings(const Simulation& simulation) noexcept {
-    const Placings now = simulation.placings();
+void SurfaceWorker::tell_placings(const HapticLoop& loop) noexcept {
+    const Placings now = loop.placings();
     for (std::size_t b = 0; b < now.count; ++b) {
         if (b < told_.count && now.of[b].is_same_as(told_.of[b])) continue;
         Message message{
@@ -94,20 +98,24 @@ void SurfaceWorker::tell_placings(const Simulation& simulation) noexcept {
     told_ = now;
 }
 
-void SurfaceWorker::take_restoration(Simulation& simulation, TakenOver& taken) noexcept {
+bool SurfaceWorker::take(Slot& slot, HapticLoop& loop) noexcept {
+    if (!loop.take(slot.offer)) return false;
+    owners_ = slot.offer.owners;  // as many as before: nothing is allocated
+    return true;
+}
+
+void SurfaceWorker::take_turn(HapticLoop& loop, TakenOver& taken) noexcept {
     is_asked_ = false;
-    const Turn turn = restoration_.made.turn;
-    tell_placings(simulation);
-    const bool may_go = !restoration_.made.bodies.empty() && simulation.is_clear_of_bone();
-    const bool has_gone = may_go && simulation.go_to(restoration_.made);
-    if (may_go) tell_cuts(simulation);  // what it closed
-    restoration_.set(restoration_.taken, restorations_);
-    (has_gone ? taken.turn : taken.refused_turn) = turn;
-    Message message{.kind = has_gone ? Message::Kind::restored : Message::Kind::dropped};
+    tell_placings(loop);
+    const bool has_gone = turn_.offer.is_any() && take(turn_, loop);
+    tell_cuts(loop);  // what it closed
+    turn_.set(Slot::taken, turns_);
+    (has_gone ? taken.turn : taken.refused_turn) = sent_turn_;
+    Message message{.kind = has_gone ? Message::Kind::turned : Message::Kind::dropped};
     if (has_gone) {
-        ++restorations_;
-        told_ = simulation.placings();
-        message.record.sequence = simulation.next_sequence();
+        ++turns_;
+        told_ = loop.placings();
+        message.record.sequence = loop.next_sequence();
     }
     (void)send(message);
 }
@@ -118,7 +126,7 @@ void SurfaceWorker::wait_for_all() {
     wake_.notify_all();
     idle_.wait(lock, [&] {
         return done_.load(std::memory_order_acquire) == pushed_.load(std::memory_order_acquire) && !is_surface_old_ &&
-               !offer_.is(offer_.refused);
+               !separation_.is(Slot::refused);
     });
     --waiting_for_all_;
 }
@@ -136,7 +144,7 @@ void SurfaceWorker::work() {
     bool is_waited_for = false;
     for (;;) {
         const std::uint64_t taken = take_all();
-        if (offer_.is(offer_.refused)) make_offer();
+        if (separation_.is(Slot::refused)) offer_separation();
         const bool is_old = is_surface_old_ || taken > 0;
         const bool is_due = is_old && (is_waited_for || Clock::now() - surface_made >= surface_time);
         if (is_due) {
@@ -168,11 +176,9 @@ std::uint64_t SurfaceWorker::take_all() {
 void SurfaceWorker::take(const Message& message) {
     switch (message.kind) {
         case Message::Kind::cut: {
-            const bool had_offer = !scene_.waiting().empty();
+            const bool had_offer = scene_.waiting() != nullptr;
             scene_.apply({&message.record, 1}, placings_);
-            next_[message.record.body] = message.record.sequence + 1;
-            ++records_;
-            if (!had_offer && !scene_.waiting().empty()) make_offer();
+            if (!had_offer) offer_separation();
             break;
         }
         case Message::Kind::placed:
@@ -183,47 +189,49 @@ void SurfaceWorker::take(const Message& message) {
             scene_.leave_bone();
             break;
         case Message::Kind::undo:
-            make_restoration(Turn::undo);
+            offer_turn(Turn::undo);
             break;
         case Message::Kind::redo:
-            make_restoration(Turn::redo);
+            offer_turn(Turn::redo);
             break;
-        case Message::Kind::adopted: {
-            const Separation separation = scene_.take_adopted();
-            for (const auto& part : separation.parts)
-                if (next_.size() <= part.body) next_.resize(part.body + 1u, 0);
-            offer_.made = {};  // what the loop had before came back in it, and ends here
-            offer_.set(offer_.none, restored_);
-            if (!scene_.waiting().empty()) make_offer();
+        case Message::Kind::parted:
+            scene_.taken(separation_.offer, placings_, 0);
+            withdraw_separation();
             break;
-        }
-        case Message::Kind::restored:
-            scene_.go(restoration_.made.turn, placings_);
-            placings_ = restoration_.made.placings;
-            next_.assign(placings_.count, message.record.sequence);
-            ++restored_;
-            offer_.made = {};
-            offer_.set(offer_.none, restored_);
-            [[fallthrough]];
+        case Message::Kind::turned:
+            scene_.taken(turn_.offer, placings_, message.record.sequence);
+            placings_ = turn_.offer.placings;
+            ++turned_;
+            withdraw_turn();
+            withdraw_separation();
+            break;
         case Message::Kind::dropped:
-            restoration_.made = {};
-            restoration_.set(restoration_.none, restored_);
-            if (message.kind == Message::Kind::restored && !scene_.waiting().empty()) make_offer();
+            withdraw_turn();
             break;
     }
 }
 
-void SurfaceWorker::make_offer() {
-    offer_.made = scene_.adoption(next_[scene_.waiting().front().parent]);
-    offer_.set(offer_.out, restored_);
+void SurfaceWorker::offer_separation() {
+    if (scene_.waiting() == nullptr) return;
+    separation_.offer = scene_.separation();
+    separation_.set(Slot::out, turned_);
 }
 
-void SurfaceWorker::make_restoration(Turn turn) {
-    restoration_.made = {};
-    if (!scene_.is_in_a_cut() && scene_.can(turn)) restoration_.made = scene_.restoration(turn);
-    restoration_.made.turn = turn;
-    restoration_.made.records = records_;
-    restoration_.set(restoration_.out, restored_);
+/// Ends what the loop had before, which came back in it, and offers the next one.
+void SurfaceWorker::withdraw_separation() {
+    separation_.offer = {};
+    separation_.set(Slot::none, turned_);
+    offer_separation();
+}
+
+void SurfaceWorker::offer_turn(Turn turn) {
+    turn_.offer = !scene_.is_in_a_cut() && scene_.can(turn) ? scene_.turn(turn) : Offer{};
+    turn_.set(Slot::out, turned_);
+}
+
+void SurfaceWorker::withdraw_turn() {
+    turn_.offer = {};
+    turn_.set(Slot::none, turned_);
 }
 
 void SurfaceWorker::make_surface() {

@@ -12,7 +12,8 @@
 
 #include "core/field/patch_table.h"
 #include "core/field/spsc_ring.h"
-#include "core/haptics/simulation.h"
+#include "core/haptics/bone_scene.h"
+#include "core/haptics/haptic_loop.h"
 
 /// The thread beside the loop.
 namespace kerf {
@@ -22,7 +23,7 @@ namespace kerf {
 /// there, and finished bodies come back whole.
 ///
 /// The loop's bits do not depend on when it does so, but for the ticks at which a separation is adopted or a cut is
-/// taken back: those are inputs, and are recorded. In lock-step `Simulation` does the same with the same classes.
+/// taken back: those are inputs, and are recorded. In lock-step `Simulation` does the same with the same `BoneScene`.
 class SurfaceWorker {
 public:
     /// What a viewer draws: who holds it may read it on any thread for as long as he likes.
@@ -36,7 +37,7 @@ public:
     };
 
     /// `body` and the cutting solids, as records number them, must outlive it.   [main]
-    SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options);
+    SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options, Belongings belongings = {});
     ~SurfaceWorker();
     SurfaceWorker(const SurfaceWorker&) = delete;
     SurfaceWorker& operator=(const SurfaceWorker&) = delete;
@@ -48,14 +49,16 @@ public:
         std::optional<Turn> refused_turn;  ///< there is none, or the tool touches bone or has cut since `ask`
     };
     /// Follows every tick: hands over what the loop has cut, and takes over what the worker has made, a separation not
-    /// before `delay` ticks have passed. A simulation has one worker.   [haptic, nonblocking]
-    TakenOver exchange(Simulation& simulation, std::uint64_t delay = Simulation::adoption_delay) noexcept;
+    /// before `delay` ticks have passed. A loop has one worker.   [haptic, nonblocking]
+    TakenOver exchange(HapticLoop& loop, std::uint64_t delay = HapticLoop::adoption_delay) noexcept;
+    /// The body that each zone and step belongs to after the last `exchange`.   [haptic, nonblocking]
+    [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
     /// Undo or redo, as soon as it is made: an `exchange` will say so. False while another is under way.   [haptic,
     /// nonblocking]
     bool ask(Turn turn) noexcept;
     /// What came apart, if it is made by now.   [haptic, nonblocking]
-    [[nodiscard]] const Adoption* offered() const noexcept {
-        return offer_.is_out(restorations_) ? &offer_.made : nullptr;
+    [[nodiscard]] const Offer* offered() const noexcept {
+        return separation_.is_out(turns_) ? &separation_.offer : nullptr;
     }
 
     /// A record that removes bone; `exchange` does it. False when the queue is full: it is lost, and what the worker
@@ -74,60 +77,61 @@ public:
 
 private:
     struct Message {
-        enum class Kind { cut, placed, clear_of_bone, undo, redo, adopted, restored, dropped } kind;
-        CutRecord record{};       ///< of `restored`: only from which number on records are numbered
+        enum class Kind { cut, placed, clear_of_bone, undo, redo, parted, turned, dropped } kind;
+        CutRecord record{};       ///< of `turned`: only from which number on records are numbered
         std::uint16_t count = 0;  ///< of bodies
         Placing placing{};        ///< of the record's body
     };
-    /// Something made for the loop. It is the loop's from when it is out until it is answered.
-    template <class Made>
-    struct Offer {
+    /// An offer, which is the loop's from when it is out until it is answered.
+    struct Slot {
         enum State : std::uint64_t { none, out, taken, refused };
-        Made made;
-        /// What was made before the loop took over a restoration is void; the count of these is in the state, so that
-        /// the loop need not look at what the worker may be making anew.
+        Offer offer;
+        /// Offers made before the loop took a turn over are void; the count of turns is in the state, so that the loop
+        /// need not look at what the worker may be making anew.
         std::atomic<std::uint64_t> state{none};
 
-        void set(State now, std::uint64_t restorations) noexcept {
-            state.store(restorations << 2 | now, std::memory_order_release);
-        }
+        void set(State now, std::uint64_t turns) noexcept { state.store(turns << 2 | now, std::memory_order_release); }
         [[nodiscard]] bool is(State asked) const noexcept {
             return (state.load(std::memory_order_acquire) & 3) == asked;
         }
-        [[nodiscard]] bool is_out(std::uint64_t restorations) const noexcept {
-            return state.load(std::memory_order_acquire) == (restorations << 2 | out);
+        [[nodiscard]] bool is_out(std::uint64_t turns) const noexcept {
+            return state.load(std::memory_order_acquire) == (turns << 2 | out);
         }
     };
 
     bool send(const Message& message) noexcept;
-    void tell_cuts(const Simulation& simulation) noexcept;
-    void tell_placings(const Simulation& simulation) noexcept;
-    void take_restoration(Simulation& simulation, TakenOver& taken) noexcept;
+    void tell_cuts(const HapticLoop& loop) noexcept;
+    void tell_placings(const HapticLoop& loop) noexcept;
+    [[nodiscard]] bool take(Slot& slot, HapticLoop& loop) noexcept;
+    void take_turn(HapticLoop& loop, TakenOver& taken) noexcept;
 
     void work();
     [[nodiscard]] std::uint64_t take_all();
     void take(const Message& message);
-    void make_offer();
-    void make_restoration(Turn turn);
+    void offer_separation();
+    void withdraw_separation();
+    void offer_turn(Turn turn);
+    void withdraw_turn();
     void make_surface();
 
     // The loop's own.
-    Placings told_;  ///< where the worker knows the bodies to be
+    Placings told_;                 ///< where the worker knows the bodies to be
+    std::size_t told_records_ = 0;  ///< of those that the loop has closed in this tick
     bool is_told_clear_ = true;
     std::optional<Turn> asked_;  ///< to be told
-    bool is_asked_ = false;      ///< the worker knows
-    std::uint64_t restorations_ = 0;
+    Turn sent_turn_ = Turn::undo;
+    bool is_asked_ = false;  ///< the worker knows of it
+    std::uint64_t turns_ = 0;
+    Owners owners_;
 
     // The worker's own.
     Options options_;
-    PresentScene scene_;
+    BoneScene scene_;
     Placings placings_;
     std::vector<SurfacePatches> patches_;  ///< of each body
-    std::vector<std::uint64_t> next_;      ///< of each body: its first record not yet seen
-    std::uint64_t records_ = 0, restored_ = 0;
+    std::uint64_t turned_ = 0;
 
-    Offer<Adoption> offer_;
-    Offer<Restoration> restoration_;
+    Slot separation_, turn_;
     SpscRing<Message> queue_;
     std::atomic<std::uint64_t> lost_{0}, pushed_{0}, done_{0};
     mutable std::mutex mutex_;  ///< of what follows; the loop never takes it

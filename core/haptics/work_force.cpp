@@ -88,7 +88,7 @@ EndlessBoneLaw::EndlessBoneLaw(const ToolSetup& setup, std::size_t tissues) : st
     void* storage = state.storage.get();
     state.law = std::align(force.state_align, force.state_size, storage, space);
     const kerf_bone_query air{sizeof(kerf_bone_query), state.tissues, 1.0, &sample_air, &nearest_endless, nullptr};
-    kerf_tick_in in_air = tick_in_of(setup, air, Simulation::dt);
+    kerf_tick_in in_air = tick_in_of(setup, air, HapticLoop::dt);
     in_air.outline = &state.solid;
     call_begin(*setup.force, in_air, state.law);
     run_up(setup, in_air, state.law);
@@ -102,7 +102,7 @@ double EndlessBoneLaw::force(std::size_t material, double density, double feed_r
     const kerf_bone_query query{
         sizeof(kerf_bone_query), state_->tissues,  1.0,
         &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
-    kerf_tick_in in = tick_in_of(*state_->setup, query, Simulation::dt);
+    kerf_tick_in in = tick_in_of(*state_->setup, query, HapticLoop::dt);
     in.outline = &state_->solid;
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
@@ -110,7 +110,7 @@ double EndlessBoneLaw::force(std::size_t material, double density, double feed_r
     double along = 0.0;
     for (std::uint32_t c = 0; c < std::min(law.count, KERF_MAX_CHANNELS); ++c)
         if (is_sound(channels[c]))
-            along += channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, Simulation::dt).lambda;
+            along += channels[c].d[2] * channel_force(channels[c], channels[c].d[2] * feed_rate, HapticLoop::dt).lambda;
     return along;
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/field/body.h"
-#include "core/haptics/simulation.h"
+#include "core/haptics/haptic_loop.h"
 
 namespace kerf {
 

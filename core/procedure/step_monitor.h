@@ -11,6 +11,7 @@
 #include "core/field/cut_wall.h"
 #include "core/field/drilled_hole.h"
 #include "core/field/tool_solid.h"
+#include "core/haptics/owners.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
 
@@ -50,12 +51,6 @@ struct Observation {
     bool is_bone_ahead = true;                ///< present bone in front of the tip
     double tip_inside = 0.0;                  ///< [m] of the tip below the surface of the bone before any cut
     Vec3 handle{};                            ///< [m] the place that the device reported, world frame
-};
-
-/// Which body each thing of the anatomy belongs to, and moves with.
-struct Owners {
-    std::vector<std::size_t> zone;  ///< of each of the anatomy's zones
-    std::vector<std::size_t> step;  ///< of the frame of each step
 };
 
 /// How the tip went on where there was no bone to stop it.

@@ -39,9 +39,11 @@ Felt KerfRun::tick(const Pose& next) {
     Felt felt;
     felt.from = simulation_.world_from_tool();
     TickResult result;
-    felt.cost = processor_time_of(
-        [&] { result = way_ == Way::direct ? simulation_.tick_direct({next}) : simulation_.tick({next}); });
-    simulation_.after_tick();
+    felt.cost = processor_time_of([&] {
+        HapticLoop& loop = simulation_.loop();
+        result = way_ == Way::direct ? loop.tick_direct({next}) : loop.tick({next});
+    });
+    simulation_.follow();
     felt.rate = result.rate[2];
     felt.commanded = -dot(linear(result.command.wrench), rotate(next.rotation, {0, 0, 1}));
     const Quat tool_from_world = conjugate(felt.from.rotation);

@@ -30,7 +30,6 @@ bool go(const Body& body, const ToolSetup& setup, const Way& way, Met& met, std:
                           CouplingGains{.stiffness = 1.0, .force_limit = 1.0, .torque_limit = 1.0}, way.start);
     const auto tick = [&](double gone) {
         const TickResult result = simulation.tick_direct({at(way, gone)});
-        simulation.after_tick();
         return result;
     };
     for (int i = 0; i < run_up; ++i) (void)tick(0.0);
@@ -56,14 +55,13 @@ Cost cost_of(const Body& body, const ToolSetup& setup, const CouplingGains& gain
     Simulation simulation(body, setup, outline, gains, way.start);
     for (int i = 0; i < run_up; ++i) {
         (void)simulation.tick({way.start});
-        simulation.after_tick();
     }
     std::vector<double> microseconds;
     const int ticks = ticks_of(way);
     for (int i = 1; i <= ticks; ++i) {
         const DeviceSample sample{at(way, std::min(way.length, way.feed * Simulation::dt * i))};
-        microseconds.push_back(processor_time_of([&] { (void)simulation.tick(sample); }));
-        simulation.after_tick();
+        microseconds.push_back(processor_time_of([&] { (void)simulation.loop().tick(sample); }));
+        simulation.follow();
     }
     const Times times = times_of(std::move(microseconds));
     return {times.median, times.p999, times.longest};

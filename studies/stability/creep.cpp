@@ -110,7 +110,6 @@ Crept creep_in(const Place& place, const ToolUnderTest& tool, const CouplingGain
     Simulation simulation(place.body, tool.setup, outline, gains, at(above));
     const auto thrust_at = [&](double depth) {
         const double thrust = simulation.tick_direct({at(depth)}).thrust;
-        simulation.after_tick();
         return thrust;
     };
     return creep({thrust_at, [&](bool is_slow) { simulation.command_drive(0, told(is_slow)); }}, engaged, from, way);

@@ -27,7 +27,6 @@ double laid_flat(const Body& body, const ToolSetup& probe, const CouplingGains& 
     for (int i = 0; i < ticks; ++i) {
         const DeviceSample sample{lying(std::max(-depth, above - speed * Simulation::dt * i))};
         force = (is_direct ? simulation.tick_direct(sample) : simulation.tick(sample)).command.wrench[2];
-        simulation.after_tick();
     }
     return force;
 }

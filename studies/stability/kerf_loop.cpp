@@ -34,7 +34,6 @@ KerfLoop::KerfLoop(const Body& body, const ToolSetup& setup, const CouplingGains
 double KerfLoop::answer(double depth, std::uint32_t missed) {
     const DeviceSample sample{at_depth(depth, tilt_), missed};
     last_ = way_ == Way::solved ? simulation_.tick(sample) : simulation_.tick_direct(sample);
-    simulation_.after_tick();
     return -dot(linear(last_.command.wrench), along(tilt_));
 }
 

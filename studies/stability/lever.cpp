@@ -66,7 +66,6 @@ Levered lever_with(Method method, const Body& body, const CouplingGains& gains) 
             wrench = penalty(now, grip, gains);
         } else {
             wrench = simulation.tick({now}).command.wrench;
-            simulation.after_tick();
         }
         levered.most = std::max(levered.most, length(linear(wrench)));
     }

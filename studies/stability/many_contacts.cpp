@@ -38,14 +38,12 @@ Impact fall(const Body& body, const PortSettings& settings, int points, double s
     Simulation simulation(body, probe, outline, gains, lying(-1e-3));
     for (int i = 0; i < 20; ++i) {  // down to where the fall begins
         (void)simulation.tick({lying(-1e-3 + (1e-3 - above) * (i + 1) / 20.0)});
-        simulation.after_tick();
     }
     Impact impact;
     bool has_touched = false;
     for (int i = 0; i < ticks; ++i) {
         const DeviceSample sample{lying(port.reported())};
         const double force = (is_direct ? simulation.tick_direct(sample) : simulation.tick(sample)).command.wrench[2];
-        simulation.after_tick();
         impact.force = std::max(impact.force, force);
         has_touched = has_touched || force > 0.05;
         port.step(force, 0.0);

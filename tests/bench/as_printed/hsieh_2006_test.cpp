@@ -39,7 +39,6 @@ struct Sawing {
     TickResult go(double rate) {
         depth += rate * Simulation::dt;
         const TickResult r = simulation->tick_direct({test::at_depth(depth)});
-        simulation->after_tick();
         return r;
     }
     void to(double target, double rate = 2.0_mm_per_s) {

@@ -44,7 +44,6 @@ Outcome drill_with(const BlockKernel& kernel) {
                                             : 2.7_mm + 24.0_mm * (share - 0.75);
         const double sway = 0.05 + 0.02 * std::sin(20.0 * share);
         const TickResult result = simulation.tick({test::at_depth(-1.0_mm + depth, sway)});
-        simulation.after_tick();
         for (const double v : result.bone_on_tool) add_bits(felt, v);
         for (const double v : result.command.wrench) add_bits(felt, v);
         add_bits(felt, result.world_from_tool.position.z);

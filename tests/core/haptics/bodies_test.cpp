@@ -43,7 +43,6 @@ TEST(Bodies, ASeveredBarBecomesTwoWithAllTheBoneThatWasNotCut) {
     std::uint64_t adopted = 0;
     while (milled.x < 4.0_mm) {
         milled.go();
-        milled.simulation.after_tick();
         for (auto& s : milled.simulation.take_separations()) {
             separations.push_back(std::move(s));
             adopted = milled.simulation.ticks();
@@ -76,7 +75,6 @@ TEST(Bodies, TheToolFeelsBothPiecesWhereTheyAre) {
     milled.simulation.look_for_pieces(1e-9);
     while (milled.x < 4.0_mm) {
         milled.go();
-        milled.simulation.after_tick();
     }
     ASSERT_EQ(milled.simulation.bodies().size(), 2u);
     const auto felt = [&](double y) {
@@ -105,7 +103,6 @@ TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
     milled.simulation.look_for_pieces(1e-9);
     while (milled.x < 4.0_mm) {
         milled.go();
-        milled.simulation.after_tick();
     }
     ASSERT_EQ(milled.simulation.bodies().size(), 2u);
     // Given the end 1 mm nearer to the stump, 0.2 mm from it, so that one way of the mill takes from both
@@ -118,7 +115,6 @@ TEST(Bodies, ACutThroughTwoBodiesAtOnceIsRecordedInEachFrame) {
         milled.simulation.tick({test::mill_at(x, 1.5_mm)});
         for (const CutRecord& record : milled.simulation.closed())
             if (record.removes) ++records[record.body];
-        milled.simulation.after_tick();
     }
     milled.simulation.finish();
     // Then it took from both

@@ -28,7 +28,6 @@ TEST(FastMotion, AProbeDoesNotPassThroughAThinPlate) {
         for (int t = 0; t < 8; ++t) {
             depth += 1.0_mm;
             felt = std::max(felt, simulation.tick({test::at_depth(depth)}).thrust);
-            simulation.after_tick();
         }
         EXPECT_GT(felt, 0.1) << "phase " << phase;
         EXPECT_GT(simulation.world_from_tool().position.z, -0.1_mm) << "it stands on the plate, phase " << phase;
@@ -42,7 +41,6 @@ TEST(FastMotion, ItIsDoneInPartsOnlyWithBoneInReach) {
     int most_far = 0, most_near = 0;
     for (double depth = -60.0_mm; depth < -2.0_mm; depth += 0.5_mm) {
         const TickResult r = simulation.tick({test::at_depth(depth)});
-        simulation.after_tick();
         (-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near) =
             std::max(-simulation.world_from_tool().position.z < -20.0_mm ? most_far : most_near, r.parts);
     }
@@ -60,7 +58,6 @@ TEST(FastMotion, AToolThatBoneResistsIsNoFasterThanAMetreASecond) {
     int resisted = 0;
     for (int t = 0; t < 40; ++t) {
         const TickResult r = simulation.tick({test::at_depth(-30.0_mm + 5.0_mm * t)});
-        simulation.after_tick();
         const Pose now = simulation.world_from_tool();
         if (last.position.z < 4.0_mm) {
             const bool was_resisted = length(linear(r.bone_on_tool)) > 0.0;
@@ -85,7 +82,6 @@ TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
     double depth = -0.5_mm, x = 0.0;
     const auto go = [&] {
         const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {x, 0, 0})});
-        simulation.after_tick();
         return r;
     };
     for (; depth < 3.0_mm; depth += 0.01_mm) (void)go();
@@ -121,16 +117,13 @@ TEST(FastMotion, APushThroughSoftBoneLeavesNothingStanding) {
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-2.0_mm));
     for (int i = 0; i < 100; ++i) {  // it runs up
         (void)simulation.tick({test::at_depth(-2.0_mm)});
-        simulation.after_tick();
     }
     int most = 0;
     for (double depth = -2.0_mm; depth < 14.0_mm; depth += 1.0_mm) {
         most = std::max(most, simulation.tick({test::at_depth(depth)}).parts);
-        simulation.after_tick();
     }
     for (int i = 0; i < 60; ++i) {
         (void)simulation.tick({test::at_depth(14.0_mm)});
-        simulation.after_tick();
     }
     simulation.finish();
     ASSERT_GE(most, 3);

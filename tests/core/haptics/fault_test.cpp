@@ -32,7 +32,6 @@ struct Pressed {
     }
     TickResult tick(const Pose& hand) {
         const TickResult result = simulation.tick({hand});
-        simulation.after_tick();
         for (std::size_t i = 0; i < result.event_count; ++i) events.emplace_back(result.events[i]);
         return result;
     }
@@ -90,7 +89,6 @@ TEST(Fault, WhileForceComesBackAHandThatFliesIntoTheWallMeetsItByALittleMoreEach
     Pressed rig;
     double depth = 1.0_mm, last = 0.0, steepest = 0.0;
     (void)rig.simulation.tick({test::at_depth(depth), 100});
-    rig.simulation.after_tick();
     for (int i = 0; i < 30; ++i)
         last = felt(rig.tick(test::at_depth(depth -= 0.01_mm)));  // 24 ms of the 50: 4 N would be allowed
     for (int i = 0; i < 60; ++i) {  // far beyond the 50 ms: for as long as it is the bound that holds the force
@@ -109,7 +107,6 @@ TEST(Fault, TwoMissedTicksAreHeldAndThreeFadeTheForce) {
         const double pressed = felt(rig.tick(test::at_depth(1.0_mm)));
         // Meanwhile the hand went on by 0.1 mm a tick.
         const TickResult after = rig.simulation.tick({test::at_depth(1.0_mm + 0.1_mm * std::min(missed, 10u)), missed});
-        rig.simulation.after_tick();
         EXPECT_EQ(after.is_barred, missed >= 3) << missed;
         if (missed < 3) {
             EXPECT_NEAR(felt(after), pressed + 0.048 * missed, 0.1) << "held, and the rate is not taken for a tick's";
@@ -125,7 +122,6 @@ TEST(Fault, RestartsTheBalanceWhenAnchoredAgain) {
     Pressed rig;
     double depth = 1.0_mm;
     (void)rig.simulation.tick({test::at_depth(depth), 100});
-    rig.simulation.after_tick();
     const auto go_out = [&] { return rig.tick(test::at_depth(depth -= 1.0_mm)); };
     while (go_out().is_barred) {
     }

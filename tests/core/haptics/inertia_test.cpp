@@ -28,7 +28,6 @@ struct InAir {
         Pose hand = start();
         hand.position = hand.position + moved;
         const TickResult result = simulation.tick({hand});
-        simulation.after_tick();
         return result;
     }
     /// What pulls back a hand [bone newtons] that goes along `way` ever faster, after the first swing has died out.

@@ -156,7 +156,6 @@ std::vector<std::string> pushed_sideways(double stiffness, double spacing) {
     const auto go = [&](double from, double to) {
         for (int i = 1; i <= 300; ++i) {
             const TickResult result = simulation.tick({at(from + (to - from) * i / 300)});
-            simulation.after_tick();
             for (std::size_t e = 0; e < result.event_count; ++e) events.emplace_back(result.events[e]);
         }
     };

@@ -83,12 +83,12 @@ TEST(LoopGuard, TheTickNeitherAllocatesNorLocksNorThrows) {
     bool was_fast = false, was_barred = false;
     for (std::size_t i = 0; i < way.size(); ++i) {
         const test::Forbidden before = test::forbidden_here();
-        const TickResult result = rig.simulation.tick({way[i]});
+        const TickResult result = rig.simulation.loop().tick({way[i]});
         const test::Forbidden after = test::forbidden_here();
         ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         was_fast = was_fast || result.parts > 1;
         was_barred = was_barred || result.is_barred;
-        rig.simulation.after_tick();
+        rig.simulation.follow();
     }
     EXPECT_TRUE(was_fast && was_barred) << "the way was eventful";
     EXPECT_GT(way.size(), 2000u);
@@ -100,11 +100,11 @@ TEST(LoopGuard, NorWhileATipThatDoesNotTurnStandsCrushesAndBreaksThrough) {
     for (std::size_t i = 0; i < 4000; ++i) {
         const DeviceSample hand{test::at_depth(-0.2_mm + 2.0_um * static_cast<double>(i))};
         const test::Forbidden before = test::forbidden_here();
-        const TickResult result = rig.simulation.tick_direct(hand);
+        const TickResult result = rig.simulation.loop().tick_direct(hand);
         const test::Forbidden after = test::forbidden_here();
         ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         for (std::size_t n = 0; n < result.event_count; ++n) happened.emplace_back(result.events[n]);
-        rig.simulation.after_tick();
+        rig.simulation.follow();
     }
     EXPECT_EQ(happened, (std::vector<std::string>{"drilling.crushing", "drilling.wall_broken"}));
 }
@@ -112,17 +112,16 @@ TEST(LoopGuard, NorWhileATipThatDoesNotTurnStandsCrushesAndBreaksThrough) {
 TEST(LoopGuard, TheTickMakesNoSystemCall) {
     Rig rig;
     const std::vector<Pose> way = eventful_way();
-    constexpr std::size_t stretch = 25;  // ticks in one child: what fits without after_tick
+    constexpr std::size_t stretch = 25;  // ticks in one child
     for (std::size_t i = 0; i + stretch < way.size(); i += 4 * stretch) {
         const auto calls = test::system_calls_of([&] {
-            for (std::size_t t = 0; t < stretch; ++t) (void)rig.simulation.tick({way[i + t]});
+            for (std::size_t t = 0; t < stretch; ++t) (void)rig.simulation.loop().tick({way[i + t]});
         });
         if (calls == test::SystemCalls::cannot_tell)
             GTEST_SKIP() << "this kernel does not let a process forbid itself system calls";
         ASSERT_EQ(calls, test::SystemCalls::none) << "between ticks " << i << " and " << i + stretch;
         for (std::size_t t = 0; t < 4 * stretch && i + t < way.size(); ++t) {
             (void)rig.simulation.tick({way[i + t]});
-            rig.simulation.after_tick();
         }
     }
 }

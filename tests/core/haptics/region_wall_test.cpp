@@ -31,7 +31,6 @@ TEST(RegionWall, ADrillCutsUpToTheRegionsEndAndStands) {
     for (int i = 0; i < 6000; ++i) {
         const double depth = -simulation.world_from_tool().position.z;
         const TickResult r = simulation.tick({test::at_depth(depth + 170.0 * gains.force_scale / gains.stiffness)});
-        simulation.after_tick();
         for (std::size_t e = 0; e < r.event_count; ++e) left += std::string_view(r.events[e]) == "haptics.left_region";
         thrust = r.thrust;
     }
@@ -50,7 +49,6 @@ TEST(RegionWall, FromOutsideItIsMetWhereItsSurfaceIs) {
         double most_across = 0.0, thrust = 0.0;
         for (double depth = -1.0_mm; depth < 3.0_mm; depth += 2.0_um) {
             const TickResult r = simulation.tick({over(depth)});
-            simulation.after_tick();
             most_across = std::max(most_across, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]));
             thrust = r.thrust;
         }
@@ -67,7 +65,6 @@ TEST(RegionWall, BeyondTheRegionAirIsAir) {
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-5.0_mm));
     for (double depth = -5.0_mm; depth > -20.0_mm; depth -= 0.02_mm) {
         const TickResult r = simulation.tick({test::at_depth(depth)});
-        simulation.after_tick();
         ASSERT_LT(std::abs(r.thrust), 1e-9);
         for (std::size_t e = 0; e < r.event_count; ++e) EXPECT_STRNE(r.events[e], "haptics.left_region");
     }

@@ -51,13 +51,11 @@ struct Bench {
         for (int i = 1; i <= ticks; ++i) {
             hand.position = from + (static_cast<double>(i) / ticks) * (to - from);
             last = simulation.tick({hand});
-            simulation.after_tick();
         }
     }
     void wait(int ticks) {
         for (int i = 0; i < ticks; ++i) {
             last = simulation.tick({hand});
-            simulation.after_tick();
         }
     }
     /// Through the bar at `y` and back into the air behind it.
@@ -202,9 +200,9 @@ TEST(HeldBody, HoldingNeitherAllocatesNorLocks) {
     for (int i = 0; i < 300; ++i) {
         bench.hand.position.y -= 5.0_um;
         const test::Forbidden before = test::forbidden_here();
-        bench.last = bench.simulation.tick({bench.hand});
+        bench.last = bench.simulation.loop().tick({bench.hand});
         EXPECT_EQ(test::forbidden_here(), before);
-        bench.simulation.after_tick();
+        bench.simulation.follow();
     }
     EXPECT_GT(linear(bench.last.coupled_on_hand).y, 0.1);
 }

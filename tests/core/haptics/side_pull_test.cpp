@@ -65,7 +65,6 @@ TEST(SidePull, CrossedAndStrongItSettlesWhereItBalances) {
             hand.position.x += 40.0 * gains.force_scale / gains.stiffness;
             last = now;
             now = simulation.tick({hand});
-            simulation.after_tick();
             largest = std::max(largest, std::hypot(now.rate[0], now.rate[1]));
             ASSERT_FALSE(now.is_quarantined);
         }
@@ -127,7 +126,6 @@ Deflected deflected(const char* device, double scale, double force) {
     Quat half_way{};
     for (int i = 0; i < 2000; ++i) {
         (void)simulation.tick({handle});
-        simulation.after_tick();
         if (i == 1000) half_way = simulation.world_from_tool().rotation;
     }
     const Pose tool = simulation.world_from_tool();

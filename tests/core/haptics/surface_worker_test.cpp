@@ -23,6 +23,21 @@ namespace {
 using namespace literals;
 using test::Milled;
 
+/// The loop alone.
+struct MilledLoop {
+    Body body = test::bar(0.2e-3);
+    ToolSetup setup = test::mill();
+    ToolOutline outline = test::outline(setup);
+    HapticLoop loop{body, setup, outline, gains_for(*find_device("premium-1.5-6dof"), 0.1), test::mill_at(-3.0e-3)};
+    double x = -3.0e-3;
+
+    /// One tick of the hand on its way along x, 2 µm.
+    TickResult go(double y = 2.0e-3) {
+        x += 2e-6;
+        return loop.tick({test::mill_at(x, y)});
+    }
+};
+
 /// All that is handed out is what a surface made anew would be.
 void expect_whole_surface(SurfaceWorker& worker, const Body& body, std::size_t bodies) {
     const auto surface = worker.surface();
@@ -92,7 +107,7 @@ struct Ended {
     std::vector<std::size_t> bodies;
     std::vector<Pose> way;
 
-    void add(const Simulation& simulation, const PresentBone& bone) {
+    void add(const auto& simulation, const PresentBone& bone) {
         for (std::size_t b = 0; b < bone.count(); ++b) hashes.push_back(bone.cut(b).hash());
         for (std::size_t b = 0; b < simulation.bodies().size(); ++b)
             committed.push_back(simulation.committed(b).hash());
@@ -101,7 +116,7 @@ struct Ended {
 
 /// On the clock: the worker is asked as it comes, and is slow now and then. `late`: how slow.
 Ended live(const Script& script, unsigned late) {
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     Ended ended;
     auto next_turn = script.turns.begin();
@@ -109,20 +124,20 @@ Ended live(const Script& script, unsigned late) {
         if (next_turn != script.turns.end() && next_turn->first == i) {
             EXPECT_TRUE(worker.ask(next_turn++->second));
         }
-        ended.way.push_back(milled.simulation.tick({script.way[i]}).world_from_tool);
-        const std::uint64_t ticks = milled.simulation.ticks();
+        ended.way.push_back(milled.loop.tick({script.way[i]}).world_from_tool);
+        const std::uint64_t ticks = milled.loop.ticks();
         // However slow this machine is, the worker is never behind for long.
         if (late == 0 || ticks % (25 + late % 100) == 0) worker.wait_for_all();
         if (late > 0 && ticks % 97 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1 + ticks * 7 % 10));
-        const SurfaceWorker::TakenOver taken = worker.exchange(milled.simulation, Simulation::adoption_delay + late);
+        const SurfaceWorker::TakenOver taken = worker.exchange(milled.loop, Simulation::adoption_delay + late);
         if (taken.separation) ended.adopted_at.push_back(ticks);
         if (taken.turn) ended.turned_at.emplace_back(ticks, *taken.turn);
         EXPECT_FALSE(taken.refused_turn) << "tick " << ticks;
-        milled.simulation.make_room();
-        ended.bodies.push_back(milled.simulation.bodies().size());
+        milled.loop.make_room();
+        ended.bodies.push_back(milled.loop.bodies().size());
     }
     worker.wait_for_all();
-    ended.add(milled.simulation, worker.bone());
+    ended.add(milled.loop, worker.bone());
     EXPECT_EQ(worker.lost(), 0u);
     return ended;
 }
@@ -135,7 +150,6 @@ Ended lock_step(const Script& script, const Ended& recorded) {
     auto next_turn = recorded.turned_at.begin();
     for (const Pose& hand : script.way) {
         ended.way.push_back(milled.simulation.tick({hand}).world_from_tool);
-        milled.simulation.after_tick();
         const std::uint64_t ticks = milled.simulation.ticks();
         for (std::size_t n = milled.simulation.take_separations().size(); n > 0; --n) ended.adopted_at.push_back(ticks);
         for (; next_turn != recorded.turned_at.end() && next_turn->first == ticks; ++next_turn) {
@@ -197,13 +211,13 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     Script script;
     script.sever(2.0_mm);
     script.go_to({12.0_mm, 2.0_mm, 6.0_mm}, Script::in_air);
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     const auto step = [&](const Pose& hand) {
-        milled.simulation.tick({hand});
+        milled.loop.tick({hand});
         worker.wait_for_all();
-        const auto taken = worker.exchange(milled.simulation);
-        milled.simulation.make_room();
+        const auto taken = worker.exchange(milled.loop);
+        milled.loop.make_room();
         return taken;
     };
     std::optional<CutField> before;
@@ -213,7 +227,7 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     }
     const CutField& uncut =
         before.value();  // the mill began so near that it changed distances in the air, and that is no cut
-    ASSERT_EQ(milled.simulation.bodies().size(), 2u);
+    ASSERT_EQ(milled.loop.bodies().size(), 2u);
     ASSERT_EQ(worker.surface()->patches.size(), 2u);
 
     ASSERT_TRUE(worker.ask(Turn::undo));
@@ -222,8 +236,8 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     EXPECT_FALSE(worker.ask(Turn::undo));
     EXPECT_EQ(step(script.way.back()).turn, Turn::undo);
     worker.wait_for_all();
-    EXPECT_EQ(milled.simulation.bodies().size(), 1u);
-    EXPECT_TRUE(milled.simulation.committed().same_bits(uncut));
+    EXPECT_EQ(milled.loop.bodies().size(), 1u);
+    EXPECT_TRUE(milled.loop.committed().same_bits(uncut));
     EXPECT_TRUE(worker.bone().cut().same_bits(uncut));
     EXPECT_EQ(worker.bone().removed(), 0.0);
     expect_whole_surface(worker, milled.body, 1);
@@ -236,26 +250,26 @@ TEST(SurfaceWorker, UndoBringsBackTheUncutBoneAndItsSurface) {
     step(script.way.back());
     EXPECT_EQ(step(script.way.back()).turn, Turn::redo);
     worker.wait_for_all();
-    EXPECT_EQ(milled.simulation.bodies().size(), 2u);
+    EXPECT_EQ(milled.loop.bodies().size(), 2u);
     expect_whole_surface(worker, milled.body, 2);
 }
 
 TEST(SurfaceWorker, UndoIsRefusedWhileTheToolIsInBone) {
     Script script;
     script.sever(2.0_mm);
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     std::optional<Turn> refused, turned;
     for (std::size_t i = 0; i + 800 < script.way.size(); ++i) {
         if (i + 1000 == script.way.size()) {
             ASSERT_TRUE(worker.ask(Turn::undo));
         }
-        milled.simulation.tick({script.way[i]});
+        milled.loop.tick({script.way[i]});
         if (i + 900 == script.way.size()) worker.wait_for_all();
-        const auto taken = worker.exchange(milled.simulation);
+        const auto taken = worker.exchange(milled.loop);
         if (taken.refused_turn) refused = taken.refused_turn;
         if (taken.turn) turned = taken.turn;
-        milled.simulation.make_room();
+        milled.loop.make_room();
     }
     EXPECT_EQ(refused, Turn::undo);
     EXPECT_FALSE(turned);
@@ -265,32 +279,32 @@ TEST(SurfaceWorker, UndoIsRefusedWhileTheToolIsInBone) {
 
 TEST(SurfaceWorker, TakingACutBackNeitherAllocatesNorWaits) {
     const Script script = changes_of_mind();
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     auto next_turn = script.turns.begin();
     std::size_t turned = 0;
     for (std::size_t i = 0; i < script.way.size(); ++i) {
         const test::Forbidden before = test::forbidden_here();
         if (next_turn != script.turns.end() && next_turn->first == i) (void)worker.ask(next_turn++->second);
-        milled.simulation.tick({script.way[i]});
-        turned += worker.exchange(milled.simulation).turn ? 1 : 0;
+        milled.loop.tick({script.way[i]});
+        turned += worker.exchange(milled.loop).turn ? 1 : 0;
         EXPECT_EQ(test::forbidden_here(), before) << "tick " << i;
-        milled.simulation.make_room();
+        milled.loop.make_room();
         if (i % 10 == 0) worker.wait_for_all();
     }
     EXPECT_EQ(turned, script.turns.size());
 }
 
 TEST(SurfaceWorker, PublishesTheSurfaceOfEachBody) {
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     const auto at_first = worker.surface();
     ASSERT_EQ(at_first->patches.size(), 1u);
     while (milled.x < 4.0_mm) {
         milled.go();
-        milled.simulation.make_room();
-        if (milled.simulation.ticks() % 10 == 0) worker.wait_for_all();
-        (void)worker.exchange(milled.simulation);
+        milled.loop.make_room();
+        if (milled.loop.ticks() % 10 == 0) worker.wait_for_all();
+        (void)worker.exchange(milled.loop);
     }
     worker.wait_for_all();
     EXPECT_GT(worker.surface()->version, at_first->version);
@@ -307,7 +321,7 @@ std::size_t triangles_of(const SurfaceWorker::Surface& surface, std::size_t bric
 
 TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
     // Given a reader who takes one surface after the other, and keeps the first
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     const std::size_t bricks = milled.body.grid().brick_count();
     const auto first = worker.surface();
@@ -327,8 +341,8 @@ TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
     // When bone is milled, and nobody waits for the worker
     while (milled.x < 0.0_mm) {
         milled.go();
-        (void)worker.exchange(milled.simulation);
-        milled.simulation.make_room();
+        (void)worker.exchange(milled.loop);
+        milled.loop.make_room();
     }
 
     // Then the reader comes to see it, and what it kept has not changed
@@ -337,16 +351,16 @@ TEST(SurfaceWorker, AReaderOnAThreadOfItsOwnSeesNewSurfacesAndKeepsTheOld) {
 }
 
 TEST(SurfaceWorker, AdoptingWhatItMadeNeitherAllocatesNorWaits) {
-    Milled milled;
+    MilledLoop milled;
     SurfaceWorker worker(milled.body, {&milled.outline.cutting}, {.crumb = 1e-9});
     bool has_adopted = false;
     while (milled.x < 4.0_mm) {
         const test::Forbidden before = test::forbidden_here();
         milled.go();
-        has_adopted = worker.exchange(milled.simulation).separation || has_adopted;
-        EXPECT_EQ(test::forbidden_here(), before) << "tick " << milled.simulation.ticks();
-        milled.simulation.make_room();
-        if (milled.simulation.ticks() % 10 == 0) worker.wait_for_all();
+        has_adopted = worker.exchange(milled.loop).separation || has_adopted;
+        EXPECT_EQ(test::forbidden_here(), before) << "tick " << milled.loop.ticks();
+        milled.loop.make_room();
+        if (milled.loop.ticks() % 10 == 0) worker.wait_for_all();
     }
     EXPECT_TRUE(has_adopted);
 }

@@ -30,7 +30,6 @@ struct Rig {
 
     TickResult tick(const Pose& hand) {
         const TickResult result = simulation.tick({hand});
-        simulation.after_tick();
         return result;
     }
     /// The hand pushes `push` [N] past where the tool is.

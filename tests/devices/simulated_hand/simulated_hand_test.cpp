@@ -123,7 +123,6 @@ double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
     double low = 1.0, high = -1.0;
     for (int i = 0; i < 12000; ++i) {
         hand.step(simulation.tick({hand.reported()}).command, simulation.world_from_tool().position);
-        simulation.after_tick();
         if (i < 11000) continue;
         low = std::min(low, hand.reported().position.z);
         high = std::max(high, hand.reported().position.z);
@@ -148,7 +147,6 @@ double plunge(double push, double reaction) {
     // Up to the middle of the far cortex by hand and clockwork, so that only the breakthrough is compared.
     for (double depth = -1.0_mm; depth < 15.0_mm; depth += 4.0_um) {
         (void)simulation.tick_direct({test::at_depth(depth)});
-        simulation.after_tick();
     }
     const Pose start = simulation.world_from_tool();
     SimulatedHand hand(
@@ -160,7 +158,6 @@ double plunge(double push, double reaction) {
     int after_clearing = 0;
     while (after_clearing < 1500 && simulation.ticks() < 60000) {
         const TickResult result = simulation.tick({hand.reported()});
-        simulation.after_tick();
         hand.step(result.command, result.world_from_tool.position);
         const double depth = -result.world_from_tool.position.z;
         if (depth > test::Slab::third + 0.96_mm) ++after_clearing;

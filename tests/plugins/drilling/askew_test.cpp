@@ -29,7 +29,6 @@ struct Bored {
         for (double hand = -0.1_mm; hand < depth; hand += feed * Simulation::dt) {
             const Vec3 from = simulation.world_from_tool().position;
             (void)simulation.tick({test::at_depth(hand, tilt)});
-            simulation.after_tick();
             const Vec3 way = simulation.world_from_tool().position - from;
             turned_back += dot(way, last) < 0.0 && std::min(length(way), length(last)) > 10.0_um;
             last = way;
@@ -73,7 +72,6 @@ TEST(Askew, ADrillThatSkidsChattersByItselfAndNotByTheTick) {
         for (int tick = 0; tick < ticks; ++tick) {
             const Vec3 from = simulation.world_from_tool().position;
             (void)simulation.tick({test::at_depth(-2.6_mm + feed * (tick + 1) * period, tilt)});
-            simulation.after_tick();
             const double across = (simulation.world_from_tool().position.x - from.x) / period;
             if (tick >= ticks / 2) found.speed += across * across / (0.5 * ticks);
         }
@@ -117,7 +115,6 @@ TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
         for (double depth = -0.1_mm; depth < 20.0_mm; depth += 4.0_um) {
             const double aside = 4.0_mm * std::clamp((depth - 8.0_mm) / 8.0_mm, 0.0, 1.0);
             (void)simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
-            simulation.after_tick();
         }
         return simulation.world_from_tool().position;
     };
@@ -146,7 +143,6 @@ struct Pull {
                               test::at_depth(-0.1_mm));
         const auto go = [&](double depth, double aside) {
             const double across = -simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})}).bone_on_tool[0];
-            simulation.after_tick();
             return across;
         };
         for (double depth = -0.1_mm; depth < depth_of_hole; depth += 4.0_um) (void)go(depth, 0.0);

@@ -95,7 +95,6 @@ TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
     double stress_when_told = 0.0, least_not_told = 0.0;
     const auto go = [&](double depth, double aside) {
         const TickResult r = simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});
-        simulation.after_tick();
         const double stress = signals_of<drilling::DrillCutting>(simulation.signals()).bending_stress;
         for (std::size_t i = 0; i < r.event_count; ++i)
             if (std::string(r.events[i]) == "drilling.bit_overbent" && told++ == 0) stress_when_told = stress;

@@ -61,7 +61,6 @@ struct Awl {
     }
     [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
     TickResult tell(const TickResult& r) {
-        simulation.after_tick();
         for (std::size_t i = 0; i < r.event_count; ++i) broke += std::string(r.events[i]) == "drilling.wall_broken";
         return r;
     }

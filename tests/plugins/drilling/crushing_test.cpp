@@ -53,13 +53,11 @@ struct Rig {
     [[nodiscard]] double depth() const { return -simulation.world_from_tool().position.z; }
     TickResult go(const Pose& hand) {
         const TickResult r = simulation.tick({hand});
-        simulation.after_tick();
         for (std::size_t i = 0; i < r.event_count; ++i) begun += std::string(r.events[i]) == "drilling.crushing";
         return r;
     }
     TickResult go_direct(const Pose& tool) {
         const TickResult r = simulation.tick_direct({tool});
-        simulation.after_tick();
         return r;
     }
     /// With a hand that pushes so hard wherever the drill is.

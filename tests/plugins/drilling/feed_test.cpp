@@ -28,7 +28,6 @@ std::vector<Felt> feed(const Body& body, const ToolSetup& setup, double rate, do
     while (at < depth) {
         const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt, 0.0, entry)});
         EXPECT_FALSE(r.is_quarantined);
-        simulation.after_tick();
         felt.push_back({at, r.thrust, r.torque, std::hypot(r.bone_on_tool[0], r.bone_on_tool[1])});
         at += rate * Simulation::dt;
     }
@@ -99,7 +98,6 @@ TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     double work = 0.0, at = -1.0_mm, from_volume = 0.0, revolutions = 0.0;
     while (at < 6.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt)});
-        simulation.after_tick();
         at += rate * Simulation::dt;
         if (at < 2.5_mm) {
             from_volume = simulation.present().removed();
@@ -176,7 +174,6 @@ TEST(DrillThrust, OpposesTheMotionOnBothStrokes) {
             const double t = static_cast<double>(i) / ticks;
             const TickResult r = simulation.tick_direct({test::at_depth(
                 depth_from + t * (depth_to - depth_from), 0.0, {aside_from + t * (aside_to - aside_from), 0, 0})});
-            simulation.after_tick();
             work += dot(linear(r.bone_on_tool), r.world_from_tool.position - last);
             last = r.world_from_tool.position;
         }
@@ -199,7 +196,6 @@ TEST(DrillThrust, WithoutFeedThereIsNone) {
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
     for (double at = -1.0_mm; at < 3.0_mm; at += 2.0_um) {
         (void)simulation.tick_direct({test::at_depth(at)});
-        simulation.after_tick();
     }
     const Pose here = simulation.world_from_tool();
     for (int i = 0; i < 50; ++i) EXPECT_EQ(simulation.tick_direct({here}).thrust, 0.0);
@@ -217,7 +213,6 @@ TEST(DrillThrust, IsGoneWhenReEnteringTheHole) {
             while (std::abs(target - at) > 1e-12) {
                 at += std::clamp(target - at, -rate * Simulation::dt, rate * Simulation::dt);
                 const double thrust = simulation.tick_direct({test::at_depth(at)}).thrust;
-                simulation.after_tick();
                 worst = std::max(worst, thrust);
             }
         };
@@ -261,7 +256,6 @@ TEST(Heel, StandsOnWhatIsFedBeyondTheRelief) {
         double felt = 0.0;
         for (double depth = -0.5_mm; depth < 9.0_mm; depth += rate * period) {
             felt = simulation.tick_direct({test::at_depth(depth)}).thrust;
-            simulation.after_tick();
         }
         return felt;
     };
@@ -283,7 +277,6 @@ TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     double at = -1.0_mm, largest_x = 0.0, least_x = 0.0, mean = 0.0, count = 0.0, thrust = 0.0;
     while (at < 4.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at)});
-        simulation.after_tick();
         at += 2.0_um;
         if (at < 2.5_mm) continue;
         largest_x = std::max(largest_x, r.bone_on_tool[0]);

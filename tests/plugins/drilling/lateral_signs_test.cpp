@@ -44,7 +44,6 @@ TEST(DrillInHalfABlock, IsPushedOutAndAgainstItsTurn) {
         double thrust = 0.0;
         for (double depth = -0.05_mm; depth < 0.8_mm; depth += 1.0_um) {
             const TickResult r = simulation.tick_direct({test::at_depth(depth)});
-            simulation.after_tick();
             if (depth < 0.5_mm) continue;  // five turns from there on
             const Felt felt = in_tool(simulation, r.bone_on_tool);
             mean.force = mean.force + felt.force;
@@ -74,13 +73,11 @@ TEST(DrillInItsHole, IsResistedAlikeWhicheverWayItIsMoved) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
         for (double depth = -0.5_mm; depth < 5.0_mm; depth += 2.0_um) {
             (void)simulation.tick_direct({test::at_depth(depth)});
-            simulation.after_tick();
         }
         Felt sum;
         int count = 0;
         for (double aside = 0.0; aside < 0.6_mm; aside += 1.0_um) {
             const TickResult r = simulation.tick_direct({test::at_depth(5.0_mm, 0.0, aside * side)});
-            simulation.after_tick();
             if (aside < 0.3_mm) continue;
             const Felt felt = in_tool(simulation, r.bone_on_tool);
             sum.force = sum.force + felt.force;

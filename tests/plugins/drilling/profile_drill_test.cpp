@@ -59,7 +59,6 @@ Drilled drill_down(const ToolSetup& setup, double depth, double feed = 4.0e-3, d
     Drilled drilled;
     for (double at = -1.0_mm; at < depth; at += feed * Simulation::dt) {
         drilled.last = simulation.tick_direct({test::at_depth(at)});
-        simulation.after_tick();
     }
     for (const kerf_channel& c : test::law_now(simulation)) drilled.channels[c.id] = c;
     simulation.finish();
@@ -150,10 +149,8 @@ TEST(ProfileDrill, ShankThinnerThanItsHoleTouchesNothing) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
         for (double at = -1.0_mm; at < 14.0_mm; at += 4.0_um) {
             (void)simulation.tick_direct({test::at_depth(at)});
-            simulation.after_tick();
         }
         (void)simulation.tick_direct({test::at_depth(14.0_mm, 0.0, {0.15_mm, 0, 0})});
-        simulation.after_tick();
         int touching = 0;
         for (const kerf_channel& c : test::law_now(simulation)) touching += c.kind == KERF_CONTACT && c.delta > 0.0;
         return touching;
@@ -199,7 +196,6 @@ TEST(ProfileDrill, SwitchedOffItStandsOnItsHeadAsABlunterToolDoes) {
     TickResult r;
     for (double hand = -0.2_mm; hand < 3.0_mm; hand += 4.0_um) {
         r = simulation.tick({test::at_depth(hand)});
-        simulation.after_tick();
     }
     EXPECT_GT(r.thrust, 20.0) << "N";
     EXPECT_LT(-simulation.world_from_tool().position.z, 0.3_mm);

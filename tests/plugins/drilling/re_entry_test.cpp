@@ -37,7 +37,6 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
             const auto go = [&](double speed) {
                 depth += speed * Simulation::dt;
                 const double thrust = simulation.tick_direct({test::at_depth(depth)}).thrust;
-                simulation.after_tick();
                 return std::abs(thrust);
             };
             while (depth < deep) (void)go(8.0_mm_per_s);
@@ -59,7 +58,6 @@ TEST(InItsHole, HandNoiseIsNotFeltAcrossTheDrill) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
         const auto felt_across = [&](const Pose& pose) {
             const TickResult r = simulation.tick_direct({pose});
-            simulation.after_tick();
             return std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]);
         };
         for (double depth = -0.5_mm; depth < 6.0_mm; depth += 2.0_um) (void)felt_across(test::at_depth(depth));

@@ -29,7 +29,6 @@ Felt push_into_bone(const Plant& arm, bool is_direct) {
     for (int i = 0; i < 3000; ++i) {
         const DeviceSample sample{test::at_depth(std::floor(depth / arm.resolution + 0.5) * arm.resolution)};
         const TickResult result = is_direct ? simulation.tick_direct(sample) : simulation.tick(sample);
-        simulation.after_tick();
         const double force = result.command.wrench[2];
         if (const double tip = -result.world_from_tool.position.z; tip > 2.0_mm && tip < 25.0_mm) {
             sum += (force - last) * (force - last);

@@ -30,7 +30,6 @@ double farthest_aside(double deep) {
         const Vec3 begun = simulation.world_from_tool().position;
         for (int i = 0; i < ticks; ++i) {
             (void)simulation.tick({test::at_depth(depth)});
-            simulation.after_tick();
             const Vec3 moved = simulation.world_from_tool().position - begun;
             farthest = std::max(farthest, std::hypot(moved.x, moved.y));
         }

@@ -40,7 +40,6 @@ Pushed pushed_sideways(const ToolSetup& setup, double spacing, double rate, doub
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
     const auto go = [&](const Pose& pose) {
         const TickResult r = simulation.tick_direct({pose});
-        simulation.after_tick();
         return r.bone_on_tool;
     };
     constexpr double stands = 6.0_mm;
@@ -131,7 +130,6 @@ TEST(Work, OfTheMotorIsThatOfTheChipsAlongTheAxisAskewAndSideways) {
         double work = 0.0, removed = 0.0;
         const auto go = [&](const Pose& pose) {
             const TickResult r = simulation.tick_direct({pose});
-            simulation.after_tick();
             work += std::abs(r.torque) * 2.0 * pi * turns * Simulation::dt;
         };
         const auto account = [&] {
@@ -179,7 +177,6 @@ TEST(Sideways, AStillDrillIsHeldByTheSideOfABone) {
             double force = 0.0, largest_step = 0.0;
             for (double aside = -1.0_mm; aside < 2.0_mm; aside += 5.0_um) {
                 const double now = -simulation.tick({beside(aside)}).bone_on_tool[0];
-                simulation.after_tick();
                 largest_step = std::max(largest_step, std::abs(now - force));
                 force = now;
             }
@@ -196,12 +193,10 @@ TEST(Sideways, APlateHoldsAllOfTheShank) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm));
         for (double depth = -0.2_mm; depth < deep; depth += depth < 6.0_mm ? 5.0_um : 50.0_um) {
             (void)simulation.tick_direct({test::at_depth(depth)});
-            simulation.after_tick();
         }
         TickResult r;
         for (double aside = 0.0; aside < 2.0_mm; aside += 2.0_um) {
             r = simulation.tick({test::at_depth(deep, 0.0, {aside, 0, 0})});
-            simulation.after_tick();
         }
         EXPECT_LT(r.bone_on_tool[0], -1.0) << "N, " << deep;
         EXPECT_LT(simulation.world_from_tool().position.x, 1.5_mm) << deep;
@@ -223,7 +218,6 @@ TEST(Runout, AFreeDrillPaysForItsHole) {
         int count = 0;
         for (double hand = -0.1_mm; hand < 6.0_mm; hand += 1.5_um) {
             const TickResult r = simulation.tick({test::at_depth(hand)});
-            simulation.after_tick();
             if (-simulation.world_from_tool().position.z < 2.0_mm) continue;
             sum.thrust += r.thrust;
             sum.torque += r.torque;

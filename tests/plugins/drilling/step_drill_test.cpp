@@ -24,7 +24,6 @@ TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
     double at = -1.0_mm;
     for (; at < 5.0_mm; at += 4.0_um) {
         (void)simulation.tick_direct({test::at_depth(at)});
-        simulation.after_tick();
     }
     simulation.finish();
     const double removed = simulation.present().removed();
@@ -51,12 +50,10 @@ TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
         for (double at = -1.0_mm; at < 8.0_mm; at += 2.0_um) {
             (void)simulation.tick_direct({test::at_depth(at)});
-            simulation.after_tick();
         }
         // Moved aside into the wall of its hole, so that the shank presses.
         for (int i = 0; i < 2; ++i) {
             (void)simulation.tick_direct({test::at_depth(8.0_mm, 0.0, {0.2_mm, 0, 0})});
-            simulation.after_tick();
         }
         std::map<std::uint32_t, kerf_channel> channels;
         for (const kerf_channel& c : test::law_now(simulation)) channels[c.id] = c;
@@ -95,12 +92,10 @@ struct Countersink {
     explicit Countersink(double to) {
         for (double at = -0.2_mm; at < to; at += 4.0_um) {
             (void)simulation.tick_direct({test::at_depth(at)});
-            simulation.after_tick();
         }
     }
     TickResult tick(const Pose& hand) {
         const TickResult r = simulation.tick({hand});
-        simulation.after_tick();
         return r;
     }
 };

@@ -26,7 +26,6 @@ struct Drilling {
     void feed(double by, double rate = 2.0_mm_per_s) {
         for (const double to = hand + by; hand < to; hand += rate * Simulation::dt) {
             simulation.tick({test::at_depth(hand)});
-            simulation.after_tick();
         }
     }
 };

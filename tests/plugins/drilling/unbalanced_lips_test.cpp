@@ -54,7 +54,6 @@ std::vector<Felt> feed(const ToolSetup& setup, double tilt, double depth, double
         if (at >= depth) return felt;
         const double angle = reinterpret_cast<const drilling::DrillCutting::State*>(simulation.state())->angle;
         const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt, tilt)});
-        simulation.after_tick();
         const Quat world_from_tool = test::at_depth(at, tilt).rotation;
         felt.push_back({at, angle, rotate(conjugate(world_from_tool), linear(r.bone_on_tool)),
                         rotate(conjugate(world_from_tool), angular(r.bone_on_tool))});

@@ -59,7 +59,6 @@ struct Feeding {
         p.rotation = p.rotation * turn;
         const TickResult r = simulation.tick_direct({p});
         EXPECT_FALSE(r.is_quarantined);
-        simulation.after_tick();
         return {r.bone_on_tool,
                 r.thrust,
                 depth,

@@ -57,7 +57,6 @@ struct InItsSlot {
     }
     TickResult tick(const Pose& pose) {
         const TickResult r = simulation.tick_direct({pose});
-        simulation.after_tick();
         return r;
     }
     /// Back to the front, and a little farther: from there on it knows its slot by what it has cut itself.
@@ -95,7 +94,6 @@ TEST(BladeInItsSlot, AtTheFrontItIsHeldAlikeOnEveryGridAndInEveryTick) {
         double least = 1e300, most = 0.0;  // [N] of the edges, of both sides
         for (double depth = -0.5_mm; depth < 5.0_mm; depth += 4.0_um) {
             (void)simulation.tick_direct({test::at_depth(depth)});
-            simulation.after_tick();
             if (depth < 4.0_mm) continue;
             double held = 0.0;
             for (const kerf_channel& c : test::law_now(simulation))

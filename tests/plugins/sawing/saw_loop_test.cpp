@@ -60,7 +60,7 @@ struct Rig {
     Body body = test::tube(outer, inner, 5.0_mm, 0.25_mm);
     ToolSetup setup = test::saw({{"run_up", 50.0_ms}});
     ToolOutline outline = test::outline(setup);
-    Simulation simulation{body, setup, outline, test::gains(), test::at_depth(-1.0_mm, 0.0, {0, 0, outer})};
+    HapticLoop haptic{body, setup, outline, test::gains(), test::at_depth(-1.0_mm, 0.0, {0, 0, outer})};
     SurfaceWorker worker{body, {&outline.cutting}, {.crumb = 1e-9}};
 
     struct Happened {
@@ -69,16 +69,16 @@ struct Rig {
     /// All that a loop on the clock does between pose read and force out, and after it.
     Happened loop(const Hand& hand) {
         Happened happened;
-        simulation.command_drive(0, hand.is_on ? 200.0 : 0.0);
-        const TickResult result = simulation.tick({hand.pose});
+        haptic.command_drive(0, hand.is_on ? 200.0 : 0.0);
+        const TickResult result = haptic.tick({hand.pose});
         happened.was_fast = result.parts > 1;
         happened.was_barred = result.is_barred;
-        happened.has_adopted = worker.exchange(simulation).separation;
+        happened.has_adopted = worker.exchange(haptic).separation;
         return happened;
     }
     [[nodiscard]] bool is_offer_due() {
-        const Adoption* offer = worker.offered();
-        return offer != nullptr && offer->tick + Simulation::adoption_delay <= simulation.ticks() + 1;
+        const Offer* offer = worker.offered();
+        return offer != nullptr && offer->tick + HapticLoop::adoption_delay <= haptic.ticks() + 1;
     }
 };
 
@@ -94,13 +94,13 @@ TEST(SawLoop, NeitherAllocatesNorLocksNorThrowsThroughASplit) {
         ever.was_fast = ever.was_fast || now.was_fast;
         ever.was_barred = ever.was_barred || now.was_barred;
         ever.has_adopted = ever.has_adopted || now.has_adopted;
-        bound = std::max(bound, signals_of<sawing::SawCutting>(rig.simulation.signals()).binding);
-        rig.simulation.make_room();
+        bound = std::max(bound, signals_of<sawing::SawCutting>(rig.haptic.signals()).binding);
+        rig.haptic.make_room();
         if (i % 10 == 0) rig.worker.wait_for_all();  // however slow this machine is
     }
     EXPECT_TRUE(ever.was_fast && ever.was_barred && ever.has_adopted) << "the way was eventful";
     EXPECT_GT(bound, 1.0) << "N: it was bent until it bound";
-    EXPECT_EQ(rig.simulation.bodies().size(), 2u);
+    EXPECT_EQ(rig.haptic.bodies().size(), 2u);
     EXPECT_EQ(rig.worker.lost(), 0u);
 }
 
@@ -120,7 +120,7 @@ TEST(SawLoop, MakesNoSystemCallThroughASplit) {
         const bool adopts = rig.loop(way[i]).has_adopted;
         EXPECT_TRUE(!adopts || is_due);
         has_adopted = has_adopted || adopts;
-        rig.simulation.make_room();
+        rig.haptic.make_room();
         rig.worker.wait_for_all();  // so that what is due now is known now
     }
     EXPECT_TRUE(has_adopted);

@@ -29,7 +29,6 @@ struct AtTheEnd {
 
     TickResult tick(const Pose& hand) {
         const TickResult r = simulation.tick({hand});
-        simulation.after_tick();
         for (std::size_t e = 0; e < r.event_count; ++e)
             times_said += std::string_view(r.events[e]) == "haptics.left_region";
         return r;

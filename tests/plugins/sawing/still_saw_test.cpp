@@ -27,7 +27,6 @@ TEST(StillSaw, OnlyTouches) {
     Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
     const auto at = [&](double depth) {
         const TickResult r = simulation.tick_direct({test::at_depth(depth)});
-        simulation.after_tick();
         return r.thrust;
     };
     double work = 0.0, peak = 0.0, last = 0.0;
@@ -58,7 +57,6 @@ struct Held {
     TickResult tick(double speed) {
         hand += speed * Simulation::dt;
         const TickResult r = simulation.tick({test::at_depth(hand)});
-        simulation.after_tick();
         return r;
     }
 };
@@ -118,7 +116,6 @@ TEST(SawLaw, IsSoundAnywhere) {
             pose.rotation =
                 pose.rotation * quat_from_rotation_vector({0.2 * std::sin(4.0 * t), 0.0, 0.5 * std::sin(t)});
             const TickResult r = simulation.tick({pose});
-            simulation.after_tick();
             ASSERT_FALSE(r.is_quarantined) << strokes << " at tick " << i;
             for (const double w : r.bone_on_tool) ASSERT_TRUE(std::isfinite(w));
         }

@@ -42,7 +42,6 @@ TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
         double worst = 0.0, most = 0.0;
         for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
-            simulation.after_tick();
             const double teeth = signals_of<sawing::SawCutting>(simulation.signals()).engaged_teeth,
                          exact = arc_in_tube(blade, depth) / blade.pitch;
             worst = std::max(worst, std::abs(teeth - exact));
@@ -69,7 +68,6 @@ TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
             force_per_width(part.chip_per_feed * rate, value_of<sawing::SawCutting>(setup.force_parameters).thrust());
     for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
         const double thrust = simulation.tick_direct({above(depth)}).thrust;
-        simulation.after_tick();
         ASSERT_NEAR(thrust / per_tooth, arc_in_tube(blade, depth) / blade.pitch,
                     1.3 /* a tooth, and the front's slant of 4 % */)
             << depth;
@@ -84,7 +82,6 @@ TEST(SawnTube, LosesItsRingsAreaTimesTheKerf) {
         Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
         for (double depth = -1.0_mm; depth < 29.5_mm; depth += 20.0_mm_per_s * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
-            simulation.after_tick();
         }
         simulation.finish();
         const double removed = simulation.present().removed();

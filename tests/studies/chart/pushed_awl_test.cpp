@@ -59,7 +59,6 @@ struct Compared {
 
     [[nodiscard]] double thrust_at(double depth) {
         const double thrust = simulation.tick_direct({scene.pose_at(depth)}).thrust;
-        simulation.after_tick();
         return thrust;
     }
 };
@@ -123,7 +122,6 @@ TEST(PushedAwl, BreaksAPediclesWallWhereThePluginsAwlDoes) {
     int n = 0;
     for (double depth = scene.depth.front(); depth < 20.0_mm; depth += 4.0_um) {
         const double thrust = simulation.tick_direct({scene.pose_at(depth)}).thrust;
-        simulation.after_tick();
         if (depth > 10.0_mm && thrust > most) most = thrust, at = depth;
         if (++n % 25 != 0 || depth < 10.0_mm) continue;
         const double exact = awl.push_at(depth + shorter);

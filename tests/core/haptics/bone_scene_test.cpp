@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Changes of bodies as one offer: what belongs to a body goes with its parts, and an undo gives it back.
+#include "core/haptics/bone_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "tests/support/milled_bar.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+/// A wall 1 mm thick across the bar at x.
+CutRecord wall_at(double x, std::uint64_t sequence) {
+    CutRecord record;
+    record.sequence = sequence;
+    record.from = record.to = {{x, 0, 6.0_mm}, {1, 0, 0, 0}};
+    return record;
+}
+
+/// A bar with one zone and one step, which the last of the parts inherits.
+struct Bar {
+    Body body = test::block({-7.0_mm, -1.5_mm, -1.5_mm}, {7.0_mm, 1.5_mm, 1.5_mm}, 0.25_mm);
+    ToolSolid wall = ToolSolid::prism({{0.0, 0.5_mm}, {-12.0_mm, 0.5_mm}}, 12.0_mm);
+    BoneScene scene{body, {&wall}};
+    Placings placings;
+
+    Bar() {
+        scene.look_for_pieces(1e-9, {.owners = {{0}, {0}},
+                                     .pass_on = [](Owners& owners, std::size_t from,
+                                                   const std::vector<std::size_t>& bodies, const PresentBone&) {
+                                         for (auto* of : {&owners.zone, &owners.step})
+                                             for (std::size_t& owner : *of)
+                                                 if (owner == from) owner = bodies.back();
+                                     }});
+    }
+    void cut(const CutRecord& record) {
+        scene.apply({&record, 1}, placings);
+        scene.leave_bone();
+    }
+    /// As a loop would that takes everything over.
+    void take(const Offer& offer) {
+        scene.taken(offer, placings, 100);
+        placings.count = offer.placings.count;
+    }
+};
+
+TEST(BoneScene, OffersASeparationWithTheOwnersAfterIt) {
+    Bar bar;
+    bar.cut(wall_at(3.0_mm, 0));
+    ASSERT_NE(bar.scene.waiting(), nullptr);
+    EXPECT_EQ(bar.scene.owners().zone, (std::vector<std::size_t>{0}));  // the loop does not know of it yet
+
+    const Offer offer = bar.scene.separation();
+    EXPECT_EQ(offer.change, Offer::Change::separation);
+    EXPECT_EQ(offer.placings.count, 2u);
+    ASSERT_TRUE(offer.made[0].body != nullptr && offer.made[1].body != nullptr);
+    EXPECT_EQ(offer.made[1].follows, 0);
+    EXPECT_EQ(offer.owners.zone, (std::vector<std::size_t>{1}));
+
+    bar.take(offer);
+    EXPECT_EQ(bar.scene.waiting(), nullptr);
+    EXPECT_EQ(bar.scene.owners().zone, (std::vector<std::size_t>{1}));
+    EXPECT_EQ(bar.scene.owners().step, (std::vector<std::size_t>{1}));
+}
+
+TEST(BoneScene, FindsOwnersInTheOrderOfTheCutsHoweverLateTheyAreTaken) {
+    Bar at_once, late;
+    at_once.cut(wall_at(3.0_mm, 0));
+    at_once.take(at_once.scene.separation());
+    at_once.cut(wall_at(-3.0_mm, 1));
+    at_once.take(at_once.scene.separation());
+    late.cut(wall_at(3.0_mm, 0));
+    late.cut(wall_at(-3.0_mm, 1));
+    late.take(late.scene.separation());
+    late.take(late.scene.separation());
+    EXPECT_EQ(late.scene.owners().zone, at_once.scene.owners().zone);
+    EXPECT_EQ(late.scene.bone().hash(), at_once.scene.bone().hash());
+}
+
+TEST(BoneScene, GivesBackTheOwnersWithAnUndo) {
+    Bar bar;
+    bar.cut(wall_at(3.0_mm, 0));
+    bar.take(bar.scene.separation());
+    ASSERT_TRUE(bar.scene.can(Turn::undo));
+    bar.take(bar.scene.turn(Turn::undo));
+    EXPECT_EQ(bar.scene.owners().zone, (std::vector<std::size_t>{0}));
+    EXPECT_EQ(bar.scene.bone().count(), 1u);
+}
+
+TEST(BoneScene, DoesNotChangeUntilItsOfferIsTaken) {
+    Bar bar;
+    const std::uint64_t before = bar.scene.bone().hash();
+    const Offer offer = bar.scene.subtraction(0, {{0, 0, 6.0_mm}, {1, 0, 0, 0}}, bar.placings);
+    ASSERT_EQ(offer.subtracted.size(), 1u);
+    EXPECT_EQ(bar.scene.bone().hash(), before);
+    EXPECT_FALSE(bar.scene.can(Turn::undo));
+    EXPECT_NE(offer.made[0].body->committed.hash(), CutField(bar.body, 0).hash());
+    bar.take(offer);
+    EXPECT_NE(bar.scene.bone().hash(), before);
+    EXPECT_TRUE(bar.scene.can(Turn::undo));
+}
+
+TEST(Simulation, KeepsIdsInOrderWhereABodyComesInBeforeAPartIsTakenOver) {
+    // Given a bar that the mill has just severed, so that the loop does not know its parts yet
+    test::Milled milled;
+    const Body metal = test::block({-1.0_mm, -1.0_mm, -1.0_mm}, {1.0_mm, 1.0_mm, 1.0_mm}, 0.2_mm);
+    milled.simulation.look_for_pieces(1e-9);
+    while (milled.x < 4.0_mm && milled.simulation.present().count() == 1) milled.go();
+    ASSERT_EQ(milled.simulation.present().count(), 2u);
+    ASSERT_EQ(milled.simulation.bodies().size(), 1u);
+    // When metal comes in
+    ASSERT_EQ(milled.simulation.insert(metal, {{50.0_mm, 0, 0}, {1, 0, 0, 0}}, false), "");
+    // Then the part comes first, and each body is where its id says
+    ASSERT_EQ(milled.simulation.bodies().size(), 3u);
+    for (std::size_t b = 0; b < 3; ++b) EXPECT_EQ(milled.simulation.bodies()[b]->id, b);
+    EXPECT_EQ(milled.simulation.bodies()[2]->bone, &metal);
+    EXPECT_EQ(milled.simulation.present().piece(2).bone, &metal);
+}
+
+}  // namespace
+}  // namespace kerf
