@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/scene.h"
+#include "run/scene.h"
 
 namespace kerf {
 

@@ -21,7 +21,6 @@
 #include "app/preview/preview_page.h"
 #include "app/privacy.h"
 #include "app/progress.h"
-#include "app/run_procedure.h"
 #include "app/standard_streams.h"
 #include "core/procedure/codes.h"
 #include "core/procedure/patch.h"
@@ -35,6 +34,7 @@
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/write_file.h"
+#include "run/run_procedure.h"
 #include "studies/chart/chart_files.h"
 #include "studies/stability/atlas.h"
 #include "studies/stability/suite.h"
@@ -266,6 +266,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (recorded) {
         request.replay = std::move(recorded->device_from_handle);
         request.adoptions = std::move(recorded->adoptions);
+        request.missed = std::move(recorded->missed);
         for (const auto& [tick, text] : recorded->hand_inputs) {
             const auto input = hand_input(text);
             if (!input)

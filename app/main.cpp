@@ -10,8 +10,8 @@
 #include "app/last_resort.h"
 #include "app/plugin_folders.h"
 #include "app/plugin_guard.h"
-#include "app/shipped.h"
 #include "app/standard_streams.h"
+#include "run/shipped.h"
 
 namespace {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/progress.h"
-#include "app/run_checks.h"
 #include "core/import/make_body.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
+#include "run/run_checks.h"
 #include "studies/plan/plan_text.h"
 
 namespace kerf {

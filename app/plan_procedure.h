@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/scene.h"
+#include "run/scene.h"
 
 /// `kerf plan`: the least that each step of a procedure needs.
 namespace kerf {

@@ -20,10 +20,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/run_procedure.h"
-#include "app/scene.h"
 #include "core/session/write_file.h"
 #include "kerf/units.hpp"
+#include "run/run_procedure.h"
+#include "run/scene.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 

@@ -4,9 +4,11 @@
 #   bin/kerf                 the program, core's runtime in it
 #   lib/kerf/*.so            plugins, each by its own kerf_add_plugin()
 #   include/kerf             the headers of core/sdk: target kerf::sdk, which needs nothing
-#   lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin()
+#   include/kerf-run         the headers of core, run and devices
+#   lib/kerf-run/*.a         these as libraries, by run/CMakeLists.txt: target kerf::run
+#   lib/cmake/kerf           find_package(kerf): kerf::sdk, kerf::program, kerf_add_plugin(); COMPONENTS run: kerf::run
 #   share/kerf/procedures    procedures and their anatomies
-#   share/kerf/examples      plugins to begin with, each a project of its own
+#   share/kerf/examples      plugins and a program to begin with, each a project of its own
 #   share/doc/kerf           the documentation
 include(CMakePackageConfigHelpers)
 set(kerf_package lib/cmake/kerf)

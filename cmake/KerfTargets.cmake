@@ -18,8 +18,18 @@ function(kerf_add_layer name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(kerf_${name} STATIC ${arg_SOURCES})
   add_library(kerf::${name} ALIAS kerf_${name})
-  target_include_directories(kerf_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  kerf_set_up_library(${name})
   target_link_libraries(kerf_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS} kerf::warnings)
+endfunction()
+
+# How a library is seen: from the root of the tree, and where it is installed. What it has in its headers is compiled
+# without fused multiply-adds in its users too.
+function(kerf_set_up_library name)
+  set_target_properties(kerf_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(kerf_${name} PUBLIC cxx_std_20)
+  target_compile_options(kerf_${name} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
+  target_include_directories(kerf_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kerf-run>)
 endfunction()
 
 # kerf_add_test(field_test SOURCES a_test.cpp LINKS kerf::field)

@@ -96,6 +96,20 @@ foreach(compiler IN LISTS found_compilers)
     use("examples/${folder}" ${examples}/${folder} ${WORK}/examples/${folder}-${by} ${compiler} example.${id})
   endforeach()
 endforeach()
+# A program around Kerf's library.
+foreach(compiler IN LISTS found_compilers)
+  get_filename_component(by ${compiler} NAME)
+  set(build ${WORK}/examples/04_embed-${by})
+  run("configuring examples/04_embed" ${CMAKE_COMMAND} -S ${examples}/04_embed -B ${build}
+    -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${WORK}/kerf)
+  run("building examples/04_embed" ${CMAKE_COMMAND} --build ${build} --parallel 2)
+  if(said MATCHES "warning:")
+    message(FATAL_ERROR "examples/04_embed: ${compiler} warns:\n${said}")
+  endif()
+  run("ctest of examples/04_embed" ${CMAKE_CTEST_COMMAND} --test-dir ${build} --output-on-failure --no-tests=error)
+  message(STATUS "examples/04_embed, by ${compiler}:\n${said}")
+endforeach()
+
 run("kerf validate of an installed example" ${CMAKE_COMMAND} -E chdir ${WORK}/elsewhere ${program} validate biopsy.yaml)
 
 # The beginning of a plugin, as `kerf new plugin` writes it.

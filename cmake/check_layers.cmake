@@ -5,6 +5,7 @@
 #   core/<layer>    kerf/…, core/<its own layer or an earlier one>/…, third parties; core/sdk only kerf/… and std
 #   plugins/<name>  kerf/…, its own folder, std
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
+#   run/…           kerf/…, core/…, devices/…, run/…, third parties; plugins it finds at run time
 #   studies/…       kerf/…, core/…, devices/…, studies/…, third parties; plugins it finds at run time
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
@@ -91,7 +92,7 @@ function(check_core_include file content directive layer rank)
     else()
       set(what "${what}: core/${CMAKE_MATCH_1} is no layer")
     endif()
-  elseif(path MATCHES "^(plugins|devices|app|tests|bench|examples|conformance|studies)/")
+  elseif(path MATCHES "^(plugins|devices|run|app|tests|bench|examples|conformance|studies)/")
     set(what "${what}: core knows nothing outside core")
   elseif(layer STREQUAL "sdk")
     set(what "${what}: the sdk needs nothing but a compiler")
@@ -136,11 +137,12 @@ function(check_plugin_include file content directive folder)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-function(check_studies_include file content directive)
+# `folder` may include core, devices and itself.
+function(check_library_include file content directive folder others)
   split_include("${directive}" path is_angled)
-  if(path MATCHES "(^|/)\\.\\./" OR path MATCHES "^(plugins|app|tests|bench|examples)/")
-    report("${file}" "${content}" "${directive}" "studies must not include \"${path}\""
-      "kerf/…, core/…, devices/… and studies/…, written from the root of the tree")
+  if(path MATCHES "(^|/)\\.\\./" OR path MATCHES "^(${others})/")
+    report("${file}" "${content}" "${directive}" "${folder} must not include \"${path}\""
+      "kerf/…, core/…, devices/… and ${folder}/…, written from the root of the tree")
     set(violations ${violations} PARENT_SCOPE)
   endif()
 endfunction()
@@ -205,16 +207,21 @@ foreach(kind plugins devices bench)
   endforeach()
 endforeach()
 
-# ---- studies -----------------------------------------------------------------------------------------------------
+# ---- run and studies ---------------------------------------------------------------------------------------------
 
-file(GLOB_RECURSE sources "${ROOT}/studies/*.h" "${ROOT}/studies/*.hpp" "${ROOT}/studies/*.cpp")
-foreach(file IN LISTS sources)
-  read("${file}" content)
-  find_includes("${content}" includes)
-  foreach(directive IN LISTS includes)
-    check_studies_include("${file}" "${content}" "${directive}")
+function(check_library folder others)
+  file(GLOB_RECURSE sources "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp")
+  foreach(file IN LISTS sources)
+    read("${file}" content)
+    find_includes("${content}" includes)
+    foreach(directive IN LISTS includes)
+      check_library_include("${file}" "${content}" "${directive}" ${folder} "${others}")
+    endforeach()
   endforeach()
-endforeach()
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+check_library(run "plugins|studies|app|tests|bench|examples")
+check_library(studies "plugins|run|app|tests|bench|examples")
 
 if(violations GREATER 0)
   message(FATAL_ERROR "layers: ${violations} line(s) know what they must not know")

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/preview/png.h"
-#include "app/scene.h"
+#include "run/scene.h"
 
 /// Pictures of a scene before anything is cut.
 namespace kerf {

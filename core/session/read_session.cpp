@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/read_session.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
+#include <system_error>
 
 #include "core/session/recorder.h"
 #include "core/session/session_file.h"
@@ -65,8 +68,21 @@ std::optional<RecordedInputs> read_session(const std::string& path, std::string&
     SessionQuery asked(file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + hand_input_event +
                                           "' ORDER BY rowid");
     while (asked.next()) inputs.hand_inputs.emplace_back(static_cast<std::uint64_t>(asked.integer(0)), asked.text(1));
+    SessionQuery missed(
+        file.handle(), std::string("SELECT tick, detail FROM events WHERE id = '") + missed_event + "' ORDER BY rowid");
+    while (missed.next()) {
+        const std::string text = missed.text(1);
+        std::uint32_t count = 0;
+        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), count);
+        if (status != std::errc{} || end != text.data() + text.size() || count == 0) {
+            error = path + ": the count of ticks missed before tick " + std::to_string(missed.integer(0)) +
+                    " is none. The file was changed.";
+            return std::nullopt;
+        }
+        inputs.missed.emplace_back(static_cast<std::uint64_t>(missed.integer(0)), count);
+    }
     if (keys.has_failed() || ticks.has_failed() || adoptions.has_failed() || asked.has_failed() ||
-        inputs.device_from_handle.empty()) {
+        missed.has_failed() || inputs.device_from_handle.empty()) {
         error = path + ": holds no ticks that can be read.";
         return std::nullopt;
     }

@@ -21,6 +21,8 @@ inline constexpr std::int32_t session_schema_version = 3, oldest_readable_schema
 inline constexpr const char *came_apart_event = "bone.came_apart", *crumbled_event = "bone.crumbled";
 /// What a hand asked for besides moving the handle, before this tick.
 inline constexpr const char* hand_input_event = "hand.input";
+/// Ticks that were due and did not run before this one, as many as its detail says: an input too.
+inline constexpr const char* missed_event = "device.missed";
 /// A plugin ended the run; its detail says which, in which call and how.
 inline constexpr const char* plugin_failed_event = "run.plugin_failed";
 /// Stands in every file a run writes.

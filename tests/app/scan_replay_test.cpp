@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/scene.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
+#include "run/scene.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 

@@ -18,7 +18,6 @@
 #include <system_error>
 #include <vector>
 
-#include "app/documents.h"
 #include "app/import_source.h"
 #include "core/import/image/scan.h"
 #include "core/import/landmark_checks.h"
@@ -29,6 +28,7 @@
 #include "core/session/read_session.h"
 #include "core/session/recorder.h"
 #include "core/session/report.h"
+#include "run/documents.h"
 #include "tests/bad_inputs/guarded.h"
 #include "tests/bad_inputs/input.h"
 #include "tests/support/drill_rig.h"

@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/documents.h"
 #include "app/findings.h"
-#include "app/scene.h"
 #include "core/procedure/codes.h"
+#include "run/documents.h"
+#include "run/scene.h"
 #include "tests/golden/odd_files.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"

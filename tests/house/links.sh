@@ -67,7 +67,7 @@ facts=$(awk '
             code = substr(rest, RSTART + 1, RLENGTH - 2)
             before = substr(rest, 1, RSTART - 1)
             if (before ~ /filter $/) print FILENAME ":" FNR "\tfilter\t" code
-            else if (code ~ /^\.?\/?(app|bench|cmake|core|devices|docs|plugins|procedures|studies|tests|examples|conformance)(\/[A-Za-z0-9_.-]+)+\/?$/)
+            else if (code ~ /^\.?\/?(app|bench|cmake|core|devices|docs|plugins|procedures|run|studies|tests|examples|conformance)(\/[A-Za-z0-9_.-]+)+\/?$/)
                 print FILENAME ":" FNR "\tpath\t" code
             rest = substr(rest, RSTART + RLENGTH)
         }
@@ -177,7 +177,7 @@ while IFS= read -r line; do
     place=${line%%:docs/*}
     check_named_page "$place" "${line#"$place":}"
 done < <({
-    find app bench cmake core devices examples plugins procedures studies tests -type f \( -name '*.h' -o -name '*.hpp' \
+    find app bench cmake core devices examples plugins procedures run studies tests -type f \( -name '*.h' -o -name '*.hpp' \
         -o -name '*.cpp' -o -name '*.cmake' -o -name '*.txt' -o -name '*.yaml' \) -not -path '*/build/*' -print0 2>/dev/null
     printf 'dev\0'
 } | xargs -0 grep -noE 'docs/[A-Za-z0-9_/.-]+\.md(, "[^"]+")?')

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/run_procedure.h"
+#include "run/run_procedure.h"
 
 namespace kerf::test {
 

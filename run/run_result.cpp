@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/run_result.h"
+#include "run/run_result.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/bone_memory.h"
+#include "run/bone_memory.h"
 
 #include <algorithm>
 #include <cmath>

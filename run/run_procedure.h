@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/hand_inputs.h"
-#include "app/run_result.h"
+#include "run/hand_inputs.h"
+#include "run/run_result.h"
 
 /// One run in lock-step: the simulated hand, the tick, the record, the verdict.
 namespace kerf {
@@ -21,7 +22,9 @@ struct RunRequest {
     std::vector<std::uint64_t>
         adoptions;                     ///< of that run: the ticks after which the loop took over what had come apart
     HandInputs::Recorded hand_inputs;  ///< of that run: what else was asked for, and before which tick
-    std::function<bool()> is_interrupted;           ///< asked after every tick; may be empty
+    std::vector<std::pair<std::uint64_t, std::uint32_t>>
+        missed;                            ///< of that run: ticks that did not run, and before which one, in order
+    std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
     std::function<void(const TickRow&)> on_tick;    ///< gets each row: the run itself keeps none; may be empty
     std::function<void(const EventRow&)> on_event;  ///< likewise, as the session keeps it; may be empty
     std::function<void(double share, const std::string& what)> progress;  ///< may be empty

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/scene.h"
 #include "core/session/recording.h"
+#include "run/scene.h"
 
 /// What a run measured, as rows: of the operation, and of the simulation itself.
 namespace kerf {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/signal_table.h"
+#include "run/signal_table.h"
 
 #include <cstdint>
 #include <string>

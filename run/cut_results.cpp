@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cut_results.h"
+#include "run/cut_results.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/tick_row.h"
+#include "run/tick_row.h"
 
 #include <algorithm>
 #include <cmath>

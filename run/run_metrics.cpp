@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/run_metrics.h"
+#include "run/run_metrics.h"
 
 #include <algorithm>
 #include <array>

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "app/cut_results.h"
-#include "app/hand_inputs.h"
-#include "app/run_procedure.h"
-#include "app/signal_table.h"
 #include "core/haptics/simulation.h"
 #include "core/session/content_hash.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
 #include "devices/simulated_hand/simulated_hand.h"
+#include "run/cut_results.h"
+#include "run/hand_inputs.h"
+#include "run/run_procedure.h"
+#include "run/signal_table.h"
 
 namespace kerf {
 
@@ -35,9 +35,10 @@ public:
 
     /// Does one tick with the simulated hand, or with the recorded one. Returns whether there is more to do.
     bool step();
-    /// Does one tick with a device that reported this pose [world frame]; `last().command` is what to send it. The path
-    /// of the rehearsal is not followed, and nothing is asked for at its waypoints.
-    bool step(const Pose& handle);
+    /// Does one tick with a device that reported this sample [world frame]; `last().command` is what to send it. The
+    /// path of the rehearsal is not followed, and nothing is asked for at its waypoints. Missed ticks are recorded and
+    /// replayed; `time` counts the ticks that ran.
+    bool step(const DeviceSample& sample);
     /// What the last tick did.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
@@ -69,7 +70,8 @@ private:
     void take_separations(std::uint64_t tick);
     void record_cuts();
     void lead();
-    [[nodiscard]] bool tick(const Pose& reported);
+    [[nodiscard]] DeviceSample recorded_sample();
+    [[nodiscard]] bool tick(const DeviceSample& reported);
     void take_tool_of_step();
     void take_hand_inputs();
     void observe(const Pose& handle, double now);
@@ -93,7 +95,8 @@ private:
     CutBefore before_;
     ContentHash hash_;
     TickResult result_;
-    TickRow row_;  ///< of the last tick, for the record
+    TickRow row_;                  ///< of the last tick, for the record
+    std::size_t next_missed_ = 0;  ///< of those recorded
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]

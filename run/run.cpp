@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/run.h"
+#include "run/run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/belongings.h"
-#include "app/run_metrics.h"
-#include "app/tick_row.h"
 #include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
@@ -16,6 +13,9 @@
 #include "core/session/report.h"
 #include "core/session/stl.h"
 #include "core/session/summary.h"
+#include "run/belongings.h"
+#include "run/run_metrics.h"
+#include "run/tick_row.h"
 
 namespace kerf {
 
@@ -178,17 +178,30 @@ Run::~Run() = default;
 bool Run::step() {
     take_tool_of_step();
     take_hand_inputs();
-    return tick(is_replay() ? request_.replay[simulation_.ticks()] : hand_.reported());
+    return tick(is_replay() ? recorded_sample() : DeviceSample{hand_.reported()});
 }
 
-bool Run::step(const Pose& handle) {
+bool Run::step(const DeviceSample& sample) {
     take_tool_of_step();
-    return tick(handle);
+    return tick(sample);
 }
 
-bool Run::tick(const Pose& reported) {
-    const Pose handle = without_negative_zeros(reported);
-    result_ = scene_->procedure.is_direct ? simulation_.tick_direct({handle}) : simulation_.tick({handle});
+DeviceSample Run::recorded_sample() {
+    DeviceSample sample{request_.replay[simulation_.ticks()]};
+    const auto& missed = request_.missed;
+    for (; next_missed_ < missed.size() && missed[next_missed_].first <= simulation_.ticks(); ++next_missed_)
+        sample.missed = missed[next_missed_].second;
+    return sample;
+}
+
+bool Run::tick(const DeviceSample& reported) {
+    const Pose handle = without_negative_zeros(reported.world_from_handle);
+    if (reported.missed > 0) {
+        add_event_at(simulation_.ticks(), missed_event, std::to_string(reported.missed));
+        hash_.add(reported.missed);
+    }
+    const DeviceSample sample{handle, reported.missed};
+    result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
     if (!is_replay()) hand_.step(result_.command, result_.world_from_tool.position);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();

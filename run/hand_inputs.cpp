@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/hand_inputs.h"
+#include "run/hand_inputs.h"
 
 #include <algorithm>
 #include <cstddef>

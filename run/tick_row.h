@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string>
 
-#include "app/scene.h"
-#include "app/signal_table.h"
 #include "core/haptics/simulation.h"
 #include "core/procedure/step_monitor.h"
 #include "core/session/recording.h"
+#include "run/scene.h"
+#include "run/signal_table.h"
 
 /// What a tick left, as the record keeps it.
 namespace kerf {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/belongings.h"
+#include "run/belongings.h"
 
 #include <cmath>
 #include <cstddef>

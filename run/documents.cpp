@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/documents.h"
+#include "run/documents.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,15 +7,15 @@
 #include <system_error>
 #include <utility>
 
-#include "app/bone_memory.h"
-#include "app/run_checks.h"
-#include "app/shipped.h"
 #include "core/import/data_file.h"
 #include "core/import/markups.h"
 #include "core/procedure/document.h"
 #include "core/procedure/printable.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
+#include "run/bone_memory.h"
+#include "run/run_checks.h"
+#include "run/shipped.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/scene.h"
 #include "core/haptics/bone_scene.h"
+#include "run/scene.h"
 
 namespace kerf {
 

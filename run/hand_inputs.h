@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/scene.h"
 #include "core/procedure/hand_input.h"
+#include "run/scene.h"
 
 namespace kerf {
 

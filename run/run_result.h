@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/scene.h"
 #include "core/session/recording.h"
+#include "run/scene.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/run_procedure.h"
+#include "run/run_procedure.h"
 
-#include "app/run.h"
 #include "core/procedure/read_map.h"
+#include "run/run.h"
 
 namespace kerf {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/run_checks.h"
+#include "run/run_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run as another program has it: tick by tick.
-#include "app/run.h"
+#include "run/run.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/session/read_session.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
 
 namespace kerf {
@@ -59,7 +63,7 @@ TEST(Run, ADeviceThatReportsTheSamePosesFeelsTheSame) {
     const auto run = new_run();
     ASSERT_NE(run, nullptr);
     for (const TickRow& row : whole.ticks) {
-        const bool goes_on = run->step(row.device_from_handle);
+        const bool goes_on = run->step({row.device_from_handle});
         ASSERT_EQ(run->last().command.wrench, row.commanded) << row.tick;
         ASSERT_EQ(goes_on, &row != &whole.ticks.back()) << row.tick;
     }
@@ -71,11 +75,40 @@ TEST(Run, ADeviceMayGoAnotherWay) {
     ASSERT_NE(run, nullptr);
     const AxisFrame& frame = short_scene().frames.front();
     for (int tick = 0; tick < 2000; ++tick)  // it comes near and stays in air
-        ASSERT_TRUE(run->step(frame.pose_at({.depth = -20.0_mm + 5.0_um * tick})));
+        ASSERT_TRUE(run->step({frame.pose_at({.depth = -20.0_mm + 5.0_um * tick})}));
     EXPECT_EQ(run->monitor().steps().front().deepest, -1.0) << "no bone was cut";
     const RunOutcome outcome = run->finish();
     EXPECT_EQ(outcome.summary.ticks, 2000u);
     EXPECT_EQ(outcome.summary.removed, 0.0);
+}
+
+// The device missed ticks twice: the motion differs from then on, and a replay must know of it.
+TEST(Run, RecordsMissedTicksAndReplaysThemToTheBit) {
+    const test::WatchedRun whole = test::watched_run(short_scene(), test::plugins(), {});
+    const test::TemporaryFolder folder;
+    const auto ended = [&](bool misses, RunRequest request) {
+        const auto run = new_run(request);
+        for (const TickRow& row : whole.ticks)
+            if (!run->step({row.device_from_handle, misses && (row.tick == 4000 || row.tick == 9000) ? 2u : 0u})) break;
+        return run->finish().summary;
+    };
+    RunRequest request;
+    request.out = folder.path() + "/missed";
+    const RunSummary with = ended(true, request), without = ended(false, {});
+    EXPECT_EQ(without.hash, whole.summary.hash);
+    EXPECT_NE(with.hash, without.hash);
+
+    std::string error;
+    auto inputs = read_session(request.out + "/session.db", error);
+    ASSERT_TRUE(inputs) << error;
+    ASSERT_EQ(inputs->missed, (std::vector<std::pair<std::uint64_t, std::uint32_t>>{{4000, 2}, {9000, 2}}));
+    RunRequest again;
+    again.replay = std::move(inputs->device_from_handle);
+    again.adoptions = std::move(inputs->adoptions);
+    again.missed = std::move(inputs->missed);
+    EXPECT_EQ(test::watched_run(short_scene(), test::plugins(), again).summary.hash, with.hash);
+    again.missed.clear();
+    EXPECT_NE(test::watched_run(short_scene(), test::plugins(), again).summary.hash, with.hash);
 }
 
 TEST(Run, IsRefusedWithTheReason) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/shipped.h"
+#include "run/shipped.h"
 
 #include <filesystem>
 #include <system_error>

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/scene.h"
 #include "core/field/cut_wall.h"
 #include "core/haptics/simulation.h"
 #include "core/procedure/step_monitor.h"
+#include "run/scene.h"
 
 /// What the cut of a step, and no earlier one, has left.
 namespace kerf {

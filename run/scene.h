@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/documents.h"
 #include "core/field/body.h"
 #include "core/haptics/simulation.h"
 #include "core/import/import_report.h"
@@ -16,6 +15,7 @@
 #include "core/procedure/procedure.h"
 #include "core/procedure/step_monitor.h"
 #include "devices/simulated_hand/simulated_hand.h"
+#include "run/documents.h"
 
 /// Documents and plugins, put together into what a run needs.
 namespace kerf {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program that runs a procedure by itself: embed PROCEDURE PLUGIN_FOLDER
+#include <algorithm>
+#include <cstdio>
+
+#include "run/run.h"
+#include "run/scene.h"
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::fputs("Usage: embed PROCEDURE PLUGIN_FOLDER\n", stderr);
+        return 2;
+    }
+    kerf::PluginRegistry plugins;
+    plugins.scan({argv[2]});
+    kerf::Diagnostics diagnostics;
+    const auto scene = kerf::make_scene(argv[1], "", plugins, diagnostics);  // an empty anatomy: the procedure's own
+    if (!scene) {
+        std::fputs(kerf::to_text(diagnostics).c_str(), stderr);
+        return 2;
+    }
+    kerf::RunOutcome outcome;
+    const auto run = kerf::Run::create(*scene, plugins, {}, outcome);  // a request with `out` writes the results there
+    if (run == nullptr) {
+        std::fprintf(stderr, "%s\n", outcome.error.c_str());
+        return 2;
+    }
+    double most_thrust = 0.0;
+    while (run->step()) most_thrust = std::max(most_thrust, run->last().thrust);  // `step(sample)` for a device
+    outcome = run->finish();
+    std::printf("%s after %.1f s, at most %.1f N\n", kerf::to_text(outcome.summary.verdict), outcome.summary.duration,
+                most_thrust);
+    return outcome.summary.verdict == kerf::Verdict::pass ? 0 : 1;
+}
