@@ -16,7 +16,10 @@ constexpr auto surface_time = std::chrono::milliseconds(16);  // no screen shows
 
 SurfaceWorker::SurfaceWorker(const Body& body, std::vector<const ToolSolid*> cutting, Options options,
                              Belongings belongings)
-    : owners_(belongings.owners), options_(options), scene_(body, std::move(cutting)), queue_(queue_records) {
+    : owners_(options.looks_for_pieces ? belongings.owners : Owners{}),
+      options_(options),
+      scene_(body, std::move(cutting)),
+      queue_(queue_records) {
     if (options_.looks_for_pieces) scene_.look_for_pieces(options_.crumb, std::move(belongings));
     if (options_.makes_surface) patches_.reserve(most_bodies);
     make_surface();
