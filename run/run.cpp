@@ -182,6 +182,7 @@ bool Run::step() {
 }
 
 bool Run::step(const DeviceSample& sample) {
+    is_led_ = true;
     take_tool_of_step();
     return tick(sample);
 }
@@ -202,7 +203,7 @@ bool Run::tick(const DeviceSample& reported) {
     }
     const DeviceSample sample{handle, reported.missed};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
-    if (!is_replay()) hand_.step(result_.command, result_.world_from_tool.position);
+    if (!is_replay() && !is_led_) hand_.step(result_.command, result_.world_from_tool.position);
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);

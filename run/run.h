@@ -97,6 +97,7 @@ private:
     TickResult result_;
     TickRow row_;                  ///< of the last tick, for the record
     std::size_t next_missed_ = 0;  ///< of those recorded
+    bool is_led_ = false;          ///< by a device: the simulated hand has no part in it
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
