@@ -240,7 +240,7 @@ void Run::take_hand_inputs() {
             if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
                 input.kind == HandInput::Kind::subtract)
                 record_cuts();
-            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) find_owners();
+            if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) pass_owners_on();
             before_.follow(simulation_.present());
         }
     }
@@ -324,14 +324,14 @@ void Run::add_news() {
 }
 
 /// Undo, redo and separations leave other bodies than there were.
-void Run::find_owners() { monitor_.belong(simulation_.owners()); }
+void Run::pass_owners_on() { monitor_.belong(simulation_.owners()); }
 
 /// The tick is that after which the loop took the parts over.
 void Run::take_separations(std::uint64_t tick) {
     for (const Separation& separation : simulation_.take_separations()) {
         add_event_at(tick, separation.parts.size() > 1 ? came_apart_event : crumbled_event, text_of(separation));
         before_.follow(simulation_.present());
-        find_owners();
+        pass_owners_on();
     }
 }
 

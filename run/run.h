@@ -66,7 +66,7 @@ private:
         add_event_at(simulation_.ticks() - 1, id, detail);
     }
     void add_news();
-    void find_owners();
+    void pass_owners_on();
     void take_separations(std::uint64_t tick);
     void record_cuts();
     void lead();

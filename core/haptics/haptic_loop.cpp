@@ -16,10 +16,9 @@ namespace kerf {
 
 namespace {
 
-constexpr std::size_t free_margin = 128;  // bricks kept ready for one tick
-constexpr double fastest = 1.0;           // [m/s] of a tool that bone resists (B9)
-constexpr double skidding = 10e-3;        // [m/s] of a tip in bone across its shaft, faster than the hand [assumed]
-constexpr int skidding_parts = 4;         // its edges catch and let go within 3 ms
+constexpr double fastest = 1.0;     // [m/s] of a tool that bone resists (B9)
+constexpr double skidding = 10e-3;  // [m/s] of a tip in bone across its shaft, faster than the hand [assumed]
+constexpr int skidding_parts = 4;   // its edges catch and let go within 3 ms
 
 // What is taken for a part of the tool that goes through bone unresisted [assumed]
 constexpr std::uint64_t unresisted_interval = 16;                  // ticks from look to look
@@ -492,7 +491,7 @@ bool HapticLoop::is_bone_in_reach(double margin) const noexcept {
 }
 
 void HapticLoop::make_room() {
-    for (const auto& body : bodies_) body->committed.reserve(free_margin);
+    for (const auto& body : bodies_) body->committed.reserve(bricks_of_a_tick);
     if (held_.lacks_points()) held_.find_points(bodies_);
 }
 
@@ -505,7 +504,7 @@ void HapticLoop::close_open_stretches() noexcept {
     for (const auto& body : bodies_) take_closed(body->tracker, body->tracker.close(tick_));
 }
 
-void HapticLoop::flush() noexcept {
+void HapticLoop::flush() {
     for (const auto& body : bodies_) body->tracker.flush();
 }
 

@@ -113,8 +113,8 @@ public:
     void make_room();
     /// Closes the open stretches; `closed` returns their records.   [haptic, nonblocking] between ticks
     void close_stretches() noexcept;
-    /// Commits everything that is closed.   [haptic, nonblocking] between ticks
-    void flush() noexcept;
+    /// Commits everything that is closed. It may allocate.   [main] between ticks
+    void flush();
 
     /// Ticks from the record that parted a body until the loop knows its parts, at least: a worker has that long to
     /// make them.

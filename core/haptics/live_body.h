@@ -12,7 +12,8 @@
 
 namespace kerf {
 
-inline constexpr std::size_t live_reserve = 512;  ///< bricks ready in a new field
+inline constexpr std::size_t live_reserve = 512;      ///< bricks ready in a new field
+inline constexpr std::size_t bricks_of_a_tick = 128;  ///< kept ready between ticks
 
 /// A body as the loop meets it: its bone, what edges see cut of it, and where it is. Does not move in memory.
 struct LiveBody {

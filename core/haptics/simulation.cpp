@@ -7,10 +7,6 @@
 
 namespace kerf {
 
-namespace {
-constexpr std::size_t bricks_of_a_tick = 128;
-}  // namespace
-
 Simulation::Simulation(const Body& body, ToolSetup setup, ToolOutline outline, const CouplingGains& gains,
                        const Pose& start, double period)
     : Simulation(body, std::vector<Tool>{{std::move(setup), std::move(outline)}}, gains, start, period) {}
