@@ -56,8 +56,8 @@ if(NOT other)
   return()
 endif()
 
-# Configures, builds and tests a project against the installed Kerf, then lists what it holds.
-function(use what folder build compiler id)
+# Configures, builds and tests a project against the installed Kerf; what that printed is in `log`.
+function(build_and_test what folder build compiler)
   run("configuring ${what}" ${CMAKE_COMMAND} -S ${folder} -B ${build} -D CMAKE_CXX_COMPILER=${compiler}
     -D CMAKE_PREFIX_PATH=${WORK}/kerf)
   set(log "${said}")
@@ -68,6 +68,12 @@ function(use what folder build compiler id)
   endif()
   run("ctest of ${what}" ${CMAKE_CTEST_COMMAND} --test-dir ${build} --output-on-failure --no-tests=error)
   string(APPEND log "${said}")
+  set(log "${log}" PARENT_SCOPE)
+endfunction()
+
+# The same for a plugin; then installs it and lists what it holds.
+function(use what folder build compiler id)
+  build_and_test("${what}" ${folder} ${build} ${compiler})
   run("installing ${what}" ${CMAKE_COMMAND} --install ${build})   # to the Kerf that was found
   run("kerf list with ${what}" ${program} list)
   string(FIND "${said}" "${id}/" at)
@@ -99,15 +105,8 @@ endforeach()
 # A program around Kerf's library.
 foreach(compiler IN LISTS found_compilers)
   get_filename_component(by ${compiler} NAME)
-  set(build ${WORK}/examples/04_embed-${by})
-  run("configuring examples/04_embed" ${CMAKE_COMMAND} -S ${examples}/04_embed -B ${build}
-    -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_PREFIX_PATH=${WORK}/kerf)
-  run("building examples/04_embed" ${CMAKE_COMMAND} --build ${build} --parallel 2)
-  if(said MATCHES "warning:")
-    message(FATAL_ERROR "examples/04_embed: ${compiler} warns:\n${said}")
-  endif()
-  run("ctest of examples/04_embed" ${CMAKE_CTEST_COMMAND} --test-dir ${build} --output-on-failure --no-tests=error)
-  message(STATUS "examples/04_embed, by ${compiler}:\n${said}")
+  build_and_test("examples/04_embed" ${examples}/04_embed ${WORK}/examples/04_embed-${by} ${compiler})
+  message(STATUS "examples/04_embed, by ${compiler}:\n${log}")
 endforeach()
 
 run("kerf validate of an installed example" ${CMAKE_COMMAND} -E chdir ${WORK}/elsewhere ${program} validate biopsy.yaml)
