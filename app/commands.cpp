@@ -152,6 +152,19 @@ ExitCode validate(const CommandLine& line, const PluginRegistry& plugins) {
                : exit_pass;
 }
 
+/// Shows the progress of a run, and ends it at the first Ctrl-C.
+class ShownRun final : public RunObserver {
+public:
+    explicit ShownRun(const Interruption& interruption) : interruption_(interruption) {}
+    void on_progress(double fraction, const std::string& what) override { show_progress(fraction, what); }
+    std::optional<RunEnd> end() override {
+        return interruption_.has_come() ? std::optional(RunEnd::interrupted) : std::nullopt;
+    }
+
+private:
+    const Interruption& interruption_;
+};
+
 // ---- rehearse ----------------------------------------------------------------------------------------------------
 
 std::string expectation_of(const Rehearsal& rehearsal) {
@@ -177,9 +190,9 @@ ExitCode rehearse(const std::string& file, const CommandLine& line, const Plugin
     for (const auto& rehearsal : scene->procedure.rehearsals) {
         RunRequest request;
         request.rehearsal = rehearsal.id;
-        request.progress = show_progress;
         const Interruption interruption;
-        request.is_interrupted = [&] { return interruption.has_come(); };
+        ShownRun shown_run(interruption);
+        request.observers = {&shown_run};
         const RunOutcome outcome = run_procedure(*scene, plugins, request);
         if (outcome.was_interrupted) return complain("interrupted", exit_fault);
         if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
@@ -259,9 +272,10 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         return complain(line.replay + another_text, exit_bad_input);
 
     RunRequest request;
+    ShownRun shown_run(interruption);
+    request.observers = {&shown_run};
     request.learner = line.learner;
     request.mode = line.mode;
-    request.progress = show_progress;
     request.rehearsal = rehearsal;
     if (recorded) {
         request.replay = std::move(recorded->device_from_handle);
@@ -279,7 +293,6 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
         return complain("the replay would overwrite its recording. Give another folder with `--out`.", exit_bad_input);
-    request.is_interrupted = [&] { return interruption.has_come(); };
 
     const RunOutcome outcome = run_procedure(*scene, plugins, request);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);

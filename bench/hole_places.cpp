@@ -70,15 +70,18 @@ struct Drilled {
     std::vector<Vec3> path;
 };
 Drilled drilled(const Scene& scene, const char* rehearsal) {
-    Drilled run;
+    struct Path final : RunObserver {
+        std::vector<Vec3> points;
+        void on_tick(const TickRow& row) override {
+            const Vec3 tip = row.world_from_tool.position;
+            if (row.thrust > 0.0 && (points.empty() || length(tip - points.back()) > 0.1_mm)) points.push_back(tip);
+        }
+    } path;
     RunRequest request;
     request.rehearsal = rehearsal;
-    request.on_tick = [&](const TickRow& row) {
-        const Vec3 tip = row.world_from_tool.position;
-        if (row.thrust > 0.0 && (run.path.empty() || length(tip - run.path.back()) > 0.1_mm)) run.path.push_back(tip);
-    };
-    run.outcome = run_procedure(scene, plugins(), request);
-    return run;
+    request.observers = {&path};
+    RunOutcome outcome = run_procedure(scene, plugins(), request);
+    return {std::move(outcome), std::move(path.points)};
 }
 
 std::optional<double> metric(const RunSummary& summary, const std::string& name) {

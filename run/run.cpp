@@ -5,14 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/field/bone_surface.h"
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
-#include "core/session/envelope.h"
-#include "core/session/read_run.h"
-#include "core/session/report.h"
-#include "core/session/stl.h"
-#include "core/session/summary.h"
 #include "run/belongings.h"
 #include "run/run_metrics.h"
 #include "run/tick_row.h"
@@ -43,35 +37,6 @@ std::string text_of(const Separation& separation) {
 
 std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
 
-/// The page of the session that lies in a folder.
-std::string write_report(const std::string& folder) {
-    std::string error;
-    const auto run = read_run(folder + "/session.db", error, true);
-    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn))
-               : folder + "/report.html could not be made: " + error;
-}
-
-void append(const Mesh& more, Mesh& mesh) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
-    mesh.tissue.insert(mesh.tissue.end(), more.tissue.begin(), more.tissue.end());
-    for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
-}
-/// Each piece where it is at the end.
-Mesh all_surfaces(const Simulation& simulation, int stride) {
-    Mesh all;
-    for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
-        const LiveBody& live = *simulation.bodies()[body];
-        if (!live.is_present) continue;
-        Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
-        for (Vec3& p : one.vertices) p = live.world_from_body * p;
-        for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
-        append(one, all);
-    }
-    return all;
-}
-
 /// What is known of a run before its first tick.
 RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                       const Rehearsal& rehearsal, const SignalTable& signals) {
@@ -94,28 +59,6 @@ RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const R
     return summary;
 }
 
-SessionHeader header_of(const Scene& scene, const RunRequest& request, const RunSummary& summary) {
-    SessionHeader header;
-    header.procedure = summary.procedure;
-    header.procedure_version = summary.procedure_version;
-    header.anatomy = summary.anatomy;
-    header.rehearsal = summary.rehearsal;
-    header.hand = summary.hand;
-    header.procedure_text = scene.procedure.text;
-    header.anatomy_hash = scene.anatomy_hash;
-    header.anatomy_notes = scene.import.notes;
-    header.versions = summary.versions;
-    header.envelope.uuid = random_uuid();
-    header.envelope.start = utc_now();
-    header.envelope.learner = request.learner;
-    header.envelope.mode = request.mode;
-    header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
-                         scene.procedure.variant};
-    header.signals = summary.signals;
-    header.tissues = summary.tissues;
-    return header;
-}
-
 }  // namespace
 
 // ---- before the first tick ----------------------------------------------------------------------------------------
@@ -130,30 +73,18 @@ std::unique_ptr<Run> Run::create(const Scene& scene, const PluginRegistry& plugi
         std::find_if(scene.procedure.rehearsals.begin(), scene.procedure.rehearsals.end(),
                      [&](const Rehearsal& r) { return request.rehearsal.empty() || r.id == request.rehearsal; });
     RunSummary summary = summary_of(scene, plugins, request, *rehearsal, SignalTable(scene.tools));
-    auto record = std::make_unique<Record>();
-    if (!open(*record, scene, request, summary, refusal)) return nullptr;
-    return std::unique_ptr<Run>(new Run(scene, request, *rehearsal, std::move(summary), std::move(record)));
-}
-
-bool Run::open(Record& record, const Scene& scene, const RunRequest& request, const RunSummary& summary,
-               RunOutcome& refusal) {
-    if (request.out.empty()) return true;
-    if (refusal.error = prepare_output(request.out, record.lock, record.made); !refusal.error.empty()) {
-        refusal.is_bad_input = true;
-        return false;
+    std::unique_ptr<SessionFiles> files;
+    if (!request.out.empty()) {
+        files = SessionFiles::create(scene, request, summary, refusal);
+        if (files == nullptr) return nullptr;
     }
-    auto created = Recorder::create(request.out + "/session.db", header_of(scene, request, summary));
-    refusal.error = created.error;
-    record.recorder = std::move(created.recorder);
-    if (record.recorder == nullptr) return false;
-    record.made.keep();
-    return true;
+    return std::unique_ptr<Run>(new Run(scene, request, *rehearsal, std::move(summary), std::move(files)));
 }
 
 Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
-         std::unique_ptr<Record> record)
-    : record_(std::move(record)),
-      recorder_(record_->recorder.get()),
+         std::unique_ptr<SessionFiles> files)
+    : files_(std::move(files)),
+      observers_(request.observers),
       scene_(&scene),
       request_(request),
       rehearsal_(&rehearsal),
@@ -164,6 +95,7 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
       hand_inputs_(plan_, request_.replay.empty() ? nullptr : &request_.hand_inputs),
       monitor_(scene.procedure, scene.anatomy, scene.frames),
       world_from_body_(1, identity_pose()) {
+    if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
     outcome_.summary = std::move(summary);
     simulation_.look_for_pieces(crumb, belongings_of(*scene_));
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
@@ -225,7 +157,7 @@ void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
     if (tool == simulation_.tool()) return;
     simulation_.take_tool(tool);
-    record_cuts();
+    pass_cuts_on();
     take_separations(simulation_.ticks());
     add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
 }
@@ -239,7 +171,7 @@ void Run::take_hand_inputs() {
         } else if (input.kind != HandInput::Kind::drive) {
             if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
                 input.kind == HandInput::Kind::subtract)
-                record_cuts();
+                pass_cuts_on();
             if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) pass_owners_on();
             before_.follow(simulation_.present());
         }
@@ -262,11 +194,9 @@ void Run::observe(const Pose& handle, double now) {
                       .tip_inside = tip_inside(simulation_, monitor_, tip),
                       .handle = handle.position},
                      simulation_.outline().cutting);
-    const TickRow row = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
-    add_tick(hash_, row);
-    if (request_.on_tick) request_.on_tick(row);
+    row_ = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
+    add_tick(hash_, row_);
     add_news();
-    if (recorder_) row_ = row;
 }
 
 /// The step that ended in this tick.
@@ -285,23 +215,20 @@ void Run::judge_step(std::size_t step, double now) {
 }
 
 std::optional<RunEnd> Run::end_after_tick() {
-    if (recorder_) {
-        recorder_->push(row_);
-        record_cuts();
-        if (!recorder_->wait_for_room()) return RunEnd::unrecorded;
-    }
+    for (RunObserver* observer : observers_) observer->on_tick(row_);
+    pass_cuts_on();
     const std::uint64_t ticks = simulation_.ticks();
-    if (request_.progress && ticks % 250 == 0)
-        request_.progress(is_replay()
-                              ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
-                              : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size()),
-                          "working, " + std::to_string(ticks / 1000) + " s simulated");
+    if (ticks % 250 == 0)
+        report_progress(is_replay() ? static_cast<double>(ticks) / static_cast<double>(request_.replay.size())
+                                    : static_cast<double>(hand_.leg()) / static_cast<double>(plan_.intent.legs.size()),
+                        "working, " + std::to_string(ticks / 1000) + " s simulated");
     if (result_.is_quarantined && linear(result_.command.wrench) == Vec3{}) return RunEnd::fault;  // it has faded
     if (monitor_.current() >= scene_->procedure.steps.size()) return RunEnd::steps_done;
-    if (request_.is_interrupted && request_.is_interrupted()) {
-        outcome_.was_interrupted = true;
-        return RunEnd::interrupted;
-    }
+    for (RunObserver* observer : observers_)
+        if (const auto end = observer->end()) {
+            outcome_.was_interrupted = *end == RunEnd::interrupted;
+            return end;
+        }
     if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
     return std::nullopt;
 }
@@ -315,8 +242,8 @@ void Run::add_event_at(std::uint64_t tick, const std::string& id, const std::str
     event.id = id;
     event.detail = detail;
     kerf::add_event(hash_, event);
-    if (recorder_) recorder_->push_event(event);
-    if (request_.on_event) request_.on_event(Recorder::as_kept(std::move(event)));
+    const EventRow kept = Recorder::as_kept(std::move(event));
+    for (RunObserver* observer : observers_) observer->on_event(kept);
 }
 
 void Run::add_news() {
@@ -335,10 +262,13 @@ void Run::take_separations(std::uint64_t tick) {
     }
 }
 
-void Run::record_cuts() {
-    if (recorder_ == nullptr) return;
+void Run::pass_cuts_on() {
     for (const CutRecord& record : simulation_.closed())
-        recorder_->push_cut({record.sequence, record.tick, record.body, record.solid, record.from, record.to});
+        for (RunObserver* observer : observers_) observer->on_cut(record);
+}
+
+void Run::report_progress(double fraction, const std::string& what) {
+    for (RunObserver* observer : observers_) observer->on_progress(fraction, what);
 }
 
 /// The sleeve of the step that runs, on the body that its axis belongs to.
@@ -352,11 +282,15 @@ void Run::lead() {
 
 RunOutcome Run::finish() {
     simulation_.finish();
-    record_cuts();
+    pass_cuts_on();
     take_separations(simulation_.ticks());  // a tick that never came: a replay takes over what is left at its end too
     hash_.add(simulation_.present().hash());
     measure();
-    if (recorder_) write_results();
+    if (files_ != nullptr) report_progress(1.0, "writing the results");
+    for (RunObserver* observer : observers_) {
+        const std::string error = observer->on_result(outcome_.summary, simulation_);
+        if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
+    }
     return std::move(outcome_);
 }
 
@@ -381,22 +315,6 @@ void Run::measure() {
                                         bone.crumbs(), bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));
     outcome_.is_as_expected = ended_as_expected(*rehearsal_, monitor_, summary.verdict);
-}
-
-void Run::write_results() {
-    if (request_.progress) request_.progress(1.0, "writing the results");
-    const RunSummary& summary = outcome_.summary;
-    const PresentBone& bone = simulation_.present();
-    const auto note = [&](const std::string& error) {
-        if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
-    };
-    const DrawnSurface drawn = drawn_surface(all_surfaces(simulation_, 2));
-    note(recorder_->finish(summary, drawn));
-    note(write_file(request_.out + "/summary.json", summary_json(summary)));
-    note(write_report(request_.out));
-    for (const PieceRow& piece : summary.pieces)
-        note(write_file(request_.out + "/" + piece.file,
-                        stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body)))));
 }
 
 }  // namespace kerf

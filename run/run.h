@@ -10,12 +10,11 @@
 
 #include "core/haptics/simulation.h"
 #include "core/session/content_hash.h"
-#include "core/session/recorder.h"
-#include "core/session/write_file.h"
 #include "devices/simulated_hand/simulated_hand.h"
 #include "run/cut_results.h"
 #include "run/hand_inputs.h"
 #include "run/run_procedure.h"
+#include "run/session_files.h"
 #include "run/signal_table.h"
 
 namespace kerf {
@@ -48,17 +47,9 @@ public:
     [[nodiscard]] RunOutcome finish();
 
 private:
-    /// The folder of the results, ours until the end, and the record in it.
-    struct Record {
-        OutputLock lock;
-        MadeFolders made;
-        std::unique_ptr<Recorder> recorder;  ///< null: nothing is written
-    };
     Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehearsal, RunSummary summary,
-        std::unique_ptr<Record> record);
+        std::unique_ptr<SessionFiles> files);
 
-    [[nodiscard]] static bool open(Record& record, const Scene& scene, const RunRequest& request,
-                                   const RunSummary& summary, RunOutcome& refusal);
     [[nodiscard]] bool is_replay() const noexcept { return !request_.replay.empty(); }
     void add_event_at(std::uint64_t tick, const std::string& id, const std::string& detail);
     /// Of the tick that just was.
@@ -68,7 +59,8 @@ private:
     void add_news();
     void pass_owners_on();
     void take_separations(std::uint64_t tick);
-    void record_cuts();
+    void pass_cuts_on();
+    void report_progress(double fraction, const std::string& what);
     void lead();
     [[nodiscard]] DeviceSample recorded_sample();
     [[nodiscard]] bool tick(const DeviceSample& reported);
@@ -78,10 +70,9 @@ private:
     void judge_step(std::size_t step, double now);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
     void measure();
-    void write_results();
 
-    std::unique_ptr<Record> record_;
-    Recorder* recorder_;  ///< that of the record
+    std::unique_ptr<SessionFiles> files_;  ///< null: nothing is written
+    std::vector<RunObserver*> observers_;  ///< the files first, then those of the request
     const Scene* scene_;
     RunRequest request_;
     const Rehearsal* rehearsal_;
@@ -95,7 +86,7 @@ private:
     CutBefore before_;
     ContentHash hash_;
     TickResult result_;
-    TickRow row_;                  ///< of the last tick, for the record
+    TickRow row_;                  ///< of the last tick
     std::size_t next_missed_ = 0;  ///< of those recorded
     bool is_led_ = false;          ///< by a device: the simulated hand has no part in it
     RunEnd end_ = RunEnd::time_over;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "run/hand_inputs.h"
+#include "run/run_observer.h"
 #include "run/run_result.h"
 
 /// One run in lock-step: the simulated hand, the tick, the record, the verdict.
@@ -23,11 +23,8 @@ struct RunRequest {
         adoptions;                     ///< of that run: the ticks after which the loop took over what had come apart
     HandInputs::Recorded hand_inputs;  ///< of that run: what else was asked for, and before which tick
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
-        missed;                            ///< of that run: ticks that did not run, and before which one, in order
-    std::function<bool()> is_interrupted;  ///< asked after every tick; may be empty
-    std::function<void(const TickRow&)> on_tick;    ///< gets each row: the run itself keeps none; may be empty
-    std::function<void(const EventRow&)> on_event;  ///< likewise, as the session keeps it; may be empty
-    std::function<void(double share, const std::string& what)> progress;  ///< may be empty
+        missed;                           ///< of that run: ticks that did not run, and before which one, in order
+    std::vector<RunObserver*> observers;  ///< they must outlive the run
 };
 
 struct RunOutcome {

@@ -111,6 +111,30 @@ TEST(Run, RecordsMissedTicksAndReplaysThemToTheBit) {
     EXPECT_NE(test::watched_run(short_scene(), test::plugins(), again).summary.hash, with.hash);
 }
 
+TEST(Run, CallsItsObserversInOrderAndEndsWhenOneSaysSo) {
+    struct Witness final : RunObserver {
+        std::vector<std::string> calls;
+        std::size_t ticks = 0;
+        void on_tick(const TickRow& row) override { EXPECT_EQ(row.tick, ticks++); }
+        void on_progress(double, const std::string&) override { calls.emplace_back("progress"); }
+        std::optional<RunEnd> end() override {
+            return ticks == 300 ? std::optional(RunEnd::interrupted) : std::nullopt;
+        }
+        std::string on_result(const RunSummary& summary, const Simulation&) override {
+            calls.emplace_back(to_text(summary.verdict));
+            return "the disk is full";
+        }
+    } witness;
+    RunRequest request;
+    request.observers = {&witness};
+    const RunOutcome outcome = run_procedure(short_scene(), test::plugins(), request);
+    EXPECT_TRUE(outcome.was_interrupted);
+    EXPECT_EQ(outcome.summary.ticks, 300u);
+    EXPECT_EQ(witness.ticks, 300u);
+    EXPECT_EQ(witness.calls, (std::vector<std::string>{"progress", "incomplete"}));
+    EXPECT_EQ(outcome.error, "the disk is full");
+}
+
 TEST(Run, IsRefusedWithTheReason) {
     RunRequest request;
     request.rehearsal = "nobody";

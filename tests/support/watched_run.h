@@ -15,11 +15,14 @@ struct WatchedRun : RunOutcome {
 };
 
 inline WatchedRun watched_run(const Scene& scene, const PluginRegistry& plugins, RunRequest request) {
-    WatchedRun run;
-    request.on_tick = [&](const TickRow& row) { run.ticks.push_back(row); };
-    request.on_event = [&](const EventRow& event) { run.events.push_back(event); };
-    static_cast<RunOutcome&>(run) = run_procedure(scene, plugins, request);
-    return run;
+    struct Watcher final : RunObserver {
+        WatchedRun run;
+        void on_tick(const TickRow& row) override { run.ticks.push_back(row); }
+        void on_event(const EventRow& event) override { run.events.push_back(event); }
+    } watcher;
+    request.observers.push_back(&watcher);
+    static_cast<RunOutcome&>(watcher.run) = run_procedure(scene, plugins, request);
+    return std::move(watcher.run);
 }
 
 }  // namespace kerf::test

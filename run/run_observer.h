@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/field/cut_log.h"
+#include "core/session/recording.h"
+#include "run/run_result.h"
+
+namespace kerf {
+
+class Simulation;
+
+/// Watches a run: its session, a program's progress, a test. The run calls its observers between two ticks, in the
+/// order of the request. An observer may block and allocate.   [main]
+class RunObserver {
+public:
+    virtual ~RunObserver() = default;
+
+    /// Receives an event, with its texts cut as the session keeps them.
+    virtual void on_event(const EventRow& /*event*/) {}
+    /// Receives a record that the cut log has closed.
+    virtual void on_cut(const CutRecord& /*cut*/) {}
+    /// Receives the row of a tick, after the events of that tick.
+    virtual void on_tick(const TickRow& /*row*/) {}
+    /// Receives the fraction of the run that is done [–], and what it does now. Called every 250 ticks, and at the end.
+    virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
+    /// Returns why the run must end after this tick; nothing while it may continue.
+    [[nodiscard]] virtual std::optional<RunEnd> end() { return std::nullopt; }
+    /// Receives the result and the bone that is left. Returns what went wrong, for people; empty if nothing did.
+    [[nodiscard]] virtual std::string on_result(const RunSummary& /*summary*/, const Simulation& /*simulation*/) {
+        return {};
+    }
+};
+
+}  // namespace kerf

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/session_files.h"
+
+#include <utility>
+
+#include "core/field/bone_surface.h"
+#include "core/session/envelope.h"
+#include "core/session/read_run.h"
+#include "core/session/report.h"
+#include "core/session/stl.h"
+#include "core/session/summary.h"
+
+namespace kerf {
+
+namespace {
+
+/// The page of the session that lies in a folder.
+std::string write_report(const std::string& folder) {
+    std::string error;
+    const auto run = read_run(folder + "/session.db", error, true);
+    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn))
+               : folder + "/report.html could not be made: " + error;
+}
+
+void append(const Mesh& more, Mesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
+    mesh.tissue.insert(mesh.tissue.end(), more.tissue.begin(), more.tissue.end());
+    for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+}
+/// Each piece where it is at the end.
+Mesh all_surfaces(const Simulation& simulation, int stride) {
+    Mesh all;
+    for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
+        const LiveBody& live = *simulation.bodies()[body];
+        if (!live.is_present) continue;
+        Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
+        for (Vec3& p : one.vertices) p = live.world_from_body * p;
+        for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
+        append(one, all);
+    }
+    return all;
+}
+
+SessionHeader header_of(const Scene& scene, const RunRequest& request, const RunSummary& summary) {
+    SessionHeader header;
+    header.procedure = summary.procedure;
+    header.procedure_version = summary.procedure_version;
+    header.anatomy = summary.anatomy;
+    header.rehearsal = summary.rehearsal;
+    header.hand = summary.hand;
+    header.procedure_text = scene.procedure.text;
+    header.anatomy_hash = scene.anatomy_hash;
+    header.anatomy_notes = scene.import.notes;
+    header.versions = summary.versions;
+    header.envelope.uuid = random_uuid();
+    header.envelope.start = utc_now();
+    header.envelope.learner = request.learner;
+    header.envelope.mode = request.mode;
+    header.conditions = {scene.device->id, scene.gains.force_scale, "", summary.coupling_stiffness,
+                         scene.procedure.variant};
+    header.signals = summary.signals;
+    header.tissues = summary.tissues;
+    return header;
+}
+
+}  // namespace
+
+std::unique_ptr<SessionFiles> SessionFiles::create(const Scene& scene, const RunRequest& request,
+                                                   const RunSummary& summary, RunOutcome& refusal) {
+    std::unique_ptr<SessionFiles> files(new SessionFiles);
+    files->folder_ = request.out;
+    if (refusal.error = prepare_output(request.out, files->lock_, files->made_); !refusal.error.empty()) {
+        refusal.is_bad_input = true;
+        return nullptr;
+    }
+    auto created = Recorder::create(request.out + "/session.db", header_of(scene, request, summary));
+    refusal.error = created.error;
+    files->recorder_ = std::move(created.recorder);
+    if (files->recorder_ == nullptr) return nullptr;
+    files->made_.keep();
+    return files;
+}
+
+void SessionFiles::on_cut(const CutRecord& cut) {
+    recorder_->push_cut({cut.sequence, cut.tick, cut.body, cut.solid, cut.from, cut.to});
+}
+
+std::optional<RunEnd> SessionFiles::end() {
+    return recorder_->wait_for_room() ? std::nullopt : std::optional(RunEnd::unrecorded);
+}
+
+std::string SessionFiles::on_result(const RunSummary& summary, const Simulation& simulation) {
+    std::string errors;
+    const auto note = [&](const std::string& error) {
+        if (!error.empty()) errors += (errors.empty() ? "" : "\n      ") + error;
+    };
+    note(recorder_->finish(summary, drawn_surface(all_surfaces(simulation, 2))));
+    note(write_file(folder_ + "/summary.json", summary_json(summary)));
+    note(write_report(folder_));
+    const PresentBone& bone = simulation.present();
+    for (const PieceRow& piece : summary.pieces)
+        note(write_file(folder_ + "/" + piece.file,
+                        stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body)))));
+    return errors;
+}
+
+}  // namespace kerf

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/session/recorder.h"
+#include "core/session/write_file.h"
+#include "run/run_observer.h"
+#include "run/run_procedure.h"
+
+namespace kerf {
+
+/// Writes the files of a run: session.db while it runs; summary.json, report.html and the surfaces of its pieces at its
+/// end. Its folder belongs to it until then.   [main]
+class SessionFiles final : public RunObserver {
+public:
+    /// Opens the session in the folder `request.out`. `summary` is what is known before the first tick. Null: the
+    /// reason is in `refusal`, and the folder is as it was.
+    static std::unique_ptr<SessionFiles> create(const Scene& scene, const RunRequest& request,
+                                                const RunSummary& summary, RunOutcome& refusal);
+
+    void on_event(const EventRow& event) override { recorder_->push_event(event); }
+    void on_cut(const CutRecord& cut) override;
+    void on_tick(const TickRow& row) override { recorder_->push(row); }
+    /// Waits until the session can take more rows. Returns `unrecorded` when its file cannot be written any more.
+    [[nodiscard]] std::optional<RunEnd> end() override;
+    [[nodiscard]] std::string on_result(const RunSummary& summary, const Simulation& simulation) override;
+
+private:
+    SessionFiles() = default;
+
+    std::string folder_;
+    OutputLock lock_;
+    MadeFolders made_;
+    std::unique_ptr<Recorder> recorder_;
+};
+
+}  // namespace kerf
