@@ -10,8 +10,7 @@
 
 #include "core/haptics/simulation.h"
 #include "core/plugin/loader.h"
-#include "tests/support/block.h"
-#include "tests/support/made_outline.h"
+#include "tests/support/rig.h"
 
 /// The drilling plugin as the host loads it, in a bone made for the question. The bone's face is z = 0, the drill comes
 /// from above and feeds along −z.
@@ -53,15 +52,6 @@ inline ToolSetup drill(const std::string& tool, std::map<std::string, double> se
 
 inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) { return drill("twist_drill", set); }
 inline ToolSetup step_drill(const std::map<std::string, double>& set = {}) { return drill("step_drill", set); }
-
-/// A drill at `depth` of its tip below the face, straight down, tilted by `tilt` about y.
-inline Pose at_depth(double depth, double tilt = 0.0, Vec3 entry = {0, 0, 0}) {
-    const Vec3 along{std::sin(tilt), 0, -std::cos(tilt)};
-    return pointing(entry + depth * along, along);
-}
-
-/// Gains of the default device at a scale of 1/100.
-inline CouplingGains gains(double scale = 0.01) { return gains_for(*find_device("premium-1.5-6dof"), scale); }
 
 /// The channels that the law states where the tool is now. Throws if it fails.
 inline std::vector<kerf_channel> law_now(const Simulation& simulation) {

@@ -10,6 +10,7 @@
 #include "core/field/fnv1a.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/drilled_block.h"
+#include "tests/support/rig.h"
 #include "tests/support/with_kernel.h"
 
 namespace kerf {
@@ -30,9 +31,8 @@ void add_bits(Fnv1a& hash, double v) {
 
 Outcome drill_with(const BlockKernel& kernel) {
     const test::WithKernel with(kernel);
-    const Body body = test::shelled_block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, 1.0_mm, 0.25_mm);
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm, 0.05));
+    test::Rig simulation(test::shelled_block({-6.0_mm, -6.0_mm, -14.0_mm}, {6.0_mm, 6.0_mm, 0}, 1.0_mm, 0.25_mm),
+                         test::twist_drill(), test::at_depth(-1.0_mm, 0.05));
     Fnv1a felt;
     Outcome outcome;
     constexpr int ticks = 5000;

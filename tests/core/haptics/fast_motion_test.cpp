@@ -9,6 +9,7 @@
 
 #include "tests/support/drill_rig.h"
 #include "tests/support/probe.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -23,7 +24,7 @@ TEST(FastMotion, AProbeDoesNotPassThroughAThinPlate) {
     for (int i = 0; i < 200; ++i) {
         const double phase = static_cast<double>(random()) / 4294967296.0;
         double depth = -3.0_mm - phase * 1.0_mm;
-        Simulation simulation(body, setup, test::outline(setup), test::gains(1.0), test::at_depth(depth));
+        test::Rig simulation(body, setup, test::at_depth(depth), test::gains(1.0));
         double felt = 0.0;
         for (int t = 0; t < 8; ++t) {
             depth += 1.0_mm;
@@ -35,9 +36,8 @@ TEST(FastMotion, AProbeDoesNotPassThroughAThinPlate) {
 }
 
 TEST(FastMotion, ItIsDoneInPartsOnlyWithBoneInReach) {
-    const Body body = test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-60.0_mm));
+    test::Rig simulation(test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.25_mm), test::twist_drill(),
+                         test::at_depth(-60.0_mm));
     int most_far = 0, most_near = 0;
     for (double depth = -60.0_mm; depth < -2.0_mm; depth += 0.5_mm) {
         const TickResult r = simulation.tick({test::at_depth(depth)});
@@ -50,10 +50,8 @@ TEST(FastMotion, ItIsDoneInPartsOnlyWithBoneInReach) {
 }
 
 TEST(FastMotion, AToolThatBoneResistsIsNoFasterThanAMetreASecond) {
-    const Body body = test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.5_mm);
-    const ToolSetup setup = test::probe(500.0_N_per_mm);
-    Simulation simulation(body, setup, test::outline(setup), test::gains(1.0),
-                          test::at_depth(-30.0_mm, 0.0, {0, 0, 0}));
+    test::Rig simulation(test::block({-4.0_mm, -4.0_mm, -8.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.5_mm),
+                         test::probe(500.0_N_per_mm), test::at_depth(-30.0_mm, 0.0, {0, 0, 0}), test::gains(1.0));
     Pose last = simulation.world_from_tool();
     int resisted = 0;
     for (int t = 0; t < 40; ++t) {
@@ -113,8 +111,7 @@ TEST(FastMotion, WhileTooMuchWaitsToBeCommittedTheToolIsSlowerThanTheHand) {
 TEST(FastMotion, APushThroughSoftBoneLeavesNothingStanding) {
     Body body = test::block({-5.0_mm, -5.0_mm, -6.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm, {0.1, 0.4, 0.8});
     body.materials[0].density = 5.0;  // next to nothing: the drill falls through
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-2.0_mm));
+    test::Rig simulation(body, test::twist_drill(), test::at_depth(-2.0_mm));
     for (int i = 0; i < 100; ++i) {  // it runs up
         (void)simulation.tick({test::at_depth(-2.0_mm)});
     }

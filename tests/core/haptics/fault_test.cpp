@@ -12,6 +12,7 @@
 
 #include "tests/support/drill_rig.h"
 #include "tests/support/probe.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -158,9 +159,8 @@ TEST(Fault, AnUnsoundLawIsQuarantinedInTheSameTickAndHeldAgainWhenItIsSound) {
 }
 
 TEST(Fault, AStartInBoneIsDrawnBackAlongTheTool) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(3.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm), test::twist_drill(),
+                         test::at_depth(3.0_mm));
     EXPECT_NEAR(simulation.world_from_tool().position.z, 0.0, 0.125_mm + 1e-12) << "just free";
     EXPECT_GE(simulation.world_from_tool().position.z, 0.0);
     const TickResult r = simulation.tick({test::at_depth(3.0_mm)});
@@ -170,9 +170,8 @@ TEST(Fault, AStartInBoneIsDrawnBackAlongTheTool) {
 }
 
 TEST(Fault, AStartInAirStaysWhereItIs) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.1_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm), test::twist_drill(),
+                         test::at_depth(-0.1_mm));
     EXPECT_EQ(simulation.world_from_tool().position.z, 0.1_mm);
     const TickResult r = simulation.tick({test::at_depth(-0.1_mm)});
     for (std::size_t i = 0; i < r.event_count; ++i) EXPECT_STRNE(r.events[i], "haptics.started_in_bone");

@@ -18,7 +18,7 @@
 #include "core/haptics/simulation.h"
 #include "kerf/plugin.hpp"
 #include "tests/support/block.h"
-#include "tests/support/made_outline.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -147,11 +147,10 @@ ToolSetup shaft(double stiffness) {
 /// The events while a bar beside a slab, 5.5 to 10.5 mm behind its tip, is pushed 3 mm into its side and drawn back,
 /// twice.
 std::vector<std::string> pushed_sideways(double stiffness, double spacing) {
-    const Body body = test::block({0.0, -6.0_mm, -6.5_mm}, {12.0_mm, 6.0_mm, -1.5_mm}, spacing);
-    const ToolSetup setup = shaft(stiffness);
     const auto at = [](double x) { return test::pointing({x, 0, -12.0_mm}, {0, 0, -1}); };
     const CouplingGains gains = gains_for(*find_device("premium-1.5-6dof"), 1.0);
-    Simulation simulation(body, setup, test::outline(setup), gains, at(-3.0_mm));
+    test::Rig simulation(test::block({0.0, -6.0_mm, -6.5_mm}, {12.0_mm, 6.0_mm, -1.5_mm}, spacing), shaft(stiffness),
+                         at(-3.0_mm), gains);
     std::vector<std::string> events;
     const auto go = [&](double from, double to) {
         for (int i = 1; i <= 300; ++i) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -43,12 +44,11 @@ std::vector<Pose> eventful_way() {
     return way;
 }
 
-struct Rig {
-    ToolSetup setup = test::twist_drill();
-    double thickness = 8.0_mm;
-    Body body = test::block({-5.0_mm, -5.0_mm, -thickness}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-6.0_mm)};
-};
+/// The drill above a block.
+test::Rig above_block(const ToolSetup& setup = test::twist_drill(), double thickness = 8.0_mm) {
+    return {test::block({-5.0_mm, -5.0_mm, -thickness}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7}), setup,
+            test::at_depth(-6.0_mm)};
+}
 
 /// Of two readings of this thread.
 void expect_nothing_forbidden(const test::Forbidden& before, const test::Forbidden& after, std::size_t tick) {
@@ -78,50 +78,50 @@ TEST(LoopGuard, SeesWhatItIsForbidden) {
 }
 
 TEST(LoopGuard, TheTickNeitherAllocatesNorLocksNorThrows) {
-    Rig rig;
+    test::Rig rig = above_block();
     const std::vector<Pose> way = eventful_way();
     bool was_fast = false, was_barred = false;
     for (std::size_t i = 0; i < way.size(); ++i) {
         const test::Forbidden before = test::forbidden_here();
-        const TickResult result = rig.simulation.loop().tick({way[i]});
+        const TickResult result = rig.loop().tick({way[i]});
         const test::Forbidden after = test::forbidden_here();
         ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         was_fast = was_fast || result.parts > 1;
         was_barred = was_barred || result.is_barred;
-        rig.simulation.follow();
+        rig.follow();
     }
     EXPECT_TRUE(was_fast && was_barred) << "the way was eventful";
     EXPECT_GT(way.size(), 2000u);
 }
 
 TEST(LoopGuard, NorWhileATipThatDoesNotTurnStandsCrushesAndBreaksThrough) {
-    Rig rig{.setup = test::twist_drill({{"spindle_speed", 0.0}}), .thickness = 2.0_mm};
+    test::Rig rig = above_block(test::twist_drill({{"spindle_speed", 0.0}}), 2.0_mm);
     std::vector<std::string> happened;
     for (std::size_t i = 0; i < 4000; ++i) {
         const DeviceSample hand{test::at_depth(-0.2_mm + 2.0_um * static_cast<double>(i))};
         const test::Forbidden before = test::forbidden_here();
-        const TickResult result = rig.simulation.loop().tick_direct(hand);
+        const TickResult result = rig.loop().tick_direct(hand);
         const test::Forbidden after = test::forbidden_here();
         ASSERT_NO_FATAL_FAILURE(expect_nothing_forbidden(before, after, i));
         for (std::size_t n = 0; n < result.event_count; ++n) happened.emplace_back(result.events[n]);
-        rig.simulation.follow();
+        rig.follow();
     }
     EXPECT_EQ(happened, (std::vector<std::string>{"drilling.crushing", "drilling.wall_broken"}));
 }
 
 TEST(LoopGuard, TheTickMakesNoSystemCall) {
-    Rig rig;
+    test::Rig rig = above_block();
     const std::vector<Pose> way = eventful_way();
     constexpr std::size_t stretch = 25;  // ticks in one child
     for (std::size_t i = 0; i + stretch < way.size(); i += 4 * stretch) {
         const auto calls = test::system_calls_of([&] {
-            for (std::size_t t = 0; t < stretch; ++t) (void)rig.simulation.loop().tick({way[i + t]});
+            for (std::size_t t = 0; t < stretch; ++t) (void)rig.loop().tick({way[i + t]});
         });
         if (calls == test::SystemCalls::cannot_tell)
             GTEST_SKIP() << "this kernel does not let a process forbid itself system calls";
         ASSERT_EQ(calls, test::SystemCalls::none) << "between ticks " << i << " and " << i + stretch;
         for (std::size_t t = 0; t < 4 * stretch && i + t < way.size(); ++t) {
-            (void)rig.simulation.tick({way[i + t]});
+            (void)rig.tick({way[i + t]});
         }
     }
 }

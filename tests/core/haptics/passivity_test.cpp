@@ -10,6 +10,7 @@
 #include "devices/simulated_hand/simulated_hand.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/probe.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -66,15 +67,14 @@ TEST(PassivityGuard, AHandThatFlickersBetweenTwoCountsIsNotDamped) {
 /// A bare mass thrown at a wall by nobody, through the whole loop. Returns how fast it comes back, per how fast it
 /// came.
 double rebound(double spare_damping) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::probe(20000.0_N_per_mm);
     CouplingGains gains = test::gains(1.0);
     gains.stiffness = 3000.0;  // far beyond what a bare mass of 45 g can be held by at 1 kHz without damping
     gains.damping = 0.0;
     gains.force_limit = 50.0;
     gains.release_damping = 0.0;  // it would take the energy first
     gains.spare_damping = spare_damping;
-    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-0.5_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm),
+                         test::probe(20000.0_N_per_mm), test::at_depth(-0.5_mm), gains);
     double depth = -0.5_mm, speed = 0.5;
     const double mass = 0.045, dt = Simulation::dt;
     for (int i = 0; i < 200 && !(depth < -5.0_mm && speed < 0.0); ++i) {
@@ -104,7 +104,7 @@ TEST(Passivity, ALeverCycleGivesNoNetWork) {
             const Vec3 tip{shift + 60.0_mm * (std::cos(tilt) - 1.0), 0, 0.3_mm - 60.0_mm * std::sin(tilt)};
             return test::pointing(tip, along);
         };
-        Simulation simulation(body, setup, test::outline(setup), gains, pose(0.0, 0.0));
+        test::Rig simulation(body, setup, pose(0.0, 0.0), gains);
         double work = 0.0;  // of the device on the hand
         Pose last = pose(0.0, 0.0);
         Vec6 wrench{};

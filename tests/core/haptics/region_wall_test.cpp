@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -22,10 +23,8 @@ Body looked_at_in_part() {
 }
 
 TEST(RegionWall, ADrillCutsUpToTheRegionsEndAndStands) {
-    const Body body = looked_at_in_part();
-    const ToolSetup setup = test::twist_drill();
     const CouplingGains gains = test::gains();
-    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-0.2_mm));
+    test::Rig simulation(looked_at_in_part(), test::twist_drill(), test::at_depth(-0.2_mm), gains);
     int left = 0;
     double thrust = 0.0;
     for (int i = 0; i < 6000; ++i) {
@@ -45,7 +44,7 @@ TEST(RegionWall, FromOutsideItIsMetWhereItsSurfaceIs) {
     const ToolSetup setup = test::twist_drill({{"motor_torque", 20.0}});
     for (const double aside : {9.0_mm, 12.0_mm, 15.0_mm}) {
         const auto over = [&](double depth) { return test::at_depth(depth, 0.0, {aside, 0, 0}); };
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), over(-1.0_mm));
+        test::Rig simulation(body, setup, over(-1.0_mm));
         double most_across = 0.0, thrust = 0.0;
         for (double depth = -1.0_mm; depth < 3.0_mm; depth += 2.0_um) {
             const TickResult r = simulation.tick({over(depth)});
@@ -60,9 +59,7 @@ TEST(RegionWall, FromOutsideItIsMetWhereItsSurfaceIs) {
 }
 
 TEST(RegionWall, BeyondTheRegionAirIsAir) {
-    Body body = looked_at_in_part();
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-5.0_mm));
+    test::Rig simulation(looked_at_in_part(), test::twist_drill(), test::at_depth(-5.0_mm));
     for (double depth = -5.0_mm; depth > -20.0_mm; depth -= 0.02_mm) {
         const TickResult r = simulation.tick({test::at_depth(depth)});
         ASSERT_LT(std::abs(r.thrust), 1e-9);

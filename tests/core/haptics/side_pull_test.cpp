@@ -10,6 +10,7 @@
 
 #include "kerf/plugin.hpp"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -118,11 +119,10 @@ struct Deflected {
 };
 /// A drill in a hand that holds its handle still, in air.
 Deflected deflected(const char* device, double scale, double force) {
-    const Body body = test::block({-2.0_mm, -2.0_mm, -4.0_mm}, {2.0_mm, 2.0_mm, 0}, 0.5_mm);
-    const ToolSetup setup = pushed(force);
     const CouplingGains gains = in_hands(gains_for(*find_device(device), scale));
     const Pose handle = test::at_depth(-30.0_mm);
-    Simulation simulation(body, setup, test::outline(setup), gains, handle);
+    test::Rig simulation(test::block({-2.0_mm, -2.0_mm, -4.0_mm}, {2.0_mm, 2.0_mm, 0}, 0.5_mm), pushed(force), handle,
+                         gains);
     Quat half_way{};
     for (int i = 0; i < 2000; ++i) {
         (void)simulation.tick({handle});

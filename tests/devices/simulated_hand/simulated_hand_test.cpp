@@ -8,6 +8,7 @@
 
 #include "tests/support/layered_slab.h"
 #include "tests/support/probe.h"
+#include "tests/support/rig.h"
 
 namespace kerf::simulated_hand {
 namespace {
@@ -110,14 +111,13 @@ TEST(SimulatedHand, TurnsInPlaceWhereALegHasNoLength) {
 
 /// Peak to peak of the handle [m] in the last second of twelve, pressed on a wall by a coupling of `stiffness`.
 double unrest_on_a_wall(bool asks_setpoint, double stiffness) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::probe(20000.0_N_per_mm);
     CouplingGains gains = test::gains(1.0);
     gains.stiffness = stiffness;
     gains.damping = 0.0;
     gains.force_limit = 50.0;
     gains.spare_damping = gains.release_damping = 0.0;  // the spring alone
-    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm),
+                         test::probe(20000.0_N_per_mm), test::at_depth(-1.0_mm), gains);
     SimulatedHand hand({.asks_setpoint = asks_setpoint}, down_to(20.0_mm, 10.0_mm_per_s, 3.0), test::at_depth(-1.0_mm),
                        dt);
     double low = 1.0, high = -1.0;
@@ -140,14 +140,11 @@ TEST(SimulatedHand, ADeviceThatAsksForSetpointsHoldsASpringTheLoopCannot) {
 
 /// How far the tip runs past the far face of the layered slab [m].
 double plunge(double push, double reaction) {
-    const Body body = test::Slab::make(0.25_mm, {0.2, 0.3, 0.4});
-    const ToolSetup setup = test::twist_drill();
     const CouplingGains gains = test::gains(1.0 / 100.0);
-    Simulation simulation(body, setup, test::outline(setup), gains, test::at_depth(-1.0_mm));
+    test::Rig simulation(test::Slab::make(0.25_mm, {0.2, 0.3, 0.4}), test::twist_drill(), test::at_depth(-1.0_mm),
+                         gains);
     // Up to the middle of the far cortex by hand and clockwork, so that only the breakthrough is compared.
-    for (double depth = -1.0_mm; depth < 15.0_mm; depth += 4.0_um) {
-        (void)simulation.tick_direct({test::at_depth(depth)});
-    }
+    (void)simulation.feed(-1.0_mm, 15.0_mm, 4.0_um);
     const Pose start = simulation.world_from_tool();
     SimulatedHand hand(
         {},

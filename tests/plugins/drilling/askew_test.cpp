@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -64,9 +65,10 @@ TEST(Askew, ADrillThatSkidsChattersByItselfAndNotByTheTick) {
     };
     const auto skid = [](double period) {
         constexpr double tilt = 30.0_deg, feed = 8.0_mm_per_s;
-        const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}, {"motor_torque", 20.0}});
-        const Body body = test::block({-7.0_mm, -5.0_mm, -10.0_mm}, {14.0_mm, 5.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-2.6_mm, tilt), period);
+        test::Rig simulation(
+            test::block({-7.0_mm, -5.0_mm, -10.0_mm}, {14.0_mm, 5.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73}),
+            test::twist_drill({{"diameter", 5.4_mm}, {"motor_torque", 20.0}}), test::at_depth(-2.6_mm, tilt),
+            test::gains(), period);
         const auto ticks = static_cast<int>(std::lround(1.2 / period));
         Skid found;
         for (int tick = 0; tick < ticks; ++tick) {
@@ -111,7 +113,7 @@ TEST(PulledAside, TheHoleHoldsADrillAsFirmlyOnEveryGrid) {
     const auto tip = [](const ToolSetup& setup, double spacing) {
         Body body = test::block({-5.0_mm, -5.0_mm, -24.0_mm}, {8.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
         body.materials = {{"bone", 300.0, {}}};
-        Simulation simulation(body, setup, test::outline(setup), test::gains(0.05), test::at_depth(-0.1_mm));
+        test::Rig simulation(body, setup, test::at_depth(-0.1_mm), test::gains(0.05));
         for (double depth = -0.1_mm; depth < 20.0_mm; depth += 4.0_um) {
             const double aside = 4.0_mm * std::clamp((depth - 8.0_mm) / 8.0_mm, 0.0, 1.0);
             (void)simulation.tick({test::at_depth(depth, 0.0, {aside, 0, 0})});

@@ -12,6 +12,7 @@
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -88,9 +89,9 @@ TEST(BitBending, AThinPilotIsBentTheHarder) {
 
 // In bone: what the law says bends the bit is what the hand holds it with.
 TEST(BitBending, InAHoleItIsTheMomentOfWhatTheHandPullsWith) {
-    Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {6.0_mm, 5.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
-    const ToolSetup setup = test::twist_drill({{"motor_torque", 20.0}, {"length", 60.0_mm}});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(1.0 / 128.0), test::at_depth(-0.1_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {6.0_mm, 5.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73}),
+                         test::twist_drill({{"motor_torque", 20.0}, {"length", 60.0_mm}}), test::at_depth(-0.1_mm),
+                         test::gains(1.0 / 128.0));
     int told = 0;
     double stress_when_told = 0.0, least_not_told = 0.0;
     const auto go = [&](double depth, double aside) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/layered_slab.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -22,7 +23,7 @@ struct Felt {
 
 /// Feeds straight in from 1 mm above the face.
 std::vector<Felt> feed(const Body& body, const ToolSetup& setup, double rate, double depth, Vec3 entry = {}) {
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm, 0.0, entry));
+    test::Rig simulation(body, setup, test::at_depth(-1.0_mm, 0.0, entry));
     std::vector<Felt> felt;
     double at = -1.0_mm;
     while (at < depth) {
@@ -88,13 +89,13 @@ TEST(DrillThrust, IsTheClosedFormOfTheLipIntegral) {
 TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
     using namespace drilling;
     const double rate = 2.0_mm_per_s, n = 1000.0_rpm;
-    const ToolSetup setup = test::twist_drill({{"chisel_edge", 0.0},
-                                               {"chisel_chip", 0.0},
-                                               {"thrust_edge", 0.0},
-                                               {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */},
-                                               {"web", 0.05}});
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55}),
+                         test::twist_drill({{"chisel_edge", 0.0},
+                                            {"chisel_chip", 0.0},
+                                            {"thrust_edge", 0.0},
+                                            {"thrust_chip", 1.0_N_per_mm2 /* next to nothing */},
+                                            {"web", 0.05}}),
+                         test::at_depth(-1.0_mm));
     double work = 0.0, at = -1.0_mm, from_volume = 0.0, revolutions = 0.0;
     while (at < 6.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at + rate * Simulation::dt)});
@@ -107,11 +108,11 @@ TEST(DrillThrust, WorksAsMuchAsTheBoneItTakesCosts) {
         revolutions += n * Simulation::dt;
     }
 
-    const Lip lip = make_lip(value_of<drilling::TwistBit>(setup.tool_parameters).drill(), 0.1_mm);
+    const Lip lip = make_lip(value_of<drilling::TwistBit>(simulation.setup().tool_parameters).drill(), 0.1_mm);
     double edge_area_per_turn = 0.0;
     for (std::size_t i = 0; i < lip.count; ++i)
         edge_area_per_turn += 2.0 * lip.element[i].width * 2.0 * pi * lip.element[i].radius;
-    const auto law = value_of<drilling::DrillCutting>(setup.force_parameters);
+    const auto law = value_of<drilling::DrillCutting>(simulation.setup().force_parameters);
     const double cost = law.cutting_chip * (simulation.present().removed() - from_volume) +
                         law.cutting_edge * edge_area_per_turn * revolutions;
     EXPECT_NEAR(work / cost, 1.0, 0.02);
@@ -163,9 +164,8 @@ TEST(DrillThrust, IsTheSameInAnyUnitsOfLengthAndTime) {
 
 // P10: in both directions the bone works against the motion, along the shaft and across it.
 TEST(DrillThrust, OpposesTheMotionOnBothStrokes) {
-    const Body body = test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55}),
+                         test::twist_drill(), test::at_depth(-1.0_mm));
     const auto work_to = [&](double depth_from, double depth_to, double aside_from, double aside_to) {
         double work = 0.0;
         Vec3 last = simulation.world_from_tool().position;
@@ -191,9 +191,8 @@ TEST(DrillThrust, OpposesTheMotionOnBothStrokes) {
 
 // P9
 TEST(DrillThrust, WithoutFeedThereIsNone) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm), test::twist_drill(),
+                         test::at_depth(-1.0_mm));
     for (double at = -1.0_mm; at < 3.0_mm; at += 2.0_um) {
         (void)simulation.tick_direct({test::at_depth(at)});
     }
@@ -207,7 +206,7 @@ TEST(DrillThrust, IsGoneWhenReEnteringTheHole) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, h, {0.2, 0.4, 0.6});
     const ToolSetup setup = test::twist_drill();
     for (double back = 2.0_um; back <= 2.0 * h + 1.0_um; back += 31.0_um) {
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+        test::Rig simulation(body, setup, test::at_depth(-1.0_mm));
         double at = -1.0_mm, worst = 0.0;
         const auto move_to = [&](double target, double rate) {
             while (std::abs(target - at) > 1e-12) {
@@ -251,8 +250,8 @@ TEST(Heel, StandsOnWhatIsFedBeyondTheRelief) {
     const auto thrust = [&](double stiffness, double period, double density) {
         Body body = test::block({-4.0_mm, -4.0_mm, -14.0_mm}, {4.0_mm, 4.0_mm, 0}, 0.5_mm, {0.21, 0.34, 0.55});
         body.materials = {{"bone", density, {}}};
-        const ToolSetup setup = test::twist_drill({{"heel_stiffness", stiffness}, {"motor_torque", 1000.0}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm), period);
+        test::Rig simulation(body, test::twist_drill({{"heel_stiffness", stiffness}, {"motor_torque", 1000.0}}),
+                             test::at_depth(-0.5_mm), test::gains(), period);
         double felt = 0.0;
         for (double depth = -0.5_mm; depth < 9.0_mm; depth += rate * period) {
             felt = simulation.tick_direct({test::at_depth(depth)}).thrust;
@@ -271,9 +270,8 @@ TEST(Heel, StandsOnWhatIsFedBeyondTheRelief) {
 // A tip that runs off its axis: the hole is wider by the runout, one lip takes all, and what pushes aside turns around.
 TEST(DrillThrust, ATipThatRunsOutCutsAWiderHoleAndIsPushedAsideAsItTurns) {
     const double e = 0.1_mm;
-    const ToolSetup setup = test::twist_drill({{"runout", e}});
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55}),
+                         test::twist_drill({{"runout", e}}), test::at_depth(-1.0_mm));
     double at = -1.0_mm, largest_x = 0.0, least_x = 0.0, mean = 0.0, count = 0.0, thrust = 0.0;
     while (at < 4.0_mm) {
         const TickResult r = simulation.tick_direct({test::at_depth(at)});

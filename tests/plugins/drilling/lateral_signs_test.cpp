@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -37,9 +38,8 @@ Body half_block(Vec3 side) {
 TEST(DrillInHalfABlock, IsPushedOutAndAgainstItsTurn) {
     for (const Vec3& side : sides) {
         // Given bone at one side, and a drill of which only the point is in it
-        const Body body = half_block(side);
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.05_mm));
+        test::Rig simulation(half_block(side), test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}}),
+                             test::at_depth(-0.05_mm));
         Felt mean;
         double thrust = 0.0;
         for (double depth = -0.05_mm; depth < 0.8_mm; depth += 1.0_um) {
@@ -68,12 +68,10 @@ TEST(DrillInItsHole, IsResistedAlikeWhicheverWayItIsMoved) {
     std::array<double, sides.size()> along{}, lever{};
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const Vec3 side = sides[i];
-        const Body body = test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
-        for (double depth = -0.5_mm; depth < 5.0_mm; depth += 2.0_um) {
-            (void)simulation.tick_direct({test::at_depth(depth)});
-        }
+        test::Rig simulation(
+            test::block({-6.0_mm, -6.0_mm, -12.0_mm}, {6.0_mm, 6.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73}),
+            test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}}), test::at_depth(-0.5_mm));
+        (void)simulation.feed(-0.5_mm, 5.0_mm, 2.0_um);
         Felt sum;
         int count = 0;
         for (double aside = 0.0; aside < 0.6_mm; aside += 1.0_um) {

@@ -12,6 +12,7 @@
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -54,8 +55,8 @@ struct Drilled {
 /// Straight down to `depth` at `feed` [m/s] through bone that is thicker than that, or `plate` thick.
 Drilled drill_down(const ToolSetup& setup, double depth, double feed = 4.0e-3, double plate = 16.0_mm,
                    double spacing = 0.2_mm) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -plate}, {5.0_mm, 5.0_mm, 0}, spacing, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -plate}, {5.0_mm, 5.0_mm, 0}, spacing, {0.21, 0.34, 0.55}),
+                         setup, test::at_depth(-1.0_mm));
     Drilled drilled;
     for (double at = -1.0_mm; at < depth; at += feed * Simulation::dt) {
         drilled.last = simulation.tick_direct({test::at_depth(at)});
@@ -144,9 +145,8 @@ TEST(ProfileDrill, ABallsThrustIsTheIntegralAlongItsLips) {
 // does.
 TEST(ProfileDrill, ShankThinnerThanItsHoleTouchesNothing) {
     const auto pressed = [](double shank) {
-        const ToolSetup setup = ball({{"shank_diameter", shank}, {"spindle_speed", 1000.0_rpm}});
-        const Body body = test::block({-5.0_mm, -5.0_mm, -20.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+        test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -20.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55}),
+                             ball({{"shank_diameter", shank}, {"spindle_speed", 1000.0_rpm}}), test::at_depth(-1.0_mm));
         for (double at = -1.0_mm; at < 14.0_mm; at += 4.0_um) {
             (void)simulation.tick_direct({test::at_depth(at)});
         }
@@ -190,9 +190,8 @@ TEST(ProfileDrill, RefusesWhatIsNoOutlineAndSaysWhatIsNeeded) {
 }
 
 TEST(ProfileDrill, SwitchedOffItStandsOnItsHeadAsABlunterToolDoes) {
-    ToolSetup setup = ball({{"spindle_speed", 0.0}});
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm, {0.21, 0.34, 0.55}),
+                         ball({{"spindle_speed", 0.0}}), test::at_depth(-0.2_mm));
     TickResult r;
     for (double hand = -0.2_mm; hand < 3.0_mm; hand += 4.0_um) {
         r = simulation.tick({test::at_depth(hand)});

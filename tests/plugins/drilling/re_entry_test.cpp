@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/layered_slab.h"
+#include "tests/support/rig.h"
 #include "tests/support/tremor.h"
 
 namespace kerf {
@@ -30,10 +31,9 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
                                     {3.2_mm, 0.9_mm, 8.0_mm},
                                     {1.5_mm, 0.42_mm, 8.0_mm}})
         for (const double offset : {0.1, 0.35, 0.6, 0.85}) {
-            const ToolSetup setup = test::twist_drill({{"diameter", d}, {"motor_torque", 20.0}});
-            const Body body = test::Slab::make(h, {0.3, 0.7, offset});
             double depth = -1.0_mm;
-            Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(depth));
+            test::Rig simulation(test::Slab::make(h, {0.3, 0.7, offset}),
+                                 test::twist_drill({{"diameter", d}, {"motor_torque", 20.0}}), test::at_depth(depth));
             const auto go = [&](double speed) {
                 depth += speed * Simulation::dt;
                 const double thrust = simulation.tick_direct({test::at_depth(depth)}).thrust;
@@ -54,8 +54,8 @@ TEST(ReEntry, BackInItsHoleADrillMeetsNothingBeforeTheFront) {
 TEST(InItsHole, HandNoiseIsNotFeltAcrossTheDrill) {
     const ToolSetup setup = test::twist_drill({{"diameter", 5.4_mm}});
     for (const double h : {1.0_mm, 0.5_mm, 0.2_mm}) {
-        const Body body = test::block({-6.0_mm, -6.0_mm, -10.0_mm}, {6.0_mm, 6.0_mm, 0}, h, {0.31, 0.17, 0.73});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+        test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -10.0_mm}, {6.0_mm, 6.0_mm, 0}, h, {0.31, 0.17, 0.73}),
+                             setup, test::at_depth(-0.5_mm));
         const auto felt_across = [&](const Pose& pose) {
             const TickResult r = simulation.tick_direct({pose});
             return std::hypot(r.bone_on_tool[0], r.bone_on_tool[1]);

@@ -6,6 +6,7 @@
 
 #include "devices/simulated_hand/simulated_hand.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -21,9 +22,8 @@ struct Felt {
 
 /// An arm that goes along with the handle and pushes 5 N, on the device's side, into a block for three seconds.
 Felt push_into_bone(const Plant& arm, bool is_direct) {
-    const Body body = test::block({-5.0_mm, -5.0_mm, -30.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm, {0.3, 0.1, 0.7});
-    const ToolSetup setup = test::twist_drill();
-    Simulation simulation(body, setup, test::outline(setup), test::gains(1.0 / 40.0), test::at_depth(-0.5_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -30.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.5_mm, {0.3, 0.1, 0.7}),
+                         test::twist_drill(), test::at_depth(-0.5_mm), test::gains(1.0 / 40.0));
     const double mass = arm.arm_mass + arm.device_mass, push = 5.0;
     double depth = -0.5_mm, speed = 0.0, aim = depth, last = 0.0, sum = 0.0, count = 0.0;
     for (int i = 0; i < 3000; ++i) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -36,8 +37,8 @@ struct Pushed {
     double along = 0.0, across = 0.0, torque = 0.0;  // [N], [N], [N·m]
 };
 Pushed pushed_sideways(const ToolSetup& setup, double spacing, double rate, double withdrawn, double settling = 0.0) {
-    const Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+    test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73}),
+                         setup, test::at_depth(-0.5_mm));
     const auto go = [&](const Pose& pose) {
         const TickResult r = simulation.tick_direct({pose});
         return r.bone_on_tool;
@@ -125,8 +126,8 @@ TEST(Work, OfTheMotorIsThatOfTheChipsAlongTheAxisAskewAndSideways) {
                                                {"motor_torque", 20.0},
                                                {"contact_stiffness", 1.0_N_per_mm}});
     for (const double tilt : {0.0_deg, 14.0_deg}) {
-        const Body body = test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, 0.2_mm, {0.31, 0.17, 0.73});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.5_mm, tilt));
+        test::Rig simulation(test::block({-6.0_mm, -6.0_mm, -14.0_mm}, {8.0_mm, 6.0_mm, 0}, 0.2_mm, {0.31, 0.17, 0.73}),
+                             setup, test::at_depth(-1.5_mm, tilt));
         double work = 0.0, removed = 0.0;
         const auto go = [&](const Pose& pose) {
             const TickResult r = simulation.tick_direct({pose});
@@ -170,10 +171,9 @@ TEST(Sideways, SoIsAPilotByItsOwn) {
 TEST(Sideways, AStillDrillIsHeldByTheSideOfABone) {
     for (const double depth : {2.5_mm, 4.0_mm})
         for (const double spacing : {0.25_mm, 0.125_mm}) {
-            const Body body = test::block({0, -6.0_mm, -12.0_mm}, {10.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
-            const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"spindle_speed", 0.0}});
             const auto beside = [&](double aside) { return test::at_depth(depth, 0.0, {aside - 1.6_mm, 0, 0}); };
-            Simulation simulation(body, setup, test::outline(setup), test::gains(), beside(-1.0_mm));
+            test::Rig simulation(test::block({0, -6.0_mm, -12.0_mm}, {10.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73}),
+                                 test::twist_drill({{"diameter", 3.2_mm}, {"spindle_speed", 0.0}}), beside(-1.0_mm));
             double force = 0.0, largest_step = 0.0;
             for (double aside = -1.0_mm; aside < 2.0_mm; aside += 5.0_um) {
                 const double now = -simulation.tick({beside(aside)}).bone_on_tool[0];
@@ -189,11 +189,10 @@ TEST(Sideways, AStillDrillIsHeldByTheSideOfABone) {
 TEST(Sideways, APlateHoldsAllOfTheShank) {
     const Body body = test::block({-8.0_mm, -8.0_mm, -4.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.25_mm, {0.31, 0.17, 0.73});
     for (const double deep : {10.0_mm, 35.0_mm, 60.0_mm}) {
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm));
-        for (double depth = -0.2_mm; depth < deep; depth += depth < 6.0_mm ? 5.0_um : 50.0_um) {
+        test::Rig simulation(body, test::twist_drill({{"diameter", 3.2_mm}, {"motor_torque", 20.0}}),
+                             test::at_depth(-0.2_mm));
+        for (double depth = -0.2_mm; depth < deep; depth += depth < 6.0_mm ? 5.0_um : 50.0_um)
             (void)simulation.tick_direct({test::at_depth(depth)});
-        }
         TickResult r;
         for (double aside = 0.0; aside < 2.0_mm; aside += 2.0_um) {
             r = simulation.tick({test::at_depth(deep, 0.0, {aside, 0, 0})});
@@ -212,8 +211,8 @@ TEST(Runout, AFreeDrillPaysForItsHole) {
     const auto drilled = [](double runout, double density, double spacing) {
         Body body = test::block({-5.0_mm, -5.0_mm, -9.0_mm}, {5.0_mm, 5.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
         body.materials = {{"bone", density, {}}};
-        const ToolSetup setup = test::twist_drill({{"diameter", 3.2_mm}, {"runout", runout}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.1_mm));
+        test::Rig simulation(body, test::twist_drill({{"diameter", 3.2_mm}, {"runout", runout}}),
+                             test::at_depth(-0.1_mm));
         Cost sum;
         int count = 0;
         for (double hand = -0.1_mm; hand < 6.0_mm; hand += 1.5_um) {

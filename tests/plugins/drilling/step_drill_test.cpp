@@ -10,6 +10,7 @@
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -19,8 +20,8 @@ using namespace literals;
 TEST(StepDrill, LeavesTheHoleItIsShapedLike) {
     const ToolSetup setup =
         test::step_drill({{"shoulder_diameter", 5.0_mm}, {"shoulder_angle", 90.0_deg}, {"shoulder_depth", 3.0_mm}});
-    const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+    test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55}),
+                         setup, test::at_depth(-1.0_mm));
     double at = -1.0_mm;
     for (; at < 5.0_mm; at += 4.0_um) {
         (void)simulation.tick_direct({test::at_depth(at)});
@@ -46,8 +47,8 @@ TEST(StepDrill, RefusesAShoulderThatIsNone) {
 TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
     const double whole = 3.2_mm, pilot = 2.0_mm, turn = 118.0_deg, cot = 0.6008606190275604;
     const auto law = [](const ToolSetup& setup) {
-        const Body body = test::block({-5.0_mm, -5.0_mm, -14.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+        test::Rig simulation(test::block({-5.0_mm, -5.0_mm, -14.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.2_mm, {0.21, 0.34, 0.55}),
+                             setup, test::at_depth(-1.0_mm));
         for (double at = -1.0_mm; at < 8.0_mm; at += 2.0_um) {
             (void)simulation.tick_direct({test::at_depth(at)});
         }
@@ -82,12 +83,12 @@ TEST(StepDrill, WithAShoulderThatGoesOnItsPointItIsThatTwistDrill) {
 
 // Through a plate with its pilot, onto its face with its shoulder.
 struct Countersink {
-    Body body = test::block({-8.0_mm, -8.0_mm, -4.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7});
-    ToolSetup setup = test::step_drill({{"diameter", 3.2_mm},
-                                        {"shoulder_diameter", 8.0_mm},
-                                        {"shoulder_angle", 90.0_deg},
-                                        {"shoulder_depth", 8.0_mm}});
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-0.2_mm)};
+    test::Rig simulation{test::block({-8.0_mm, -8.0_mm, -4.0_mm}, {8.0_mm, 8.0_mm, 0}, 0.25_mm, {0.3, 0.1, 0.7}),
+                         test::step_drill({{"diameter", 3.2_mm},
+                                           {"shoulder_diameter", 8.0_mm},
+                                           {"shoulder_angle", 90.0_deg},
+                                           {"shoulder_depth", 8.0_mm}}),
+                         test::at_depth(-0.2_mm)};
 
     explicit Countersink(double to) {
         for (double at = -0.2_mm; at < to; at += 4.0_um) {

@@ -11,6 +11,7 @@
 
 #include "plugins/drilling/drill_force.h"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf {
 namespace {
@@ -45,9 +46,9 @@ struct Felt {
 
 /// Straight along its shaft at a steady feed, the shaft tilted by `tilt` against the face's normal.
 std::vector<Felt> feed(const ToolSetup& setup, double tilt, double depth, double spacing) {
-    const Body body = test::block({-9.0_mm, -6.0_mm, -9.0_mm}, {9.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73});
     constexpr double air = 0.2_mm;
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-R - air, tilt));
+    test::Rig simulation(test::block({-9.0_mm, -6.0_mm, -9.0_mm}, {9.0_mm, 6.0_mm, 0}, spacing, {0.31, 0.17, 0.73}),
+                         setup, test::at_depth(-R - air, tilt));
     std::vector<Felt> felt;
     for (int i = 0;; ++i) {
         const double at = -R - air + rate * Simulation::dt * i;

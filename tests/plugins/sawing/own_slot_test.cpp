@@ -9,6 +9,7 @@
 #include <string>
 
 #include "plugins/sawing/saw_force.h"
+#include "tests/support/rig.h"
 #include "tests/support/saw_rig.h"
 #include "tests/support/tremor.h"
 
@@ -45,9 +46,8 @@ TEST(OwnSlot, IsWhereTheBladeIsOnceItHasCutOn) {
 /// Cut to 10 mm, then drawn back from the front by a millimetre.
 struct InItsSlot {
     double h;
-    Body body = test::block({-18.0_mm, -4.0_mm, -14.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73});
-    ToolSetup setup = test::saw();
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm)};
+    test::Rig simulation{test::block({-18.0_mm, -4.0_mm, -14.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73}),
+                         test::saw(), test::at_depth(-1.0_mm)};
     Pose still;
 
     explicit InItsSlot(double spacing) : h(spacing) {
@@ -88,9 +88,8 @@ struct InItsSlot {
 // What holds a blade across, at the front, does not hang on how far the committed cut lags.
 TEST(BladeInItsSlot, AtTheFrontItIsHeldAlikeOnEveryGridAndInEveryTick) {
     const auto held_across = [](double h) {
-        const Body body = test::block({-18.0_mm, -4.0_mm, -8.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73});
-        const ToolSetup setup = test::saw();
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+        test::Rig simulation(test::block({-18.0_mm, -4.0_mm, -8.0_mm}, {18.0_mm, 4.0_mm, 0}, h, {0.31, 0.17, 0.73}),
+                             test::saw(), test::at_depth(-0.5_mm));
         double least = 1e300, most = 0.0;  // [N] of the edges, of both sides
         for (double depth = -0.5_mm; depth < 5.0_mm; depth += 4.0_um) {
             (void)simulation.tick_direct({test::at_depth(depth)});

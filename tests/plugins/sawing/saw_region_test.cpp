@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "tests/support/rig.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -22,9 +23,7 @@ Body looked_at_in_part() {
 }
 
 struct AtTheEnd {
-    Body body = looked_at_in_part();
-    ToolSetup setup = test::saw({{"tooth_count", 6.0}});
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm)};
+    test::Rig simulation{looked_at_in_part(), test::saw({{"tooth_count", 6.0}}), test::at_depth(-0.5_mm)};
     int times_said = 0;
 
     TickResult tick(const Pose& hand) {
@@ -49,15 +48,15 @@ TEST(SawAtTheRegionsEnd, TakesNothingBeyondIt) {
     AtTheEnd saw;
     for (int i = 0; i < 3000; ++i) (void)saw.tick(test::at_depth(std::min<double>(-0.5_mm + i * 6.0_um, 5.0_mm)));
     saw.simulation.finish();
-    const Grid& g = saw.body.grid();
-    const CutField &cut = saw.simulation.exact(), uncut(saw.body, 1);
+    const Grid& g = saw.simulation.body().grid();
+    const CutField &cut = saw.simulation.exact(), uncut(saw.simulation.body(), 1);
     std::size_t taken = 0;
     for (int k = 0; k < g.samples(2); ++k)
         for (int j = 0; j < g.samples(1); ++j)
             for (int i = 0; i < g.samples(0); ++i) {
                 const bool is_changed = cut.sample(i, j, k) != uncut.sample(i, j, k);
                 taken += is_changed;
-                ASSERT_FALSE(is_changed && outside_region(saw.body, g.sample_position(i, j, k)) > 1e-9)
+                ASSERT_FALSE(is_changed && outside_region(saw.simulation.body(), g.sample_position(i, j, k)) > 1e-9)
                     << i << " " << j << " " << k;
             }
     EXPECT_GT(taken, 0u);
@@ -70,7 +69,7 @@ TEST(SawAtTheRegionsEnd, GoneAsideItStandsAtTheFaceToo) {
     for (int i = 0; i < 3000; ++i)
         (void)saw.tick(test::at_depth(2.0_mm, 0.0, {std::min<double>(i * 6.0_um, 12.0_mm), 0, 0}));
     EXPECT_EQ(saw.times_said, 1);
-    const double reach = test::outline(saw.setup).cutting.largest_radius();
+    const double reach = test::outline(saw.simulation.setup()).cutting.largest_radius();
     EXPECT_LT(std::abs(saw.simulation.world_from_tool().position.x) + reach, 10.0_mm + 0.5_mm);
 }
 

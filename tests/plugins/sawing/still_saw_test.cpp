@@ -9,6 +9,7 @@
 #include <string>
 
 #include "plugins/sawing/saw_force.h"
+#include "tests/support/rig.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -22,9 +23,7 @@ Body wide_block(double spacing = 0.25_mm) {
 
 // 03-11, S-07: the touch pushes out, in and out alike, and cuts nothing.
 TEST(StillSaw, OnlyTouches) {
-    const Body body = wide_block();
-    const ToolSetup setup = test::saw({{"stroke_rate", 0.0}});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-0.5_mm));
+    test::Rig simulation(wide_block(), test::saw({{"stroke_rate", 0.0}}), test::at_depth(-0.5_mm));
     const auto at = [&](double depth) {
         const TickResult r = simulation.tick_direct({test::at_depth(depth)});
         return r.thrust;
@@ -106,9 +105,9 @@ TEST(SawMotor, AWeakMotorBogsDownAndStalls) {
 // The law is pure, sound and free of surprises at any pose: near, in and through bone, going and still.
 TEST(SawLaw, IsSoundAnywhere) {
     for (const double strokes : {0.0, 20.0, 99.0, 101.0, 400.0}) {
-        const Body body = wide_block(0.5_mm);
-        const ToolSetup setup = test::saw({{"stroke_rate", strokes}, {"tooth_count", 40.0}, {"tooth_pitch", 0.6_mm}});
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), test::at_depth(-1.0_mm));
+        test::Rig simulation(wide_block(0.5_mm),
+                             test::saw({{"stroke_rate", strokes}, {"tooth_count", 40.0}, {"tooth_pitch", 0.6_mm}}),
+                             test::at_depth(-1.0_mm));
         for (int i = 0; i < 3000; ++i) {
             const double t = 1e-3 * i;
             Pose pose = test::at_depth(4.0_mm * std::sin(3.0 * t), 0.3 * std::sin(5.0 * t),

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "plugins/sawing/saw_force.h"
+#include "tests/support/rig.h"
 #include "tests/support/saw_rig.h"
 
 namespace kerf {
@@ -37,8 +38,7 @@ TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
     for (const double h : {0.5_mm, 0.25_mm}) {
         const ToolSetup setup = test::saw();
         const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
-        const Body body = test::tube(outer, inner, 3.0_mm, h);
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
+        test::Rig simulation(test::tube(outer, inner, 3.0_mm, h), setup, above(-1.0_mm));
         double worst = 0.0, most = 0.0;
         for (double depth = -1.0_mm; depth < 29.0_mm; depth += rate * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
@@ -58,8 +58,7 @@ TEST(SawnTube, HasAsManyTeethInBoneAsTheChordHoldsPitches) {
 TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
     const ToolSetup setup = test::saw();
     const sawing::SawBlade blade = value_of<sawing::OscillatingBlade>(setup.tool_parameters).blade();
-    const Body body = test::tube(outer, inner, 3.0_mm, 0.5_mm);
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
+    test::Rig simulation(test::tube(outer, inner, 3.0_mm, 0.5_mm), setup, above(-1.0_mm));
     const sawing::Stroke stroke{blade.stroke(), blade.pitch, setup.drives[0]};
     double per_tooth = 0.0;
     for (const auto& part : sawing::parts_of(stroke))
@@ -77,9 +76,7 @@ TEST(SawnTube, LoadIsThatOfTheTeethInBone) {
 // C.1: k π (R_o² − R_i²).
 TEST(SawnTube, LosesItsRingsAreaTimesTheKerf) {
     for (const double h : {0.5_mm, 0.4_mm, 0.25_mm}) {
-        const ToolSetup setup = test::saw();
-        const Body body = test::tube(outer, inner, 3.0_mm, h);
-        Simulation simulation(body, setup, test::outline(setup), test::gains(), above(-1.0_mm));
+        test::Rig simulation(test::tube(outer, inner, 3.0_mm, h), test::saw(), above(-1.0_mm));
         for (double depth = -1.0_mm; depth < 29.5_mm; depth += 20.0_mm_per_s * Simulation::dt) {
             (void)simulation.tick_direct({above(depth)});
         }

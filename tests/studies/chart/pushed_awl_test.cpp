@@ -9,6 +9,7 @@
 
 #include "kerf/units.hpp"
 #include "tests/support/drill_rig.h"
+#include "tests/support/rig.h"
 
 namespace kerf::chart {
 namespace {
@@ -52,9 +53,9 @@ TEST(PushedAwl, APlateBreaksUnderWhatItBears) {
 /// The plugin's still drill, on a grid and led along a scene's way, beside the integral over exact bone.
 struct Compared {
     const Scene& scene;
-    ToolSetup setup = test::twist_drill({{"diameter", scene.drill.diameter}, {"spindle_speed", 0.0}});
-    Body body = body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55});
-    Simulation simulation{body, setup, test::outline(setup), test::gains(), scene.pose_at(scene.depth.front())};
+    test::Rig simulation{body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55}),
+                         test::twist_drill({{"diameter", scene.drill.diameter}, {"spindle_speed", 0.0}}),
+                         scene.pose_at(scene.depth.front())};
     PushedAwl awl{{scene.drill.diameter, scene.drill.point_angle, 0.3}, scene};
 
     [[nodiscard]] double thrust_at(double depth) {
@@ -108,14 +109,14 @@ TEST(PushedAwl, BreaksOutOfTheLastCortexWhereThePluginsStillDrillDoes) {
 // An awl that aims at the canal: through the entry, spongy bone, and the pedicle's medial wall from within.
 TEST(PushedAwl, BreaksAPediclesWallWhereThePluginsAwlDoes) {
     const Scene scene = pedicle_awl_scene({.towards_canal = 20.0_deg});
-    const Body body = body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55});
     const double slender = 1.75_mm / std::tan(15.0_deg);  // the end of 0.5 mm is blunter, as no drill is as sharp
-    const ToolSetup setup = test::drill("profile_drill", {{"spindle_speed", 0.0},
-                                                          {"diameter", 0.5_mm},
-                                                          {"point_angle", 60.0_deg},
-                                                          {"depth_1", 0.433_mm + slender},
-                                                          {"diameter_1", 4.0_mm}});
-    Simulation simulation(body, setup, test::outline(setup), test::gains(), scene.pose_at(scene.depth.front()));
+    test::Rig simulation(body_of(scene.bone, 0.25_mm, {0.21, 0.34, 0.55}),
+                         test::drill("profile_drill", {{"spindle_speed", 0.0},
+                                                       {"diameter", 0.5_mm},
+                                                       {"point_angle", 60.0_deg},
+                                                       {"depth_1", 0.433_mm + slender},
+                                                       {"diameter_1", 4.0_mm}}),
+                         scene.pose_at(scene.depth.front()));
     double awl_most = 0.0, most = 0.0, awl_at = 0.0, at = 0.0;
     PushedAwl awl({}, scene);
     const double shorter = 0.25_mm / std::tan(15.0_deg) - 0.433_mm;  // by so much than a cone of 30° to its end
