@@ -252,6 +252,50 @@ void describe_to(CLI::App& app, CommandLine& line) {
 
     add("list", "List the tools and force laws of all plugins");
 
+    CLI::App* check = add("check", "Test plugins for conformance: tables, geometry, laws, real time, physics");
+    check->add_option("PLUGIN", line.files, "Shared libraries of plugins")
+        ->type_name("")
+        ->required()
+        ->check(not_empty("the file of a plugin, as in `build/lib/kerf/kerf_peck.so`"))
+        ->expected(1, many);
+    check
+        ->add_option("--level", line.level,
+                     "1 loads and describes, 2 and geometry, 3 and laws (default), 4 and physics, 5 and procedures")
+        ->type_name("LEVEL")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+                return word.size() == 1 && word[0] >= '1' && word[0] <= '5' ? std::string()
+                                                                            : "is `" + word + "`. Write 1, 2, 3, 4 or 5.";
+            },
+            ""));
+    add_option(check, "--only", line.only, "PATTERN", "Only tests whose id matches this regular expression",
+               not_empty("a regular expression, as in `law`"));
+    check->add_option("--exclude", line.excluded, "Leave out tests whose id matches; each with its --reason")
+        ->type_name("PATTERN")
+        ->check(not_empty("a regular expression, as in `^law\\.time$`"))
+        ->expected(1)
+        ->take_all();
+    check->add_option("--reason", line.reasons, "Why they are left out; the report shows it")
+        ->type_name("TEXT")
+        ->check(not_empty("a reason"))
+        ->expected(1)
+        ->take_all();
+    add_option(check, "--twin", line.twin, "PLUGIN",
+               "At level 5: the same plugin from another compiler, which must give the same bits",
+               not_empty("the file of a plugin"));
+    check->add_option("--procedure", line.procedures,
+                      "At level 5: run these; default: the shipped procedures that use the plugin")
+        ->type_name("PROCEDURE")
+        ->check(not_empty(yaml_help))
+        ->expected(1)
+        ->take_all();
+    add_option(check, "--format", line.format, "FORMAT", "text (default), json or junit",
+               one_of({"text", "json", "junit"}));
+    add_option(check, "-o,--out", line.out, "FILE", "Write the report to this file; text still goes to the terminal",
+               not_empty("a file, as in `--out check.xml`"));
+    check->footer("Exit code: 0 no test failed, 1 one failed, 2 bad input, 3 fault or interrupted.\n" +
+                  std::string(notice_line) + ".");
+
     CLI::App* fresh = add("new", "Write the beginning of a plugin, a burr that builds and runs");
     CLI::App* fresh_plugin = fresh->add_subcommand("plugin", "Write a plugin into a folder of its own");
     fresh->require_subcommand(1);

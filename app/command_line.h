@@ -17,7 +17,7 @@ enum ExitCode : int {
 
 struct CommandLine {
     std::string command;  ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan",
-                          ///< "privacy", "report", "stability", "chart"; empty: `answer` is all
+                          ///< "privacy", "report", "stability", "chart", "check"; empty: `answer` is all
     std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and
                                      ///< expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
@@ -42,7 +42,13 @@ struct CommandLine {
     std::string action;                    ///< of anatomy: "check"
     std::string mode = "practice";         ///< practice | exam | demo
     bool is_headless = false;              ///< so is every run for now
-    std::string format = "text";           ///< of validate: text | json | github
+    std::string format = "text";           ///< of validate: text | json | github; of check: text | json | junit
+
+    std::string only;                                           ///< of check: a pattern on the tests' ids; empty: all
+    std::vector<std::string> excluded, reasons;                 ///< of check: patterns, and why each is left out
+    int level = 3;                                              ///< of check: 1 … 5
+    std::string twin;                                           ///< of check: the same plugin, built otherwise
+    std::vector<std::string> procedures;                        ///< of check, at level 5
 
     std::string answer;         ///< to print instead of doing anything: help, version, or what is wrong
     int exit_code = exit_pass;  ///< with `answer`; exit_bad_input belongs on stderr

@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/check_plugins.h"
 #include "app/commands.h"
 #include "app/last_resort.h"
 #include "app/plugin_folders.h"
@@ -27,6 +28,7 @@ ExitCode do_as_told(int argc, char** argv) {
     // ../share/kerf/procedures.
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (line.command == "check") return check_plugins(line, program.string());  // it loads no plugin
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
     line.shipped = (prefix / "share" / "kerf" / "procedures").string();

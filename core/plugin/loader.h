@@ -48,6 +48,9 @@ struct PluginLoad {
 [[nodiscard]] std::vector<PluginLoad> load_plugins(const std::vector<std::string>& paths);
 [[nodiscard]] PluginLoad load_plugin(const std::string& path);
 
+/// Loads a library without that trial, for a process that may end with it.   [main]
+[[nodiscard]] PluginLoad load_tried_plugin(const std::string& path);
+
 /// Why a file was left out.
 struct PluginRefusal {
     std::string path, plugin_id;  ///< the id as far as its entry could be read

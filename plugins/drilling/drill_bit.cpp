@@ -24,6 +24,12 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     if (!(neck < drill.length))
         return refuse("`length` is ", in_mm(drill.length),
                       "; it needs more than the cutting part and the land behind it, ", in_mm(neck), ".");
+    constexpr double softest = 0.1, steepest = 10.0;  // [m/N], [rad/N] that the host takes
+    const Outline::Bending bending = tip_bending(drill);
+    if (const double over = std::max(bending.deflection / softest, bending.slope / steepest); over > 1.0)
+        return refuse("`length` is ", in_mm(drill.length), "; a bit of ", in_mm(2.0 * shank),
+                      " is too slender for that and needs ", in_mm(0.99 * drill.length / std::cbrt(over)),
+                      " or less.");
     Outline outline = revolution({{0.0, e}, {-drill.point_depth(), drill.radius() + e}});
     for (std::size_t i = 0; i < drill.corner_count; ++i) {
         const OutlineCorner& at = drill.corners[i];
@@ -37,7 +43,7 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     const double grip_z = -drill.length - 40.0_mm;  // the hand holds the body of the drill behind the chuck
     return outline.to(-drill.length, shank + e)
         .gripped_at(grip_z)
-        .bends(tip_bending(drill))
+        .bends(bending)
         .weighs({.mass = mass, .centre_z = grip_z, .gyration = 50.0_mm});  // [assumed]
 }
 

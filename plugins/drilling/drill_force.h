@@ -69,7 +69,7 @@ struct DrillCutting : DrillParameters {
         return describe(
             "drill_cutting",
             "Edge and chip forces on lips and chisel edge, mixed tissue, contact and friction of the shank.",
-            DrillParameters::about(), budget_us(150),
+            DrillParameters::about(), budget_us(150), work({.channels = 16, .points = 1200, .queries = 8}),
             signal(&Signals::chip_thickness,
                    {.id = "chip_thickness", .help = "Uncut chip thickness at the lips.", .unit = unit::um}),
             signal(&Signals::feed_per_revolution,

@@ -42,7 +42,7 @@ struct SawCutting : SawParameters {
             "saw_cutting",
             "Edge and chip forces on each tooth, averaged over the oscillation, binding in the blade's own slot, "
             "contact and friction.",
-            SawParameters::about(), budget_us(150),
+            SawParameters::about(), budget_us(150), work({.channels = 16, .points = 400, .queries = 8}),
             signal(&Signals::chip_thickness,
                    {.id = "chip_thickness",
                     .help = "Uncut chip thickness at the teeth, averaged over the oscillation.",

@@ -285,6 +285,11 @@ typedef struct kerf_force {
     const kerf_need* needs;
     uint32_t need_count;
     uint32_t budget_ns; /* what one `resist` should take at most */
+    /* What one `resist` needs at most, for any parameters: `kerf check` counts it, on every machine the same. 0: not
+       declared. */
+    uint32_t max_channels;
+    uint32_t max_points; /* of all its queries together */
+    uint32_t max_queries;
     /* Writes the state that the law begins with. The parameters and the resolution of the bone stay the same until the
        law begins again: work out here what follows from them alone. [haptic, nonblocking] */
     void (*begin)(const kerf_tick_in* in, void* state);

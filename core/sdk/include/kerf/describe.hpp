@@ -110,6 +110,12 @@ struct Need {
 struct Budget {
     std::uint32_t ns;
 };
+/// What one evaluation of a law needs at most, for any parameters; 0: not declared. `kerf check` counts it.
+struct Work {
+    std::uint32_t channels = 0;
+    std::uint32_t points = 0;   ///< of all its queries together
+    std::uint32_t queries = 0;  ///< of the bone
+};
 template <class... Items>
 struct Group {
     std::tuple<Items...> items;
@@ -162,6 +168,8 @@ template <class T>
 }
 /// States what one evaluation of a law should take at most. Without it: 20 µs.
 [[nodiscard]] constexpr Budget budget_us(std::uint32_t microseconds) noexcept { return {1000 * microseconds}; }
+/// States what one evaluation of a law needs at most: `kerf check` prints what to write.
+[[nodiscard]] constexpr Work work(Work most) noexcept { return most; }
 /// Joins descriptions that several components share.
 template <class... Items>
 [[nodiscard]] constexpr Group<Items...> group(Items... items) noexcept {

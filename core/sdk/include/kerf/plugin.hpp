@@ -65,19 +65,21 @@ struct ToolTable {
 template <class Law>
 struct ForceTable {
     using L = LawTable<Law>;
-    static constexpr std::uint32_t budget_ns = [] {
-        std::uint32_t ns = 20000;
+    /// The item of this type in the description, or `otherwise`.
+    template <class Item>
+    static constexpr Item stated(Item otherwise) noexcept {
         std::apply(
             [&](const auto&... item) {
                 const auto take = [&](const auto& one) {
-                    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Budget>) ns = one.ns;
+                    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(one)>, Item>) otherwise = one;
                 };
                 (take(item), ...);
                 static_cast<void>(take);
             },
             Tables<Law>::about.items);
-        return ns;
-    }();
+        return otherwise;
+    }
+    static constexpr Work most = stated(Work{});
     static constexpr auto tools = Holding<typename L::Tool>::ids;
     static constexpr auto needs = [] {
         if constexpr (Holding<typename L::Tool>::by_needs)
@@ -98,7 +100,10 @@ struct ForceTable {
                                       .tool_count = tools.size(),
                                       .needs = first_of(needs),
                                       .need_count = needs.size(),
-                                      .budget_ns = budget_ns,
+                                      .budget_ns = stated(Budget{20000}).ns,
+                                      .max_channels = most.channels,
+                                      .max_points = most.points,
+                                      .max_queries = most.queries,
                                       .begin = &L::begin,
                                       .resist = &L::resist,
                                       .commit = &L::commit};

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/check_plugins.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "app/interruption.h"
+#include "app/progress.h"
+#include "app/standard_streams.h"
+#include "conformance/check.h"
+#include "conformance/report.h"
+#include "core/session/recorder.h"
+#include "core/session/write_file.h"
+
+namespace kerf {
+
+namespace {
+
+using namespace conformance;
+namespace fs = std::filesystem;
+
+ExitCode complain(const std::string& error, ExitCode code) {
+    print_error("kerf: " + error + "\n");
+    return code;
+}
+
+std::string refusal_of(const CommandLine& line) {
+    if (line.excluded.size() != line.reasons.size())
+        return "`--exclude` is given " + std::to_string(line.excluded.size()) + " time(s) and `--reason` " +
+               std::to_string(line.reasons.size()) +
+               ". Write a reason for each, as in `--exclude law.time --reason 'a slow machine'`.";
+    std::vector<std::string> patterns = line.excluded;
+    patterns.push_back(line.only);
+    for (const std::string& pattern : patterns)
+        if (const std::string refusal = refusal_of_pattern(pattern); !refusal.empty()) return refusal;
+    for (const std::string& file : line.files)
+        if (fs::is_directory(file)) return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
+    return {};
+}
+
+}  // namespace
+
+ExitCode check_plugins(const CommandLine& line, const std::string& program) {
+    if (const std::string refusal = refusal_of(line); !refusal.empty()) return complain(refusal, exit_bad_input);
+    const fs::path prefix = fs::path(program).parent_path().parent_path();
+    const Interruption interruption;
+    CheckRequest request{.child = (prefix / "libexec" / "kerf" / "kerf-check-child").string(),
+                         .level = line.level,
+                         .only = line.only,
+                         .is_interrupted = [&] { return interruption.has_come(); }};
+    for (std::size_t i = 0; i < line.excluded.size(); ++i)
+        request.excluded.emplace_back(line.excluded[i], line.reasons[i]);
+
+    const bool is_text = line.format == "text", shows_text = is_text || !line.out.empty();
+    std::vector<PluginReport> reports;
+    std::string text;
+    const auto show = [&](const std::string& more) {
+        text += more;
+        if (shows_text) print(more);
+    };
+    show(std::string(notice_line) + ".\n");
+    for (const std::string& file : line.files) {
+        reports.push_back(check_plugin(file, request, [&](const TestResult& result) {
+            show_work(result.id);
+            if (const std::string one = text_of(result, file); !one.empty()) show(one);
+        }));
+        show_work("");
+        if (!reports.back().error.empty()) return complain(file + ": " + reports.back().error, exit_fault);
+        if (reports.back().results.empty())
+            return complain("no test matches `--only " + line.only + "` up to level " + std::to_string(line.level) +
+                                ". `kerf check --help` explains the levels.",
+                            exit_bad_input);
+        show(summary_of(reports.back()));
+    }
+    const std::string report = line.format == "json"    ? json_text(reports)
+                               : line.format == "junit" ? junit_text(reports)
+                                                        : text;
+    if (line.out.empty()) {
+        if (!is_text) print(report);
+    } else if (const std::string error = write_file(line.out, report); !error.empty()) {
+        return complain(error, exit_fault);
+    }
+    return std::all_of(reports.begin(), reports.end(), is_conforming) ? exit_pass : exit_not_passed;
+}
+
+}  // namespace kerf

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-check-child: runs the tests of one plugin for `kerf check`, which never loads it. Results are JSON, one a line.
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "conformance/schedule.h"
+#include "conformance/test.h"
+
+namespace {
+
+using Json = nlohmann::json;
+using namespace kerf::conformance;
+
+void print(const Json& line) {
+    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
+int list_tests() {
+    for (const Test& test : all_tests())
+        print({{"test", test.id}, {"level", test.level}, {"sentence", test.sentence}});
+    return 0;
+}
+
+/// What to do comes as one JSON argument: only `kerf` calls this program.
+int run(const char* request_text) {
+    const Json request = Json::parse(request_text);
+    Selection selection{.level = request.at("level"), .only = request.at("only")};
+    for (const Json& one : request.at("excluded")) selection.excluded.push_back({one.at(0), one.at(1)});
+    run_tests(
+        request.at("plugin"), selection, [](const std::string& plugin) { print({{"plugin", plugin}}); },
+        [](const TestResult& result) {
+            print({{"id", result.id},
+                   {"level", result.level},
+                   {"subject", result.subject},
+                   {"sentence", result.sentence},
+                   {"status", static_cast<int>(result.status)},
+                   {"text", result.text},
+                   {"output", result.output},
+                   {"seconds", result.seconds}});
+        });
+    print({{"end", true}});
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fputs("kerf-check-child is called by `kerf check`. Write `kerf check PLUGIN`.\n", stderr);
+        return 2;
+    }
+    try {
+        return std::string(argv[1]) == "--list" ? list_tests() : run(argv[1]);
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "kerf-check-child: %s\n", e.what());
+        return 3;
+    }
+}

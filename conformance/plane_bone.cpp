@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/plane_bone.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf::conformance {
+
+PlaneBone::PlaneBone(const Settings& settings) : settings_(settings) {
+    constexpr double reach_in_voxels = 4.0;  // as the host's fields
+    query_ = {sizeof(kerf_bone_query), settings.tissues, reach_in_voxels * settings.voxel, &sample_entry,
+              &nearest_entry, reinterpret_cast<const kerf_bone*>(this)};
+}
+
+PlaneBone::Counts PlaneBone::take_counts() noexcept { return std::exchange(counts_, {}); }
+
+/// Negative inside bone [m].
+double PlaneBone::distance_at(Vec3 point_in_tool, Vec3* normal_in_tool) const noexcept {
+    if (settings_.shape == Shape::air) return query_.reach;
+    if (settings_.shape == Shape::endless) return -query_.reach;
+    const double z = (bone_from_tool_ * point_in_tool).z, above = z, below = -settings_.thickness - z;
+    if (normal_in_tool != nullptr)
+        *normal_in_tool = rotate(conjugate(bone_from_tool_.rotation), Vec3{0, 0, above >= below ? 1.0 : -1.0});
+    return std::max(above, below);
+}
+
+void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample* out) noexcept {
+    const double ramp = 0.25 * settings_.voxel;  // as in core/field/body.h
+    for (std::uint32_t i = 0; i < count; ++i) {
+        kerf_bone_sample& s = out[i] = kerf_bone_sample{};
+        s.engagement = std::clamp(0.5 - distance_at(points[i], nullptr) / ramp, 0.0, 1.0);
+        for (std::uint32_t t = 0; t < settings_.tissues; ++t) {
+            s.weight[t] = t == 0   ? settings_.share_of_first
+                          : t == 1 ? 1.0 - settings_.share_of_first
+                                   : 0.0;
+            s.density[t] = t == 0 ? settings_.density : 0.5 * settings_.density;
+        }
+    }
+}
+
+void PlaneBone::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) noexcept {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        kerf_surface_point& s = out[i] = kerf_surface_point{};
+        Vec3 normal{};
+        const double distance = distance_at(points[i], &normal);
+        s.distance = std::clamp(distance, -query_.reach, query_.reach);
+        s.body = distance > -query_.reach && distance < query_.reach ? 0 : -1;
+        s.normal = s.body < 0 ? Vec3{} : normal;
+    }
+}
+
+void PlaneBone::sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count, const kerf_vec3*,
+                             std::uint32_t, kerf_bone_sample* out) {
+    auto& self = *const_cast<PlaneBone*>(reinterpret_cast<const PlaneBone*>(bone));
+    ++self.counts_.queries;
+    self.counts_.points += count;
+    self.sample(points, count, out);
+}
+
+void PlaneBone::nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
+                              kerf_surface_point* out) {
+    auto& self = *const_cast<PlaneBone*>(reinterpret_cast<const PlaneBone*>(bone));
+    ++self.counts_.queries;
+    self.counts_.points += count;
+    self.nearest(points, count, out);
+}
+
+}  // namespace kerf::conformance
