@@ -36,7 +36,8 @@ std::string refusal_of(const CommandLine& line) {
     for (const std::string& pattern : patterns)
         if (const std::string refusal = refusal_of_pattern(pattern); !refusal.empty()) return refusal;
     for (const std::string& file : line.files)
-        if (fs::is_directory(file)) return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
+        if (fs::is_directory(file))
+            return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
     return {};
 }
 

@@ -264,8 +264,9 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->type_name("LEVEL")
         ->check(CLI::Validator(
             [](std::string& word) {
-                return word.size() == 1 && word[0] >= '1' && word[0] <= '5' ? std::string()
-                                                                            : "is `" + word + "`. Write 1, 2, 3, 4 or 5.";
+                return word.size() == 1 && word[0] >= '1' && word[0] <= '5'
+                           ? std::string()
+                           : "is `" + word + "`. Write 1, 2, 3, 4 or 5.";
             },
             ""));
     add_option(check, "--only", line.only, "PATTERN", "Only tests whose id matches this regular expression",
@@ -283,8 +284,9 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(check, "--twin", line.twin, "PLUGIN",
                "At level 5: the same plugin from another compiler, which must give the same bits",
                not_empty("the file of a plugin"));
-    check->add_option("--procedure", line.procedures,
-                      "At level 5: run these; default: the shipped procedures that use the plugin")
+    check
+        ->add_option("--procedure", line.procedures,
+                     "At level 5: run these; default: the shipped procedures that use the plugin")
         ->type_name("PROCEDURE")
         ->check(not_empty(yaml_help))
         ->expected(1)

@@ -12,11 +12,11 @@
 namespace kerf::conformance {
 
 struct CheckRequest {
-    std::string child;  ///< the program kerf-check-child
-    int level = 3;      ///< 1 … 5
-    std::string only;   ///< regular expression on a test's id; empty: all
+    std::string child;                                            ///< the program kerf-check-child
+    int level = 3;                                                ///< 1 … 5
+    std::string only{};                                           ///< regular expression on a test's id; empty: all
     std::vector<std::pair<std::string, std::string>> excluded{};  ///< pattern and reason
-    std::function<bool()> is_interrupted{};                     ///< may be empty
+    std::function<bool()> is_interrupted{};                       ///< may be empty
 };
 
 /// Why a pattern is no regular expression, with the pattern; empty if it is one.   [any]

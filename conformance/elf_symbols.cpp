@@ -47,9 +47,7 @@ std::optional<ElfSymbols> elf_symbols(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     const Bytes bytes(std::string(std::istreambuf_iterator<char>(file), {}));
     const auto head = bytes.at<ElfW(Ehdr)>(0);
-    const auto section = [&](std::size_t i) {
-        return bytes.at<ElfW(Shdr)>(head.e_shoff + i * sizeof(ElfW(Shdr)));
-    };
+    const auto section = [&](std::size_t i) { return bytes.at<ElfW(Shdr)>(head.e_shoff + i * sizeof(ElfW(Shdr))); };
     ElfSymbols found;
     bool has_symbols = false;
     for (std::size_t i = 0; i < head.e_shnum; ++i) {

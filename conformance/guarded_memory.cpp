@@ -21,8 +21,7 @@ GuardedMemory::~GuardedMemory() {
 
 void* GuardedMemory::allocate(std::size_t size, std::size_t alignment, const char* beyond) {
     const std::size_t page = page_size(), pages = std::max<std::size_t>(1, (size + page - 1) / page);
-    void* const begin =
-        mmap(nullptr, (pages + 1) * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* const begin = mmap(nullptr, (pages + 1) * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (begin == MAP_FAILED) throw std::bad_alloc();
     auto* const guard = static_cast<char*>(begin) + pages * page;
     mprotect(guard, page, PROT_NONE);

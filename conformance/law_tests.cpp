@@ -235,16 +235,15 @@ constexpr Test tests[] = {
      "law.answers"},
     {"law.ids", 3, Scope::law, "Every channel has an id of its own.", &numbers_its_channels, "law.sound"},
     {"law.air", 3, Scope::law, "There is no force in air.", &is_silent_in_air, "law.sound"},
-    {"law.continuous", 3, Scope::law, "The force does not jump where the tool meets bone.", &is_continuous,
-     "law.sound", 6},
+    {"law.continuous", 3, Scope::law, "The force does not jump where the tool meets bone.", &is_continuous, "law.sound",
+     6},
     {"law.signals", 3, Scope::law, "Every signal is written in each tick.", &writes_its_signals, "law.answers"},
     {"law.actions", 3, Scope::law, "It requests actions and reports events that exist.", &requests_known_actions,
      "law.answers"},
     {"law.channels", 3, Scope::law, "It uses no more channels than it declares.", &keeps_to_its_channels, "law.sound",
      6},
     {"law.points", 3, Scope::law, "It queries no more points than it declares.", &keeps_to_its_points, "law.sound", 6},
-    {"law.queries", 3, Scope::law, "It makes no more queries than it declares.", &keeps_to_its_queries, "law.sound",
-     6},
+    {"law.queries", 3, Scope::law, "It makes no more queries than it declares.", &keeps_to_its_queries, "law.sound", 6},
 };
 
 }  // namespace

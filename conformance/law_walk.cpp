@@ -18,11 +18,7 @@ constexpr std::size_t slack = 512;  // [B] on either side of plain memory
 }  // namespace
 
 LawWalk::LawWalk(const Subject& subject, const WalkSettings& settings)
-    : subject_(subject),
-      settings_(settings),
-      setup_(subject.setup()),
-      bone_(settings.bone),
-      air_([&] {
+    : subject_(subject), settings_(settings), setup_(subject.setup()), bone_(settings.bone), air_([&] {
           PlaneBone::Settings air = settings.bone;
           air.shape = PlaneBone::Shape::air;
           return air;
@@ -86,9 +82,9 @@ void LawWalk::allocate() {
     law_ = static_cast<kerf_law*>(output(sizeof(kerf_law), alignof(kerf_law), "it wrote beyond `kerf_law`"));
     *law_ = {};
     law_->size = sizeof(kerf_law);
-    law_->channel = static_cast<kerf_channel*>(
-        output(KERF_MAX_CHANNELS * sizeof(kerf_channel), alignof(kerf_channel),
-               "it wrote a channel beyond the 16 that there are (KERF_MAX_CHANNELS)"));
+    law_->channel =
+        static_cast<kerf_channel*>(output(KERF_MAX_CHANNELS * sizeof(kerf_channel), alignof(kerf_channel),
+                                          "it wrote a channel beyond the 16 that there are (KERF_MAX_CHANNELS)"));
     out_ = static_cast<kerf_commit_out*>(
         output(sizeof(kerf_commit_out), alignof(kerf_commit_out), "it wrote beyond `kerf_commit_out`"));
     *out_ = {};
@@ -118,7 +114,8 @@ void LawWalk::move_state() {
     void* to = nullptr;
     std::unique_ptr<std::byte[]> plain;
     if (settings_.guards.state_end) {
-        to = guarded_state_.allocate(force.state_size, force.state_align, "it wrote or read beyond the end of its state");
+        to = guarded_state_.allocate(force.state_size, force.state_align,
+                                     "it wrote or read beyond the end of its state");
     } else {
         std::size_t space = force.state_size + force.state_align + 2 * slack;
         plain = std::make_unique<std::byte[]>(space);
@@ -202,6 +199,7 @@ kerf_status LawWalk::resist() {
     fill_outputs();
     in_.tick = tick_;
     in_.bone = &bone_.query();
+    if (settings_.keeps_state) state_before_.assign(state().begin(), state().end());
     before_call();
     const kerf_status status = call_resist(*subject_.force, in_, state_, *law_);
     after_call("resist");
@@ -259,9 +257,8 @@ kerf_status LawWalk::commit(const Pose& next) {
 
 std::string LawWalk::where() const {
     const Vec3 along = rotate(pose_.rotation, {0, 0, 1});
-    std::string text = "at tick " + std::to_string(tick_) + ", the tip " +
-                       number(1e3 * std::abs(pose_.position.z)) + " mm " + (pose_.position.z > 0.0 ? "above" : "below") +
-                       " the face";
+    std::string text = "at tick " + std::to_string(tick_) + ", the tip " + number(1e3 * std::abs(pose_.position.z)) +
+                       " mm " + (pose_.position.z > 0.0 ? "above" : "below") + " the face";
     const double tilt = std::acos(std::clamp(-along.z, -1.0, 1.0)) * 180.0 / pi;
     if (tilt > 0.5) text += ", " + number(std::round(tilt)) + "° askew";
     return text;

@@ -37,10 +37,11 @@ struct Offence {
 /// How a law is walked.
 struct WalkSettings {
     PlaneBone::Settings bone{};
-    double dt = 1e-3;  ///< [s]
+    double dt = 1e-3;                                                                    ///< [s]
     std::optional<std::vector<double>> tool_parameters{}, force_parameters{}, drives{};  ///< none: the defaults
     Guards guards{};                  ///< which memory crashes when it is misused
-    bool is_watched = false;          ///< `watched` tells what its calls called
+    bool is_watched = false;          ///< `offence` tells what its calls called
+    bool keeps_state = false;         ///< `state_before_resist` is kept
     unsigned char state_fill = 0xa5;  ///< of the state's bytes before it begins
 };
 
@@ -82,6 +83,8 @@ public:
     [[nodiscard]] std::span<unsigned char> state() noexcept {
         return {static_cast<unsigned char*>(state_), subject_.force->force->state_size};
     }
+    /// What the state was before the last `resist`. Pre: `keeps_state`.
+    [[nodiscard]] std::span<const unsigned char> state_before_resist() const noexcept { return state_before_; }
     [[nodiscard]] PlaneBone& bone() noexcept { return bone_; }
     [[nodiscard]] const ToolOutline& outline() const noexcept { return outline_; }
     [[nodiscard]] const Subject& subject() const noexcept { return subject_; }
@@ -93,8 +96,8 @@ public:
     /// The rate of the tool from where it is to `next`, tool frame.
     [[nodiscard]] Vec6 rate_to(const Pose& next) const noexcept;
 
-    /// Moves inputs and outputs to other memory; what was there before cannot be touched any more. Pre: input and output
-    /// ends are guarded.
+    /// Moves inputs and outputs to other memory; what was there before cannot be touched any more. Pre: input and
+    /// output ends are guarded.
     void move_memory();
     /// Moves the state to other memory; what was there before is overwritten.
     void move_state();
@@ -126,6 +129,7 @@ private:
     std::unique_ptr<std::byte[]> plain_state_;
     std::vector<std::unique_ptr<std::byte[]>> kept_states_;
     GuardedMemory guarded_state_;
+    std::vector<unsigned char> state_before_;
     std::array<Offence, static_cast<std::size_t>(Forbidden::count)> offences_;
     kerf_solid solid_{};
     kerf_tick_in in_{};

@@ -8,8 +8,8 @@ namespace kerf::conformance {
 
 PlaneBone::PlaneBone(const Settings& settings) : settings_(settings) {
     constexpr double reach_in_voxels = 4.0;  // as the host's fields
-    query_ = {sizeof(kerf_bone_query), settings.tissues, reach_in_voxels * settings.voxel, &sample_entry,
-              &nearest_entry, reinterpret_cast<const kerf_bone*>(this)};
+    query_ = {sizeof(kerf_bone_query), settings.tissues, reach_in_voxels * settings.voxel,
+              &sample_entry,           &nearest_entry,   reinterpret_cast<const kerf_bone*>(this)};
 }
 
 PlaneBone::Counts PlaneBone::take_counts() noexcept { return std::exchange(counts_, {}); }
@@ -30,9 +30,7 @@ void PlaneBone::sample(const Vec3* points, std::uint32_t count, kerf_bone_sample
         kerf_bone_sample& s = out[i] = kerf_bone_sample{};
         s.engagement = std::clamp(0.5 - distance_at(points[i], nullptr) / ramp, 0.0, 1.0);
         for (std::uint32_t t = 0; t < settings_.tissues; ++t) {
-            s.weight[t] = t == 0   ? settings_.share_of_first
-                          : t == 1 ? 1.0 - settings_.share_of_first
-                                   : 0.0;
+            s.weight[t] = t == 0 ? settings_.share_of_first : t == 1 ? 1.0 - settings_.share_of_first : 0.0;
             s.density[t] = t == 0 ? settings_.density : 0.5 * settings_.density;
         }
     }

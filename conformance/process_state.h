@@ -9,12 +9,12 @@ namespace kerf::conformance {
 
 /// What a library shares with its process and must leave as it is.
 struct ProcessState {
-    std::uint32_t rounding = 0;             ///< of the processor: rounding, flush to zero, which faults trap
-    std::vector<std::uintptr_t> handlers;   ///< of each signal
-    std::vector<std::string> files;         ///< open descriptors, each with what it is
+    std::uint32_t rounding = 0;            ///< of the processor: rounding, flush to zero, which faults trap
+    std::vector<std::uintptr_t> handlers;  ///< of each signal
+    std::vector<std::string> files;        ///< open descriptors, each with what it is
     std::string locale, folder;
     std::vector<std::string> environment;
-    unsigned mask = 0;                      ///< of files that are made
+    unsigned mask = 0;  ///< of files that are made
     int threads = 0;
 };
 [[nodiscard]] ProcessState process_state();  // [main]

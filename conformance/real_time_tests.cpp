@@ -116,8 +116,8 @@ void is_fast_enough(Examination& exam) {
         least = std::min(least, (processor_seconds() - begun) / calls);
         if (least > most_over * budget && block > 2) break;
     }
-    const std::string text = "One `resist` takes " + number(1e6 * least) + " µs in bone, the budget is " +
-                             number(1e6 * budget) + " µs";
+    const std::string text =
+        "One `resist` takes " + number(1e6 * least) + " µs in bone, the budget is " + number(1e6 * budget) + " µs";
     if (least > most_over * budget)
         exam.fail(text + ". Query fewer points, or declare a budget that is true.");
     else if (least > budget)

@@ -19,8 +19,7 @@ struct Answer {
     std::vector<kerf_channel> channels;
     kerf_law law{};
 
-    explicit Answer(const LawWalk& walk)
-        : channels(walk.channels().begin(), walk.channels().end()), law(walk.law()) {}
+    explicit Answer(const LawWalk& walk) : channels(walk.channels().begin(), walk.channels().end()), law(walk.law()) {}
     [[nodiscard]] std::string difference(const Answer& other) const {
         if (law.count != other.law.count)
             return std::to_string(law.count) + " and then " + std::to_string(other.law.count) + " channels";
@@ -44,22 +43,16 @@ void is_pure(Examination& exam) {
 }
 
 void keeps_its_state(Examination& exam) {
-    std::vector<unsigned char> before;
-    walk(
-        exam, {}, eventful_path(),
-        [&](LawWalk& law) {
-            for (std::size_t i = 0; i < before.size(); ++i)
-                if (law.state()[i] != before[i]) {
-                    exam.fail("`resist` changes byte " + std::to_string(i) + " of its state, " + law.where() +
-                              ". The state is const there: only `commit` may change it.");
-                    return false;
-                }
-            return true;
-        },
-        [&](LawWalk& law) {
-            before.assign(law.state().begin(), law.state().end());
-            return true;
-        });
+    WalkSettings settings;
+    settings.keeps_state = true;
+    walk(exam, settings, eventful_path(), [&](LawWalk& law) {
+        const auto before = law.state_before_resist();
+        for (std::size_t i = 0; i < before.size() && !exam.has_failed(); ++i)
+            if (law.state()[i] != before[i])
+                exam.fail("`resist` changes byte " + std::to_string(i) + " of its state, " + law.where() +
+                          ". The state is const there: only `commit` may change it.");
+        return !exam.has_failed();
+    });
 }
 
 void is_not_disturbed(Examination& exam) {
@@ -175,15 +168,13 @@ void may_change_threads(Examination& exam) {
 constexpr Test tests[] = {
     {"law.pure", 3, Scope::law, "The same call returns the same bits.", &is_pure, "law.answers"},
     {"law.state_kept", 3, Scope::law, "`resist` leaves its state as it was.", &keeps_its_state, "law.answers"},
-    {"law.undisturbed", 3, Scope::law, "Calls in other bone in between change nothing.", &is_not_disturbed,
-     "law.pure"},
+    {"law.undisturbed", 3, Scope::law, "Calls in other bone in between change nothing.", &is_not_disturbed, "law.pure"},
     {"law.begins_again", 3, Scope::law, "After `begin` everything is as the first time.", &begins_again, "law.pure"},
     {"law.begins_whole", 3, Scope::law, "`begin` writes all of the state that counts.", &begins_whole,
      "law.begins_again"},
     {"law.instances", 3, Scope::law, "Two instances do not know of each other.", &has_instances, "law.begins_again"},
     {"law.moved", 3, Scope::law, "The host may move the state.", &may_be_moved, "law.begins_again"},
-    {"law.threads", 3, Scope::law, "Its calls may come from another thread.", &may_change_threads,
-     "law.begins_again"},
+    {"law.threads", 3, Scope::law, "Its calls may come from another thread.", &may_change_threads, "law.begins_again"},
 };
 
 }  // namespace

@@ -16,8 +16,9 @@ constexpr const char* notice = "For training and research; not for diagnosis, pl
 
 /// For a shell, in single quotes where it must be.
 std::string quoted_for_shell(const std::string& word) {
-    if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+") ==
-                             std::string::npos)
+    if (!word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+") ==
+            std::string::npos)
         return word;
     std::string quoted = "'";
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -118,9 +119,9 @@ std::string json_text(const std::vector<PluginReport>& reports) {
     Json all{{"notice", notice}, {"plugins", Json::array()}};
     for (const PluginReport& report : reports) {
         const Tally count = tally(report);
-        Json one{{"path", report.path},     {"plugin", report.plugin},   {"conforming", is_conforming(report)},
-                 {"error", report.error},   {"passed", count.passed},    {"warned", count.warned},
-                 {"failed", count.failed},  {"skipped", count.skipped},  {"tests", Json::array()}};
+        Json one{{"path", report.path},    {"plugin", report.plugin},  {"conforming", is_conforming(report)},
+                 {"error", report.error},  {"passed", count.passed},   {"warned", count.warned},
+                 {"failed", count.failed}, {"skipped", count.skipped}, {"tests", Json::array()}};
         for (const TestResult& result : report.results)
             one["tests"].push_back({{"id", result.id},
                                     {"level", result.level},
@@ -137,7 +138,8 @@ std::string json_text(const std::vector<PluginReport>& reports) {
 }
 
 std::string junit_text(const std::vector<PluginReport>& reports) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(notice) + " -->\n<testsuites>\n";
+    std::string text =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + std::string(notice) + " -->\n<testsuites>\n";
     for (const PluginReport& report : reports) {
         const Tally count = tally(report);
         text += "  <testsuite name=\"" + escaped(report.plugin.empty() ? report.path : report.plugin) + "\" tests=\"" +

@@ -112,12 +112,11 @@ FixedText& add_call(FixedText& text) noexcept {
                 << (call.component != nullptr ? name_of(call.component).component : "") << "`";
 }
 
-void add_callers(FixedText& text) noexcept {
-    void* frames[12];
+/// Into the captured output: the names need memory, and the heap may be broken.
+void print_callers() noexcept {
+    void* frames[24];
     const int count = backtrace(frames, static_cast<int>(std::size(frames)));
-    // Into the captured output: the names need memory, and the heap may be broken.
     backtrace_symbols_fd(frames, count, STDERR_FILENO);
-    text << "";
 }
 
 const char* name_of_signal(int signal) noexcept {
@@ -153,7 +152,7 @@ void on_crash(int signal, siginfo_t* info, void*) {
             text << ": it used a null pointer";
     }
     text << ".";
-    add_callers(text);
+    print_callers();
     text.send('C');
     leave(1);
 }
@@ -243,7 +242,8 @@ std::string tail_of(int file) {
     std::string lines;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines += plain(text.substr(at, end - at)) + "\n";
+        const std::string line = plain(text.substr(at, end - at));
+        if (line.find("kerf-check-child(") == std::string::npos) lines += line + "\n";  // the plugin's callers are ours
         at = end + 1;
     }
     return (from > 0 ? "…" : "") + lines;
@@ -325,8 +325,8 @@ Ended Sandbox::ended() {
         std::memcpy(&length, bytes_.data() + 1, sizeof length);
         std::memcpy(&sum, bytes_.data() + 1 + sizeof length, sizeof sum);
     }
-    const bool is_whole = bytes_.size() >= head_size + length && length + sum > 0 &&
-                          checksum(bytes_.data() + head_size, length) == sum;
+    const bool is_whole =
+        bytes_.size() >= head_size + length && length + sum > 0 && checksum(bytes_.data() + head_size, length) == sum;
     if (is_whole) {
         result.text = bytes_.substr(head_size, length);
         const char kind = bytes_.front();
@@ -334,8 +334,7 @@ Ended Sandbox::ended() {
                      : kind == 'T' ? Ended::How::timed_out
                      : kind == 'L' ? Ended::How::left
                                    : Ended::How::crashed;
-        if (kind == 'T')
-            result.text += " It used " + std::to_string(limits_.cpu_seconds) + " s of processor time.";
+        if (kind == 'T') result.text += " It used " + std::to_string(limits_.cpu_seconds) + " s of processor time.";
         return result;
     }
     if (is_late) {
@@ -343,8 +342,8 @@ Ended Sandbox::ended() {
         result.text = "It did not return within " + std::to_string(limits_.wall_seconds) + " s.";
     } else if (WIFEXITED(status)) {
         result.how = Ended::How::left;
-        result.text = "It ended the process (`_exit`, or a system call) with status " +
-                      std::to_string(WEXITSTATUS(status)) + ".";
+        result.text =
+            "It ended the process (`_exit`, or a system call) with status " + std::to_string(WEXITSTATUS(status)) + ".";
     } else {
         result.how = Ended::How::crashed;
         result.text = std::string("It ended with the signal ") + strsignal(WTERMSIG(status)) + ".";

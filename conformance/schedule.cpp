@@ -135,12 +135,11 @@ private:
                 if (first != nullptr && !first->result) continue;
                 if (first != nullptr &&
                     (first->result->status == Status::failed || first->result->status == Status::skipped)) {
-                    task.result = result_of(task, Status::skipped,
-                                            std::string(task.test->needs) + " must pass first");
+                    task.result = result_of(task, Status::skipped, std::string(task.test->needs) + " must pass first");
                     continue;
                 }
             }
-            const Limits limits{.cpu_seconds = task.test->cpu_limit, .wall_seconds = 3 * task.test->cpu_limit + 4};
+            const Limits limits{.cpu_seconds = task.test->cpu_limit, .wall_seconds = 2 * task.test->cpu_limit + 2};
             task.child = std::make_unique<Sandbox>([&] { return examined(path_, task); }, limits);
             --free;
         }
@@ -200,8 +199,9 @@ void run_tests(const std::string& path, const Selection& selection,
         }
         add(test, {}, others);
         if (others.size() > before && !others.back().result)
-            others.back().result = result_of(others.back(), Status::skipped,
-                                             test.scope == Scope::tool ? "the plugin has no tool" : "the plugin has no law");
+            others.back().result =
+                result_of(others.back(), Status::skipped,
+                          test.scope == Scope::tool ? "the plugin has no tool" : "the plugin has no law");
     }
     schedule.run(std::move(others));
 }

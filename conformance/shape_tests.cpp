@@ -105,9 +105,10 @@ void is_pure(Examination& exam) {
     for (const ParameterSet& set : sets) first.push_back(shape_of(tool, set.values));
     for (std::size_t i = sets.size(); i-- > 0;)
         if (!is_same(shape_of(tool, sets[i].values), first[i]))
-            return exam.fail("With " + sets[i].name +
-                             ", `shape` writes another outline when it is called again, after others. It must depend on "
-                             "its parameters alone.");
+            return exam.fail(
+                "With " + sets[i].name +
+                ", `shape` writes another outline when it is called again, after others. It must depend on "
+                "its parameters alone.");
 }
 
 void keeps_within_capacity(Examination& exam) {

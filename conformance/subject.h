@@ -24,12 +24,12 @@ struct Subject {
 /// A subject before it is loaded: it can cross processes.
 struct SubjectName {
     Scope scope = Scope::plugin;
-    std::string name;  ///< "burr", "burr with burring"; empty: the plugin
+    std::string name;           ///< "burr", "burr with burring"; empty: the plugin
     int tool = -1, force = -1;  ///< indices of components; −1 for a law's tool: a stand-in
 };
 
-/// What a plugin holds: itself, its tools, and each law with each tool that it takes. A law that needs parameters of any
-/// tool comes with the plugin's tools that have them, or with a stand-in.   [any]
+/// What a plugin holds: itself, its tools, and each law with each tool that it takes. A law that needs parameters of
+/// any tool comes with the plugin's tools that have them, or with a stand-in.   [any]
 [[nodiscard]] std::vector<SubjectName> subjects_of(const kerf_entry& entry);
 
 /// The subject of this name. Its texts live as long as the plugin.   [main]

@@ -50,8 +50,8 @@ enum class Scope {
 };
 
 struct Test {
-    const char* id;        ///< "law.finite"
-    int level;             ///< 1 … 4
+    const char* id;  ///< "law.finite"
+    int level;       ///< 1 … 4
     Scope scope;
     const char* sentence;  ///< what is true of a plugin that passes
     void (*body)(Examination&);

@@ -104,13 +104,13 @@ void free(void* memory) {
 }
 
 // A function that is noted and passed on. The library's is looked up before `main`, since that may allocate.
-#define KERF_WATCH(kind, result, name, parameters, ...)             \
-    static constinit Real<result parameters> real_##name(#name);    \
-    static const bool has_##name = real_##name.find();              \
-    result name parameters {                                        \
-        static_cast<void>(has_##name);                              \
-        note(Forbidden::kind, #name);                               \
-        return real_##name(__VA_ARGS__);                            \
+#define KERF_WATCH(kind, result, name, parameters, ...)          \
+    static constinit Real<result parameters> real_##name(#name); \
+    static const bool has_##name = real_##name.find();           \
+    result name parameters {                                     \
+        static_cast<void>(has_##name);                           \
+        note(Forbidden::kind, #name);                            \
+        return real_##name(__VA_ARGS__);                         \
     }
 
 KERF_WATCH(lock, int, pthread_mutex_lock, (pthread_mutex_t * m) noexcept, m)
@@ -175,7 +175,7 @@ KERF_WATCH(random, long, random, () noexcept, )
 KERF_WATCH(random, double, drand48, () noexcept, )
 KERF_WATCH(random, int, getentropy, (void* to, std::size_t size), to, size)
 KERF_WATCH(thread, int, pthread_create,
-           (pthread_t * __restrict thread, const pthread_attr_t* __restrict how, void* (*what)(void*),
+           (pthread_t* __restrict thread, const pthread_attr_t* __restrict how, void* (*what)(void*),
             void* __restrict with) noexcept,
            thread, how, what, with)
 KERF_WATCH(exception, void*, __cxa_allocate_exception, (std::size_t size) noexcept, size)

@@ -20,8 +20,7 @@ void print(const Json& line) {
 }
 
 int list_tests() {
-    for (const Test& test : all_tests())
-        print({{"test", test.id}, {"level", test.level}, {"sentence", test.sentence}});
+    for (const Test& test : all_tests()) print({{"test", test.id}, {"level", test.level}, {"sentence", test.sentence}});
     return 0;
 }
 
@@ -31,7 +30,10 @@ int run(const char* request_text) {
     Selection selection{.level = request.at("level"), .only = request.at("only")};
     for (const Json& one : request.at("excluded")) selection.excluded.push_back({one.at(0), one.at(1)});
     run_tests(
-        request.at("plugin"), selection, [](const std::string& plugin) { print({{"plugin", plugin}}); },
+        request.at("plugin"), selection,
+        [](const std::string& plugin) {
+            print({{"plugin", plugin}});
+        },
         [](const TestResult& result) {
             print({{"id", result.id},
                    {"level", result.level},

@@ -23,7 +23,7 @@ struct Awl {  // a tool: its members are its parameters
 struct Press {  // a law: what the hand feels through the tool
     double stiffness;
     static constexpr auto about() {
-        return describe("press", "Elastic contact at the tip.",
+        return describe("press", "Elastic contact at the tip.", work({.channels = 1, .points = 1, .queries = 1}),
                         param(&Press::stiffness, {.id = "stiffness",
                                                   .help = "Stiffness of bone under the tip.",
                                                   .unit = unit::N_per_mm,

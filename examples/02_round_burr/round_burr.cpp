@@ -45,6 +45,7 @@ struct Burring {
     static constexpr auto about() {
         return describe(
             "burring", "Teeth that take chips all over the ball; contact while it is still.",
+            work({.channels = 5, .points = 10, .queries = 6}),
             param(&Burring::chip, {.id = "chip",
                                    .help = "Force per chip area, normal to the surface and against the turn.",
                                    .unit = unit::N_per_mm2,

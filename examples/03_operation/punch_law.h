@@ -56,6 +56,7 @@ struct Crushing {
 
     static constexpr auto about() {
         return describe("crushing", "The rim crushes the ring of bone under it.",
+                        work({.channels = 5, .points = 12, .queries = 5}),
                         param(&Crushing::strength, {.id = "strength",
                                                     .help = "Pressure that crushes dense bone.",
                                                     .unit = unit::N_per_mm2,
@@ -88,7 +89,7 @@ struct Crushing {
                           .along = {0, 0, 1},
                           .edge_force = strength * area * crushed,
                           .onset = 0.1_mm_per_s,
-                          .slope = 1000,
+                          .slope = 1000 * crushed,
                           .gap = gap});
         for (std::uint32_t i = 0; i < 4; ++i) {  // the wall of its hole holds the tube
             const Vec3 side{i == 0 ? 1.0 : i == 1 ? -1.0 : 0.0, i == 2 ? 1.0 : i == 3 ? -1.0 : 0.0, 0};

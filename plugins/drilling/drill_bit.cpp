@@ -28,8 +28,7 @@ Outline DrillBit::outline_of(const TwistDrill& drill) const noexcept {
     const Outline::Bending bending = tip_bending(drill);
     if (const double over = std::max(bending.deflection / softest, bending.slope / steepest); over > 1.0)
         return refuse("`length` is ", in_mm(drill.length), "; a bit of ", in_mm(2.0 * shank),
-                      " is too slender for that and needs ", in_mm(0.99 * drill.length / std::cbrt(over)),
-                      " or less.");
+                      " is too slender for that and needs ", in_mm(0.99 * drill.length / std::cbrt(over)), " or less.");
     Outline outline = revolution({{0.0, e}, {-drill.point_depth(), drill.radius() + e}});
     for (std::size_t i = 0; i < drill.corner_count; ++i) {
         const OutlineCorner& at = drill.corners[i];

@@ -68,6 +68,7 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     if (is("forward_outline")) points[2].z = 1e-3;
     if (is("nan_outline")) points[1].radius = nan_value;
     if (is("negative_outline")) points[1].radius = -1e-3;
+    if (out->profile_capacity < std::size(points)) return KERF_CAPACITY;
     std::copy(std::begin(points), std::end(points), out->profile);
     out->profile_count = is("empty_outline") ? 0u : is("huge_outline") ? 2000000000u : 4u;
     out->cutting_count = is("cuts_beyond_its_outline") ? 9u : 3u;
@@ -115,7 +116,11 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
         c.k = 1e15;
     }
     if (is("pushes")) law->wrench[0] = 1e6;
-    if (is("allocates")) free(std::fill_n(static_cast<char*>(malloc(800000)), 800000, '\1') - 800000);
+    if (is("allocates")) {
+        void* volatile memory = malloc(800000);  // volatile: or the pair is optimised away
+        std::fill_n(static_cast<char*>(memory), 800000, '\1');
+        free(memory);
+    }
     if (is("writes_const_state")) static_cast<State*>(const_cast<void*>(state))->cut = 1.0;
     if (is("slow")) wait_for(2e-4);
     return KERF_OK;
@@ -127,6 +132,7 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void*, k
     out->action[0] = {KERF_ACTION_CUT, 0};
     out->action_count = 1;
     out->signal[0] = is("nan_signal") ? nan_value : 1.0;
+    out->signal[1] = 0.0;
     if (is("unknown_event")) out->action[out->action_count++] = {KERF_ACTION_EVENT, 99};
     if (is("unknown_actions")) {
         out->action[out->action_count++] = {77, 0};
@@ -222,6 +228,7 @@ void fill_force() {
     force.events = events;
     force.event_count = std::size(events);
     force.budget_ns = 20000;
+    force.max_channels = force.max_points = force.max_queries = 1;
     force.begin = &begin;
     force.resist = is("null_resist") ? nullptr : &resist;
     force.commit = &commit;

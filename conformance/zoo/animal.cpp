@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// The example's round burr with one fault, `kerf_how`, which each library brings along; the "saint" has none. Each test
+// of the kit has an animal here or in hostile_plugin.cpp that fails it first.
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <clocale>
+#include <cmath>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <kerf/plugin.hpp>
+#include <limits>
+#include <string_view>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+#undef KERF_PLUGIN
+#define KERF_PLUGIN(id, version, licence, ...) using Sound = ::kerf::PluginTables<__VA_ARGS__>;
+#include "examples/02_round_burr/round_burr.cpp"
+
+extern "C" __attribute__((visibility("hidden"))) const char kerf_how[];
+
+#if defined(KERF_EXPORTS_A_HELPER)
+extern "C" __attribute__((visibility("default"))) int helper_of_a_plugin();
+extern "C" int helper_of_a_plugin() { return 7; }
+#endif
+
+namespace {
+
+const std::string_view how = kerf_how;
+bool is(std::string_view fault) { return how == fault; }
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t some_tick = 700;  // after the motor has come to its speed
+
+constexpr const kerf_component& sound_tool = Sound::components[0];
+constexpr const kerf_component& sound_law = Sound::components[1];
+
+kerf_param tool_params[8], law_params[8];
+kerf_tool tool;
+kerf_force force;
+kerf_component components[2];
+
+volatile double sink = 0.0;
+double counter = 0.0;
+thread_local double of_thread = 0.0;
+const double* kept = nullptr;
+
+/// What the animals keep behind the sound state.
+struct alignas(16) Extra {
+    double value;
+    const double* pointer;
+    unsigned char garbage;
+};
+constexpr std::size_t extra_offset = (sound_law.force->state_size + 15) / 16 * 16;
+Extra& extra_of(void* state) { return *reinterpret_cast<Extra*>(static_cast<std::byte*>(state) + extra_offset); }
+const Extra& extra_of(const void* state) {
+    return *reinterpret_cast<const Extra*>(static_cast<const std::byte*>(state) + extra_offset);
+}
+
+// ---- the tool -----------------------------------------------------------------------------------------------------
+
+kerf_status shape(const double* params, kerf_tool_shape* out) {
+    const bool is_widest = params[0] >= sound_tool.params[0].max;
+    if (is("refuses_without_words") && is_widest) return KERF_OUT_OF_RANGE;
+    if (is("reads_beyond_its_parameters")) sink = params[sound_tool.param_count];
+    if (is("ignores_the_capacity")) {
+        kerf_profile_point room[64];
+        kerf_tool_shape whole = *out;
+        whole.profile = room;
+        whole.profile_capacity = 64;
+        const kerf_status status = sound_tool.tool->shape(params, &whole);
+        std::copy_n(room, whole.profile_count, out->profile);
+        whole.profile = out->profile;
+        whole.profile_capacity = out->profile_capacity;
+        *out = whole;
+        return status;
+    }
+    const kerf_status status = sound_tool.tool->shape(params, out);
+    if (is("has_a_nan_outline_at_the_end") && is_widest) out->profile[1].radius = nan_value;
+    if (is("remembers_shapes")) out->grip_z -= 1e-6 * (counter += 1.0);
+    if (is("thinks_in_kilometres"))
+        for (std::uint32_t i = 0; i < out->profile_count; ++i)
+            out->profile[i] = {1e-3 * out->profile[i].z, 1e-3 * out->profile[i].radius};
+    if (is("is_gripped_in_front")) out->grip_z = 90e-3;
+    if (is("weighs_too_much")) {
+        out->mass = 12.0;
+        out->centre_z = -80e-3;
+        out->gyration = 50e-3;
+    }
+    return status;
+}
+
+// ---- the law ------------------------------------------------------------------------------------------------------
+
+void begin(const kerf_tick_in* in, void* state) {
+    sound_law.force->begin(in, state);
+    Extra& extra = extra_of(state);
+    const unsigned char garbage = extra.garbage;
+    std::memset(&extra, 0, sizeof extra);
+    if (is("leaves_garbage_in_its_state")) extra.garbage = garbage;
+    extra.pointer = &extra.value;
+    if (is("shares_between_instances")) counter = 0.0;
+    if (is("depends_on_the_thread")) of_thread = 1.0;  // its first use allocates
+    kept = in->drive;
+}
+
+/// Between pose and force.
+void do_what_is_forbidden(const kerf_tick_in* in) {
+    if (is("throws_within")) {
+        try {
+            throw 7;
+        } catch (int thrown) {
+            sink = thrown;
+        }
+    }
+    if (is("initialises_at_first_use")) {
+        static const double first = std::strtod("1.5", nullptr);
+        sink = first;
+    }
+    if (is("reads_the_clock")) sink = static_cast<double>(std::time(nullptr));
+    if (is("draws_random_numbers")) sink = std::rand();
+    if (is("locks")) {
+        static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+        pthread_mutex_lock(&mutex);
+        pthread_mutex_unlock(&mutex);
+    }
+    if (is("calls_the_system")) sink = static_cast<double>(syscall(SYS_getppid));
+    if (is("prints_in_a_tick") && in->tick == some_tick) std::puts("tick");
+    if (is("starts_a_thread_in_a_tick") && in->tick == some_tick) {
+        pthread_t thread;
+        if (pthread_create(
+                &thread, nullptr, [](void*) -> void* { return nullptr; }, nullptr) == 0)
+            pthread_join(thread, nullptr);
+    }
+#if defined(__x86_64__)
+    if (is("changes_rounding_in_a_tick")) _mm_setcsr(_mm_getcsr() | 0x8040u);  // flush to zero
+#endif
+}
+
+/// What the bone is at the tip.
+kerf_bone_sample at_tip(const kerf_tick_in* in) {
+    const kerf_vec3 point{0, 0, 0}, along{0, 0, 1};
+    kerf_bone_sample sample{};
+    in->bone->sample(in->bone->bone, &point, 1, &along, 1, &sample);
+    return sample;
+}
+
+kerf_channel* further_channel(kerf_law* law, std::uint32_t kind, std::uint32_t id) {
+    kerf_channel* const c = law->channel + law->count++;
+    *c = {};
+    c->kind = kind;
+    c->id = id;
+    c->d[2] = 1.0;
+    c->w = 1e-6;
+    return c;
+}
+
+kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
+    const kerf_status status = sound_law.force->resist(in, state, law);
+    do_what_is_forbidden(in);
+    const Extra& extra = extra_of(state);
+    if (is("has_twin_channels")) {
+        further_channel(law, KERF_FRICTION, 90);
+        further_channel(law, KERF_FRICTION, 90);
+    }
+    if (is("pulls_in_air")) law->wrench[2] = 1.0;
+    if (is("jumps_into_contact") && at_tip(in).engagement > 0.5) {
+        kerf_channel* const c = further_channel(law, KERF_FRICTION, 91);
+        c->tau = 5.0;
+        c->w = 1e-3;
+    }
+    if (is("answers_in_turns")) law->wrench[5] += 1e-9 * (counter = 1.0 - counter);
+    if (is("remembers_the_densest_bone")) {
+        static std::uint64_t of_tick = 0;
+        if (in->tick != of_tick) counter = 0.0;
+        of_tick = in->tick;
+        counter = std::max(counter, at_tip(in).density[0]);
+        law->wrench[5] += 1e-12 * counter;
+    }
+    if (is("counts_for_ever") || is("shares_between_instances")) law->wrench[5] += 1e-9 * counter;
+    if (is("points_into_its_state")) law->wrench[5] += *extra.pointer;
+    if (is("depends_on_the_thread")) law->wrench[5] += 1e-6 * of_thread;
+    if (is("leaves_garbage_in_its_state")) law->wrench[5] += 1e-6 * extra.garbage;
+    if (is("writes_its_inputs")) {
+        auto* const drive = const_cast<volatile double*>(in->drive);
+        drive[0] = in->drive[0];
+    }
+    if (is("reads_beyond_its_inputs")) sink = in->force_params[sound_law.param_count];
+    if (is("writes_beyond_its_channels")) law->channel[KERF_MAX_CHANNELS].id = 0;
+    if (is("writes_beyond_its_state"))
+        static_cast<volatile std::byte*>(const_cast<void*>(state))[force.state_size] = std::byte{0};
+    if (is("keeps_a_pointer")) sink = *kept;
+    if (is("changes_its_tables")) law_params[0].help = "Something else.";
+
+    const bool is_hardest = in->force_params[0] >= sound_law.params[0].max,
+               is_thinnest = in->tool_params[0] <= sound_tool.params[0].min;
+    if (is("breaks_at_the_end_of_a_parameter") && is_hardest) law->wrench[0] = nan_value;
+    if (is("breaks_with_a_thin_tool") && is_thinnest) law->wrench[0] = nan_value;
+    if (is("divides_by_the_speed")) law->wrench[5] += 1e-12 * (in->drive[0] / in->drive[0]);
+    if (is("knows_one_tick")) law->wrench[5] += 1e-12 * std::sqrt(2e-3 - in->dt);
+    if (is("knows_no_soft_bone")) law->wrench[5] += 1e-12 * std::log(std::max(0.0, at_tip(in).density[0]));
+    if (is("knows_no_leaps")) law->wrench[5] += extra.value;
+    return status;
+}
+
+kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out) {
+    const kerf_status status = sound_law.force->commit(in, advance, state, out);
+    if (is("counts_for_ever") || is("shares_between_instances")) counter += 1.0;
+    if (is("knows_no_leaps") && std::abs(advance->rate[2]) > 1.0) extra_of(state).value = nan_value;
+    return status;
+}
+
+// ---- the tables ---------------------------------------------------------------------------------------------------
+
+void* wait_for_ever(void*) {
+    for (;;) pause();
+}
+
+void do_while_loaded() {
+    if (is("prints_while_loaded")) std::puts("loaded");
+    if (is("ignores_a_signal")) std::signal(SIGFPE, SIG_IGN);
+    if (is("leaves_a_file_open")) static_cast<void>(open("/dev/null", O_RDONLY));
+    if (is("sets_the_environment")) setenv("HOSTILE", "1", 1);
+    if (is("sets_the_locale")) std::setlocale(LC_ALL, "C.UTF-8");
+    if (is("starts_a_thread_while_loaded")) {
+        pthread_t thread;
+        if (pthread_create(&thread, nullptr, &wait_for_ever, nullptr) == 0) pthread_detach(thread);
+    }
+#if defined(__x86_64__)
+    if (is("changes_rounding_while_loaded")) _mm_setcsr(_mm_getcsr() | 0x8040u);
+#endif
+}
+
+kerf_entry filled_entry() {
+    do_while_loaded();
+    std::copy_n(sound_tool.params, sound_tool.param_count, tool_params);
+    std::copy_n(sound_law.params, sound_law.param_count, law_params);
+    tool = *sound_tool.tool;
+    tool.shape = &shape;
+    force = *sound_law.force;
+    force.state_size = static_cast<std::uint32_t>(extra_offset + sizeof(Extra));
+    force.state_align = 16;
+    force.begin = &begin;
+    force.resist = &resist;
+    force.commit = &commit;
+    components[0] = sound_tool;
+    components[0].params = tool_params;
+    components[0].tool = &tool;
+    components[1] = sound_law;
+    components[1].params = law_params;
+    components[1].force = &force;
+    force.max_channels += 2;  // for what some animals add
+    force.max_points += 1;
+    force.max_queries += 1;
+    if (is("declares_fewer_channels")) force.max_channels = 1;
+    if (is("declares_fewer_points")) force.max_points = 1;
+    if (is("declares_fewer_queries")) force.max_queries = 1;
+    if (is("declares_too_little_time")) force.budget_ns = 10;
+    kerf_entry entry = Sound::entry("example.round_burr", "0.1.0", "Apache-2.0");
+    entry.components = components;
+    if (is("has_no_version")) entry.plugin_version = "new";
+    return entry;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const kerf_entry kerf_plugin_entry;
+extern "C" const kerf_entry kerf_plugin_entry = filled_entry();

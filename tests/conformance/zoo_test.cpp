@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each test of the kit notices its animal: a plugin with one fault, which fails that test before any other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "conformance/check.h"
+#include "conformance/report.h"
+
+namespace kerf::conformance {
+namespace {
+
+constexpr const char* child = KERF_BUILD_DIR "/libexec/kerf/kerf-check-child";
+
+struct Animal {
+    const char* name;   ///< of its file
+    const char* test;   ///< that it fails first
+    const char* cause;  ///< part of the text
+    Status status = Status::failed;
+};
+
+std::ostream& operator<<(std::ostream& out, const Animal& animal) { return out << animal.name; }
+
+std::string file_of(const std::string& name) {
+    const bool is_hostile = name.starts_with("plugin_that_");
+    return std::string(KERF_BUILD_DIR) + (is_hostile ? "/tests/bad_plugins/" : "/zoo/") + name + ".so";
+}
+
+int level_of(const std::string& test) {
+    return test == "describe.constant"                                  ? 3
+           : test.starts_with("load.") || test.starts_with("describe.") ? 1
+           : test.starts_with("shape.")                                 ? 2
+           : test.starts_with("physics.")                               ? 4
+                                                                        : 3;
+}
+
+const std::vector<Animal>& zoo() {
+    static const std::vector<Animal> animals{
+        {"is_cut_short", "load.file", "is cut short"},
+        {"plugin_that_crashes", "load.opens", "SIGSEGV"},
+        {"plugin_that_aborts", "load.opens", "SIGABRT"},
+        {"plugin_that_exits", "load.opens", "`exit`"},
+        {"plugin_that_throws", "load.opens", "SIGABRT"},
+        {"plugin_that_leaves_in_load", "load.opens", "`_exit`"},
+        {"plugin_that_loops_in_load", "load.opens", "did not return"},
+        {"plugin_that_sleeps_in_load", "load.opens", "did not return"},
+        {"plugin_that_says_nothing", "load.entry", "kerf_plugin_entry"},
+        {"exports_a_helper", "load.one_export", "helper_of_a_plugin"},
+        {"keeps_itself_loaded", "load.unloads", "stays loaded"},
+        {"plugin_that_crashes_in_unload", "load.unloads", "SIGSEGV"},
+        {"names_a_folder", "load.run_path", "/home/nobody/lib"},
+        {"needs_an_executable_stack", "load.stack", "executable stack"},
+        {"prints_while_loaded", "load.silent", "prints"},
+        {"changes_rounding_while_loaded", "load.rounding", "control word"},
+        {"ignores_a_signal", "load.signals", "signal 8"},
+        {"leaves_a_file_open", "load.files", "/dev/null"},
+        {"sets_the_environment", "load.surroundings", "HOSTILE"},
+        {"sets_the_locale", "load.surroundings", "locale"},
+        {"starts_a_thread_while_loaded", "load.threads", "1 thread"},
+        {"plugin_that_wrong_abi", "describe.abi", "ABI is 7"},
+        {"plugin_that_default_out_of_range", "describe.tables", "`size`"},
+        {"plugin_that_dangling_parameters", "describe.tables", "SIGSEGV"},
+        {"has_no_version", "describe.version", "`new`"},
+        {"changes_its_tables", "describe.constant", "Something else"},
+        {"plugin_that_fails_in_shape", "shape.default", "cannot be made"},
+        {"plugin_that_nan_outline", "shape.default", "radius"},
+        {"plugin_that_crashes_in_shape", "shape.default", "in `shape` of `burr`"},
+        {"plugin_that_throws_in_shape", "shape.default", "not today"},
+        {"plugin_that_exits_in_shape", "shape.default", "`exit`"},
+        {"plugin_that_loops_in_shape", "shape.default", "in `shape` of `burr`"},
+        {"has_a_nan_outline_at_the_end", "shape.range", "`diameter` 10 mm"},
+        {"refuses_without_words", "shape.refusal", "without a word"},
+        {"remembers_shapes", "shape.pure", "another outline"},
+        {"ignores_the_capacity", "shape.capacity", "`profile_capacity`"},
+        {"reads_beyond_its_parameters", "shape.parameters", "beyond the end of `params`"},
+        {"thinks_in_kilometres", "shape.size", "mm long"},
+        {"is_gripped_in_front", "shape.grip", "`grip_z` is 90 mm"},
+        {"weighs_too_much", "shape.mass", "12 kg"},
+        {"plugin_that_crashes_in_begin", "law.answers", "in `begin` of `burring`"},
+        {"plugin_that_crashes_in_resist", "law.answers", "in `resist` of `burring`"},
+        {"plugin_that_crashes_in_commit", "law.answers", "in `commit` of `burring`"},
+        {"plugin_that_recurses_in_resist", "law.answers", "SIGSEGV"},
+        {"plugin_that_aborts_in_resist", "law.answers", "SIGABRT"},
+        {"plugin_that_throws_in_resist", "law.answers", "not today"},
+        {"plugin_that_throws_an_int_in_commit", "law.answers", "threw an exception"},
+        {"plugin_that_exits_in_resist", "law.answers", "`exit`"},
+        {"plugin_that_quick_exits_in_resist", "law.answers", "`exit`"},
+        {"plugin_that_leaves_in_resist", "law.answers", "`_exit`"},
+        {"plugin_that_loops_in_resist", "law.answers", "in `resist` of `burring`"},
+        {"plugin_that_sleeps_in_commit", "law.answers", "did not return"},
+        {"plugin_that_fails_in_resist", "law.answers", "KERF_FAILED"},
+        {"plugin_that_nan_delta", "law.finite", "`delta` is nan"},
+        {"plugin_that_nan_wrench", "law.finite", "`wrench[3]`"},
+        {"plugin_that_negative_stiffness", "law.sound", "`k` is -5"},
+        {"plugin_that_no_direction", "law.sound", "`d`"},
+        {"plugin_that_narrow_onset", "law.sound", "`w`"},
+        {"plugin_that_unknown_kind", "law.sound", "`kind` is 9"},
+        {"plugin_that_too_many_channels", "law.sound", "17 channels"},
+        {"has_twin_channels", "law.ids", "id 90"},
+        {"pulls_in_air", "law.air", "a force of 1 N"},
+        {"jumps_into_contact", "law.continuous", "jumps by"},
+        {"plugin_that_nan_signal", "law.signals", "`load`"},
+        {"plugin_that_unknown_event", "law.actions", "event number 99"},
+        {"plugin_that_unknown_actions", "law.actions", "4000000000 actions"},
+        {"declares_fewer_channels", "law.channels", "declares 1"},
+        {"declares_fewer_points", "law.points", "declares 1"},
+        {"declares_fewer_queries", "law.queries", "declares 1"},
+        {"answers_in_turns", "law.pure", "another wrench"},
+        {"plugin_that_writes_const_state", "law.state_kept", "byte"},
+        {"remembers_the_densest_bone", "law.undisturbed", "another wrench"},
+        {"counts_for_ever", "law.begins_again", "outlives `begin`"},
+        {"leaves_garbage_in_its_state", "law.begins_whole", "before `begin`"},
+        {"shares_between_instances", "law.instances", "second instance"},
+        {"points_into_its_state", "law.moved", "pointer"},
+        {"depends_on_the_thread", "law.threads", "thread"},
+        {"writes_its_inputs", "law.inputs", "wrote to `drive`"},
+        {"reads_beyond_its_inputs", "law.input_ends", "beyond the end of `force_params`"},
+        {"writes_beyond_its_channels", "law.output_ends", "beyond the 16"},
+        {"writes_beyond_its_state", "law.state_end", "its state"},
+        {"keeps_a_pointer", "law.pointers", "kept a pointer"},
+        {"throws_within", "law.no_exception", "__cxa_allocate_exception"},
+        {"initialises_at_first_use", "law.no_first_use", "__cxa_guard_acquire"},
+        {"starts_a_thread_in_a_tick", "law.no_thread", "pthread_create"},
+        {"prints_in_a_tick", "law.no_output", "puts"},
+        {"reads_the_clock", "law.no_clock", "time"},
+        {"draws_random_numbers", "law.no_random", "rand"},
+        {"locks", "law.no_lock", "pthread_mutex_lock"},
+        {"plugin_that_allocates", "law.no_allocation", "malloc"},
+        {"calls_the_system", "law.no_system_call", "system call number"},
+        {"changes_rounding_in_a_tick", "law.rounding", "control word"},
+        {"declares_too_little_time", "law.time", "the budget is 0.01 µs"},
+        {"breaks_at_the_end_of_a_parameter", "range.parameters", "`chip` 5000 N/mm2"},
+        {"breaks_with_a_thin_tool", "range.tools", "`diameter` 1 mm"},
+        {"divides_by_the_speed", "range.drives", "at rest"},
+        {"knows_one_tick", "range.ticks", "ticks of 4 ms"},
+        {"knows_no_soft_bone", "range.bone", "0 kg/m³"},
+        {"knows_no_leaps", "range.motion", "leaps"},
+    };
+    return animals;
+}
+
+class Zoo : public testing::TestWithParam<Animal> {};
+
+TEST_P(Zoo, FailsItsTestFirst) {
+    const auto& [name, test, cause, status] = GetParam();
+    const PluginReport report = check_plugin(file_of(name), {.child = child, .level = level_of(test)}, {});
+    ASSERT_EQ(report.error, "");
+    const auto first = std::find_if(report.results.begin(), report.results.end(), [](const TestResult& r) {
+        return r.status == Status::failed || r.status == Status::warned;
+    });
+    ASSERT_NE(first, report.results.end()) << name << " is not noticed";
+    if (first->status == Status::skipped) GTEST_SKIP() << first->text;
+    EXPECT_EQ(first->id, test) << first->text;
+    EXPECT_EQ(first->status, status) << first->text;
+    EXPECT_NE(first->text.find(cause), std::string::npos) << first->text;
+    EXPECT_FALSE(is_conforming(report));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Zoo, testing::ValuesIn(zoo()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(ZooOfTheKit, TheSaintPasses) {
+    const PluginReport report = check_plugin(file_of("saint"), {.child = child, .level = 4}, {});
+    for (const TestResult& result : report.results)
+        EXPECT_EQ(result.status, Status::passed) << text_of(result, report.path) << result.text;
+    EXPECT_TRUE(is_conforming(report));
+}
+
+/// All tests, as the child lists them.
+std::set<std::string> listed_tests() {
+    std::set<std::string> ids;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen((std::string(child) + " --list").c_str(), "r"),
+                                                               &pclose);
+    char line[1000];
+    while (pipe != nullptr && std::fgets(line, sizeof line, pipe.get()) != nullptr)
+        ids.insert(nlohmann::json::parse(line).value("test", ""));
+    return ids;
+}
+
+TEST(ZooOfTheKit, HasAnAnimalForEachTest) {
+    std::set<std::string> without = listed_tests();
+    EXPECT_GE(without.size(), 60u);
+    for (const Animal& animal : zoo()) {
+        EXPECT_TRUE(listed_tests().contains(animal.test)) << animal.test << " is no test";
+        without.erase(animal.test);
+    }
+    for (const std::string& id : without) ADD_FAILURE() << id << " has no animal that fails it";
+}
+
+}  // namespace
+}  // namespace kerf::conformance
