@@ -166,6 +166,53 @@ kerf_channel* further_channel(kerf_law* law, std::uint32_t kind, std::uint32_t i
     return c;
 }
 
+/// What only a test of physics notices.
+void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law) {
+    const bool is_running = in->drive[0] > 0.0;
+    const auto rub = [&](double force) {
+        kerf_channel* const c = further_channel(law, KERF_FRICTION, 92);
+        c->tau = force;
+        c->w = 1e-4;
+    };
+    const auto each = [&](std::uint32_t kind, auto change) {
+        for (std::uint32_t i = 0; i < law->count; ++i)
+            if (law->channel[i].kind == kind) change(law->channel[i]);
+    };
+    const auto scale_cut = [&](double by) {
+        each(KERF_CUT, [&](kerf_channel& c) {
+            c.tau *= by;
+            c.eta *= by;
+        });
+    };
+    if (is("touches_from_afar")) each(KERF_CONTACT, [](kerf_channel& c) { c.delta += 0.25e-3; });
+    if (is("gives_energy") && extra.value < 0.0) each(KERF_CONTACT, [](kerf_channel& c) { c.k *= 1.3; });
+    if (is("pulls_to_one_side"))
+        each(KERF_CONTACT, [&](kerf_channel& c) { law->wrench[0] += 1e5 * std::clamp(c.delta, 0.0, 1e-4); });
+    if (is("does_not_touch_at_rest") && !is_running) law->count = 0;
+    if (is("chatters")) each(KERF_CONTACT, [&](kerf_channel& c) { c.k *= in->tick % 2 == 0 ? 1.6 : 0.5; });
+    if (is("pulls_itself_in")) each(KERF_CUT, [](kerf_channel& c) { c.follow[2] += c.d[2] > 0.5 ? 1.5 : 0.0; });
+    if (is("pulls_itself_sideways")) each(KERF_CUT, [](kerf_channel& c) { c.follow[0] += 1.5 * c.d[0]; });
+    if (is("grows_blunt_in_air") && is_running) rub(2.0 * at_tip(in).engagement * std::min(extra.value, 100.0));
+    if (is("prefers_dense_bone")) {
+        const double ratio = 1850.0 / std::max(1.0, at_tip(in).density[0]);
+        rub(is_running ? at_tip(in).engagement * std::min(ratio * ratio, 1e3) : 0.0);
+    }
+    if (is("yields_to_speed")) {
+        const double ratio = std::max(0.0, extra.value) / 0.5e-3;
+        rub(is_running ? 5.0 * at_tip(in).engagement / (1.0 + ratio * ratio) : 0.0);
+    }
+    if (is("thinks_in_ticks")) scale_cut(in->dt / 1e-3);
+    if (is("thinks_in_voxels")) scale_cut(in->bone->reach / 1e-3);
+    if (is("likes_the_grid")) {
+        const kerf_vec3 at{3.5e-3, 0.0, -3e-3};  // by the face, when the burr is as deep as the kit feeds it
+        kerf_surface_point s{};
+        in->bone->nearest(in->bone->bone, &at, 1, &s);
+        if (s.body >= 0 && std::abs(s.normal.x) + std::abs(s.normal.y) < 1e-6) rub(2.0);
+    }
+    if (is("feels_ghosts") && extra.value > 0.0) rub(2.0);
+    if (is("stops_at_once") && extra.value > 0.0 && extra.value < 40.0) law->count = 0;
+}
+
 kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     const kerf_status status = sound_law.force->resist(in, state, law);
     do_what_is_forbidden(in);
@@ -203,6 +250,7 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
     if (is("keeps_a_pointer")) sink = *kept;
     if (is("changes_its_tables")) law_params[0].help = "Something else.";
 
+    misbehave_in_bone(in, extra, law);
     const bool is_hardest = in->force_params[0] >= sound_law.params[0].max,
                is_thinnest = in->tool_params[0] <= sound_tool.params[0].min;
     if (is("breaks_at_the_end_of_a_parameter") && is_hardest) law->wrench[0] = nan_value;
@@ -217,6 +265,18 @@ kerf_status resist(const kerf_tick_in* in, const void* state, kerf_law* law) {
 kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* state, kerf_commit_out* out) {
     const kerf_status status = sound_law.force->commit(in, advance, state, out);
     if (is("counts_for_ever") || is("shares_between_instances")) counter += 1.0;
+    Extra& extra = extra_of(state);
+    if (is("gives_energy") || is("yields_to_speed")) extra.value = std::clamp(advance->rate[2], -1.0, 1.0);
+    if (is("grows_blunt_in_air")) extra.value += in->dt;
+    if (is("feels_ghosts"))
+        for (std::uint32_t i = 0; i < advance->channel_count; ++i)
+            if (advance->channel[i].kind == KERF_CUT && advance->lambda[i] > 0.1) extra.value = 1.0;
+    if (is("stops_at_once")) extra.value = in->drive[0] > 0.0 ? 0.0 : extra.value + 1.0;
+    if (is("cuts_nothing"))
+        for (std::uint32_t i = 0; i < out->action_count; ++i)
+            if (out->action[i].kind == KERF_ACTION_CUT) out->action[i] = out->action[--out->action_count];
+    if (is("cuts_at_rest") || (is("ignores_its_least") && in->drive[0] > 0.0))
+        out->action[out->action_count++] = {KERF_ACTION_CUT, 0};
     if (is("knows_no_leaps") && std::abs(advance->rate[2]) > 1.0) extra_of(state).value = nan_value;
     return status;
 }
@@ -261,8 +321,8 @@ kerf_entry filled_entry() {
     components[1].params = law_params;
     components[1].force = &force;
     force.max_channels += 2;  // for what some animals add
-    force.max_points += 1;
-    force.max_queries += 1;
+    force.max_points += 2;
+    force.max_queries += 2;
     if (is("declares_fewer_channels")) force.max_channels = 1;
     if (is("declares_fewer_points")) force.max_points = 1;
     if (is("declares_fewer_queries")) force.max_queries = 1;

@@ -45,7 +45,7 @@ struct Burring {
     static constexpr auto about() {
         return describe(
             "burring", "Teeth that take chips all over the ball; contact while it is still.",
-            work({.channels = 5, .points = 10, .queries = 6}),
+            work({.channels = 10, .points = 10, .queries = 6}),
             param(&Burring::chip, {.id = "chip",
                                    .help = "Force per chip area, normal to the surface and against the turn.",
                                    .unit = unit::N_per_mm2,
@@ -75,15 +75,14 @@ struct Burring {
         for (std::uint32_t i = 0; i < 5; ++i) {
             const SurfacePoint s = bone.nearest(at[i]);
             const double m = resistance(found[i], bone.tissue_count(), 1850.0);
-            if (state.cutter.cutting.removes_bone() &&
-                m > 0.0)  // chip area a second: 2 radius² v; teeth pass at 2π radius
+            if (state.cutter.cutting.resists() && m > 0.0)  // chip area a second: 2 radius² v; teeth pass at 2π radius
                 channels.cut({.id = i,
                               .at = at[i],
                               .along = out[i],
-                              .slope = chip * m * radius / (pi * speed),
+                              .slope = state.cutter.cutting.fraction * chip * m * radius / (pi * speed),
                               .gap = found[i].gap,
                               .follow = rate_at(at[i], -cross(Vec3{0, 0, 1}, out[i]))});
-            else if (!state.cutter.cutting.removes_bone() && s.is_within(0.3_mm))
+            if (!state.cutter.cutting.removes_bone() && s.is_within(0.3_mm))  // it takes over as the teeth stop
                 channels.contact(
                     {.id = 10 + i, .at = at[i], .along = -s.normal, .stiffness = 5e5, .depth = -s.distance});
         }
