@@ -50,7 +50,11 @@ ExitCode check_plugins(const CommandLine& line, const std::string& program) {
     CheckRequest request{.child = (prefix / "libexec" / "kerf" / "kerf-check-child").string(),
                          .level = line.level,
                          .only = line.only,
-                         .is_interrupted = [&] { return interruption.has_come(); }};
+                         .is_interrupted = [&] { return interruption.has_come(); },
+                         .program = program,
+                         .procedures = line.procedures,
+                         .shipped = line.shipped,
+                         .twin = line.twin};
     for (std::size_t i = 0; i < line.excluded.size(); ++i)
         request.excluded.emplace_back(line.excluded[i], line.reasons[i]);
 

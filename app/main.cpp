@@ -28,10 +28,10 @@ ExitCode do_as_told(int argc, char** argv) {
     // ../share/kerf/procedures.
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (line.command == "check") return check_plugins(line, program.string());  // it loads no plugin
     const char* plugin_path = std::getenv("KERF_PLUGIN_PATH");
     const auto prefix = program.parent_path().parent_path(), lib = prefix / "lib";
     line.shipped = (prefix / "share" / "kerf" / "procedures").string();
+    if (line.command == "check") return check_plugins(line, program.string());  // it loads no plugin
     if (line.command != "privacy")  // of that, any file is meant as it is named
         for (std::string& file : line.files) file = shipped_or_own(file, line.shipped);
     line.anatomy = shipped_or_own(line.anatomy, line.shipped);

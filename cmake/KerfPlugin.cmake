@@ -9,6 +9,7 @@ set(KERF_PLUGIN_TEST ${CMAKE_CURRENT_LIST_DIR}/KerfPluginTest.cmake CACHE INTERN
 #   → kerf_drilling    the module that the host loads, lib/kerf/kerf_drilling.so where built and where installed
 #   → kerf::drilling   SOURCES as a static library, or as an interface library where all of them are headers; tests link it
 #   → drilling.loads   a test: `kerf` loads the module and describes it
+#   → drilling.check   a test: `kerf check` passes it at level 3
 #   → drilling.NAME    for each procedure NAME.yaml a test: all of its rehearsals end as they expect
 # FOLDER: below lib; procedures find the modules in `kerf` only. A plugin outside of Kerf's tree is installed where that
 # Kerf is, unless CMAKE_INSTALL_PREFIX says otherwise.
@@ -69,6 +70,8 @@ function(kerf_add_plugin name)
   add_test(NAME ${name}.loads
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:kerf::program> -D PLUGIN=$<TARGET_FILE:kerf_${name}>
       -P ${KERF_PLUGIN_TEST})
+  add_test(NAME ${name}.check COMMAND kerf::program check $<TARGET_FILE:kerf_${name}>)
+  set_tests_properties(${name}.check PROPERTIES TIMEOUT 300)
   foreach(procedure IN LISTS arg_PROCEDURES)
     get_filename_component(stem ${procedure} NAME_WE)
     add_test(NAME ${name}.${stem} COMMAND kerf::program rehearse ${CMAKE_CURRENT_SOURCE_DIR}/${procedure})

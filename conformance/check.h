@@ -17,6 +17,12 @@ struct CheckRequest {
     std::string only{};                                           ///< regular expression on a test's id; empty: all
     std::vector<std::pair<std::string, std::string>> excluded{};  ///< pattern and reason
     std::function<bool()> is_interrupted{};                       ///< may be empty
+
+    // Of level 5:
+    std::string program{};                  ///< `kerf`
+    std::vector<std::string> procedures{};  ///< files; empty: those below `shipped` that use the plugin
+    std::string shipped{};                  ///< folder
+    std::string twin{};                     ///< file of the same plugin, built otherwise; empty: none
 };
 
 /// Why a pattern is no regular expression, with the pattern; empty if it is one.   [any]

@@ -210,6 +210,8 @@ void misbehave_in_bone(const kerf_tick_in* in, const Extra& extra, kerf_law* law
         if (s.body >= 0 && std::abs(s.normal.x) + std::abs(s.normal.y) < 1e-6) rub(2.0);
     }
     if (is("feels_ghosts") && extra.value > 0.0) rub(2.0);
+    if (is("differs_by_process"))
+        law->wrench[5] += 1e-6 * static_cast<double>(reinterpret_cast<std::uintptr_t>(&counter) >> 12 & 0xffffu);
     if (is("stops_at_once") && extra.value > 0.0 && extra.value < 40.0) law->count = 0;
 }
 

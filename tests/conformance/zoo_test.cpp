@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -12,7 +13,9 @@
 #include <vector>
 
 #include "conformance/check.h"
+#include "conformance/procedures.h"
 #include "conformance/report.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::conformance {
 namespace {
@@ -164,6 +167,17 @@ const std::vector<Animal>& zoo() {
     return animals;
 }
 
+/// Of whole procedures, which `kerf` runs: what the twin is, where there is one.
+struct AnimalInAProcedure {
+    const char *name, *twin, *test;
+};
+constexpr AnimalInAProcedure in_a_procedure[] = {
+    {"cuts_nothing", "", "procedure.rehearsals"},
+    {"differs_by_process", "", "procedure.replay"},
+    {"saint", "thinks_in_voxels", "procedure.twin"},
+    {"saint", "saint", ""},
+};
+
 class Zoo : public testing::TestWithParam<Animal> {};
 
 TEST_P(Zoo, FailsItsTestFirst) {
@@ -183,6 +197,27 @@ TEST_P(Zoo, FailsItsTestFirst) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Zoo, testing::ValuesIn(zoo()),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(ZooOfTheKit, WholeProceduresNoticeTheirAnimals) {
+    const test::TemporaryFolder folder;  // the installed example finds its anatomy among the shipped ones
+    std::filesystem::copy(KERF_SOURCE_DIR "/procedures/anatomy", folder / "anatomy");
+    std::filesystem::copy(KERF_SOURCE_DIR "/examples/02_round_burr/round_burr.yaml", folder / "round_burr.yaml");
+    for (const auto& [name, twin, test] : in_a_procedure) {
+        const CheckRequest request{.child = child,
+                                   .level = 5,
+                                   .only = "^procedure",
+                                   .program = KERF_BUILD_DIR "/bin/kerf",
+                                   .procedures = {folder / "round_burr.yaml"},
+                                   .twin = *twin != '\0' ? file_of(twin) : std::string()};
+        const PluginReport report = check_plugin(file_of(name), request, {});
+        ASSERT_EQ(report.error, "");
+        ASSERT_EQ(report.results.size(), procedure_tests().size());
+        std::string failed;
+        for (const TestResult& result : report.results)
+            if (result.status == Status::failed) failed += result.id;
+        EXPECT_EQ(failed, test) << name << "\n" << report.results.front().output;
+    }
+}
 
 TEST(ZooOfTheKit, TheSaintPasses) {
     const PluginReport report = check_plugin(file_of("saint"), {.child = child, .level = 4}, {});
@@ -204,6 +239,8 @@ std::set<std::string> listed_tests() {
 
 TEST(ZooOfTheKit, HasAnAnimalForEachTest) {
     std::set<std::string> without = listed_tests();
+    for (const std::string& id : procedure_tests()) without.insert(id);
+    for (const auto& animal : in_a_procedure) without.erase(animal.test);
     EXPECT_GE(without.size(), 60u);
     for (const Animal& animal : zoo()) {
         EXPECT_TRUE(listed_tests().contains(animal.test)) << animal.test << " is no test";

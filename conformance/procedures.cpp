@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/procedures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <system_error>
+
+#include "conformance/child_program.h"
+#include "core/plugin/plain_text.h"
+
+namespace kerf::conformance {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ProcedureTest {
+    const char* id;
+    const char* sentence;
+};
+constexpr ProcedureTest rehearsals{"procedure.rehearsals", "All rehearsals end as they expect."},
+    replay{"procedure.replay", "A replay gives the same bits."},
+    twin{"procedure.twin", "The same plugin from another compiler gives the same bits."};
+
+/// A folder that goes with it.
+class ScratchFolder {
+public:
+    ScratchFolder() {
+        std::string pattern = (fs::temp_directory_path() / "kerf-check-XXXXXX").string();
+        if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        if (!path_.empty()) fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+private:
+    fs::path path_;
+};
+
+struct Ran {
+    int exit_code = -1;
+    std::string output;
+};
+
+Ran run(const CheckRequest& request, const fs::path& plugins, const std::vector<std::string>& arguments) {
+    ChildProgram::Settings settings{
+        .arguments = {request.program}, .environment = {"KERF_PLUGIN_PATH=" + plugins.string()}, .with_errors = true};
+    settings.arguments.insert(settings.arguments.end(), arguments.begin(), arguments.end());
+    ChildProgram program(settings);
+    Ran ran;
+    if (!program.error().empty()) return {-1, program.error()};
+    for (std::string line; program.read_line(line, request.is_interrupted);) ran.output += plain(line) + "\n";
+    if (!(request.is_interrupted && request.is_interrupted())) ran.exit_code = program.wait();
+    return ran;
+}
+
+/// A folder with this plugin alone: of two plugins with one id the first is taken.
+std::string put_alone(const std::string& plugin, const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    fs::copy_file(plugin, folder / fs::path(plugin).filename(), fs::copy_options::overwrite_existing, error);
+    return error ? plain(plugin) + " cannot be copied: " + error.message() + "." : std::string();
+}
+
+std::vector<std::string> procedures_of(const CheckRequest& request, const std::string& plugin_id) {
+    if (!request.procedures.empty()) return request.procedures;
+    std::vector<std::string> found;
+    std::string escaped;
+    for (const char c : plugin_id) escaped += c == '.' ? std::string("\\.") : std::string(1, c);
+    const std::regex uses("plugin:\\s*" + escaped + "\\b");
+    std::error_code error;
+    for (fs::directory_iterator file(request.shipped, error), end; !error && file != end; file.increment(error)) {
+        if (file->path().extension() != ".yaml") continue;
+        std::ifstream in(file->path());
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        if (std::regex_search(text, uses)) found.push_back(file->path().string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> procedure_tests() { return {rehearsals.id, replay.id, twin.id}; }
+
+void check_procedures(const CheckRequest& request, PluginReport& report,
+                      const std::function<void(const TestResult&)>& on_result) {
+    const auto add = [&](const ProcedureTest& test, const std::string& procedure, auto body) {
+        if (!request.only.empty() && !std::regex_search(test.id, std::regex(request.only))) return;
+        TestResult result{test.id, 5, fs::path(procedure).filename().string(), test.sentence, Status::passed, "",
+                          "",      0};
+        for (const auto& [pattern, reason] : request.excluded)
+            if (std::regex_search(test.id, std::regex(pattern)))
+                result.status = Status::skipped, result.text = "excluded: " + reason;
+        if (result.status == Status::passed) {
+            const auto begun = std::chrono::steady_clock::now();
+            body(result);
+            result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        }
+        report.results.push_back(result);
+        if (on_result) on_result(result);
+    };
+    const auto skip_all = [&](const std::string& reason) {
+        for (const ProcedureTest& test : {rehearsals, replay, twin})
+            add(test, "", [&](TestResult& result) { result.status = Status::skipped, result.text = reason; });
+    };
+    if (report.plugin.empty()) return skip_all("the plugin cannot be loaded");
+    const auto procedures = procedures_of(request, report.plugin.substr(0, report.plugin.find(' ')));
+    if (procedures.empty()) return skip_all("no procedure uses it: name one with --procedure");
+    const ScratchFolder scratch;
+    if (scratch.path().empty()) return skip_all("no folder for its files could be made");
+    const fs::path alone = scratch.path() / "plugin", twin_alone = scratch.path() / "twin";
+    if (const std::string error = put_alone(report.path, alone); !error.empty()) return skip_all(error);
+
+    for (const std::string& procedure : procedures) {
+        const auto fail = [](TestResult& result, const std::string& text, const Ran& ran) {
+            result.status = Status::failed;
+            result.text = text;
+            result.output = ran.output;
+        };
+        add(rehearsals, procedure, [&](TestResult& result) {
+            const Ran ran = run(request, alone, {"rehearse", procedure});
+            if (ran.exit_code != 0)
+                fail(result, "`kerf rehearse` ends with " + std::to_string(ran.exit_code) + ".", ran);
+        });
+        const std::string recorded = (scratch.path() / "run").string(), again = (scratch.path() / "again").string();
+        const auto is_same = [&](TestResult& result, const fs::path& plugins, const std::string& whose) {
+            if (!fs::exists(recorded + "/session.db")) {
+                const Ran ran = run(request, alone, {"run", procedure, "--out", recorded});
+                if (ran.exit_code != 0 && ran.exit_code != 1)
+                    return fail(result, "`kerf run` ends with " + std::to_string(ran.exit_code) + ".", ran);
+            }
+            const Ran ran =
+                run(request, plugins, {"run", procedure, "--replay", recorded + "/session.db", "--out", again});
+            if (ran.output.find("replay: the same bits") == std::string::npos)
+                fail(result, whose + " does not give the same bits as the run that was recorded.", ran);
+        };
+        add(replay, procedure, [&](TestResult& result) { is_same(result, alone, "A replay"); });
+        add(twin, procedure, [&](TestResult& result) {
+            if (request.twin.empty()) {
+                result.status = Status::skipped;
+                result.text = "no twin is named: build the plugin with another compiler and write --twin";
+            } else if (const std::string error = put_alone(request.twin, twin_alone); !error.empty()) {
+                fail(result, error, {});
+            } else {
+                is_same(result, twin_alone, "The twin");
+            }
+        });
+        std::error_code ignored;
+        fs::remove_all(recorded, ignored);
+        fs::remove_all(again, ignored);
+        if (request.is_interrupted && request.is_interrupted()) {
+            report.error = "interrupted";
+            return;
+        }
+    }
+}
+
+}  // namespace kerf::conformance
