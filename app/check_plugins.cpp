@@ -9,6 +9,7 @@
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "app/standard_streams.h"
+#include "conformance/acceptance.h"
 #include "conformance/check.h"
 #include "conformance/report.h"
 #include "core/session/recorder.h"
@@ -41,13 +42,32 @@ std::string refusal_of(const CommandLine& line) {
     return {};
 }
 
+/// `--accept` and `--record`, in place of the tests.
+ExitCode accept_or_record(const CommandLine& line, const std::string& child) {
+    if (!line.accept.empty() && !line.record.empty())
+        return complain("`--accept` and `--record` are both given. Write one of them.", exit_bad_input);
+    if (line.files.size() > 1) return complain("an acceptance file is of one plugin. Name one.", exit_bad_input);
+    const bool is_record = line.accept.empty();
+    const AcceptanceRequest request{.child = child,
+                                    .plugin = line.files.front(),
+                                    .file = is_record ? line.record : line.accept,
+                                    .law = line.law,
+                                    .folder = line.differences.empty() ? "out/check" : line.differences};
+    const AcceptanceOutcome outcome = is_record ? record(request) : accept(request);
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    print(std::string(notice_line) + ".\n" + outcome.text);
+    return outcome.is_accepted ? exit_pass : exit_not_passed;
+}
+
 }  // namespace
 
 ExitCode check_plugins(const CommandLine& line, const std::string& program) {
     if (const std::string refusal = refusal_of(line); !refusal.empty()) return complain(refusal, exit_bad_input);
     const fs::path prefix = fs::path(program).parent_path().parent_path();
+    const std::string child = (prefix / "libexec" / "kerf" / "kerf-check-child").string();
+    if (!line.accept.empty() || !line.record.empty()) return accept_or_record(line, child);
     const Interruption interruption;
-    CheckRequest request{.child = (prefix / "libexec" / "kerf" / "kerf-check-child").string(),
+    CheckRequest request{.child = child,
                          .level = line.level,
                          .only = line.only,
                          .is_interrupted = [&] { return interruption.has_come(); },

@@ -115,6 +115,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(run, "--mode", line.mode, "MODE", "practice (default), exam or demo",
                one_of({"practice", "exam", "demo"}));
     run->add_flag("--headless", line.is_headless, "Run without a window, as every run does at present");
+    run->add_flag("--watch", line.is_watched,
+                  "Run again whenever a plugin, the procedure or its anatomy changes, until Ctrl-C");
     run->footer(std::string(hint_of_run) + "\n" + notice_line + ".");
 
     CLI::App* validate = add("validate", "Check procedures without running them");
@@ -295,6 +297,17 @@ void describe_to(CLI::App& app, CommandLine& line) {
                one_of({"text", "json", "junit"}));
     add_option(check, "-o,--out", line.out, "FILE", "Write the report to this file; text still goes to the terminal",
                not_empty("a file, as in `--out check.xml`"));
+    add_option(
+        check, "--accept", line.accept, "FILE",
+        "Lead the law along this file's script and compare its forces with those recorded, in place of the tests",
+        not_empty("an acceptance file, as in `--accept peck.csv`"));
+    add_option(check, "--record", line.record, "FILE",
+               "Record an acceptance file; one that is there gives the script, else a standard one is taken",
+               not_empty("a file, as in `--record peck.csv`"));
+    add_option(check, "--law", line.law, "LAW", "Of --accept and --record: which law, as in 'burr with burring'",
+               not_empty("a tool and a law, as in `--law 'burr with burring'`"));
+    add_option(check, "--differences", line.differences, "FOLDER",
+               "Of --accept: folder for the differences as CSV and picture; default: out/check", not_empty(out_help));
     check->footer("Exit code: 0 no test failed, 1 one failed, 2 bad input, 3 fault or interrupted.\n" +
                   std::string(notice_line) + ".");
 

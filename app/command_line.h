@@ -42,13 +42,15 @@ struct CommandLine {
     std::string action;                    ///< of anatomy: "check"
     std::string mode = "practice";         ///< practice | exam | demo
     bool is_headless = false;              ///< so is every run for now
+    bool is_watched = false;               ///< of run
     std::string format = "text";           ///< of validate: text | json | github; of check: text | json | junit
 
-    std::string only;                            ///< of check: a pattern on the tests' ids; empty: all
-    std::vector<std::string> excluded, reasons;  ///< of check: patterns, and why each is left out
-    int level = 3;                               ///< of check: 1 … 5
-    std::string twin;                            ///< of check: the same plugin, built otherwise
-    std::vector<std::string> procedures;         ///< of check, at level 5
+    std::string only;                              ///< of check: a pattern on the tests' ids; empty: all
+    std::vector<std::string> excluded, reasons;    ///< of check: patterns, and why each is left out
+    int level = 3;                                 ///< of check: 1 … 5
+    std::string twin;                              ///< of check: the same plugin, built otherwise
+    std::vector<std::string> procedures;           ///< of check, at level 5
+    std::string accept, record, law, differences;  ///< of check: acceptance files
 
     std::string answer;         ///< to print instead of doing anything: help, version, or what is wrong
     int exit_code = exit_pass;  ///< with `answer`; exit_bad_input belongs on stderr

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/check_plugins.h"
 #include "app/commands.h"
@@ -12,6 +14,7 @@
 #include "app/plugin_folders.h"
 #include "app/plugin_guard.h"
 #include "app/standard_streams.h"
+#include "app/watch.h"
 #include "run/shipped.h"
 
 namespace {
@@ -37,6 +40,12 @@ ExitCode do_as_told(int argc, char** argv) {
     line.anatomy = shipped_or_own(line.anatomy, line.shipped);
     const PluginFolders folders = plugin_folders(plugin_path != nullptr ? plugin_path : "", (lib / "kerf").string());
     for (const auto& complaint : folders.complaints) print_error("kerf: " + complaint + "\n");
+    if (line.is_watched) {
+        std::vector<std::string> arguments;
+        for (int i = 1; i < argc; ++i)
+            if (std::string(argv[i]) != "--watch") arguments.emplace_back(argv[i]);
+        return run_and_watch(line, program.string(), std::move(arguments), folders.folders);
+    }
     PluginRegistry plugins;
     plugins.scan(folders.folders);
     for (const auto& refusal : plugins.refusals()) print_error(refusal + "\n");

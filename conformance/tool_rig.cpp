@@ -94,9 +94,9 @@ void ToolRig::run_up() {
     for (int i = 0; i < ticks; ++i) static_cast<void>(lead(-above));
 }
 
-TickResult ToolRig::lead(double depth, double aside, double tilt) {
-    return simulation_.tick_direct({placed(at_depth(depth, tilt, {aside, 0, 0}))});
-}
+TickResult ToolRig::lead(const Pose& block_from_tool) { return simulation_.tick_direct({placed(block_from_tool)}); }
+
+TickResult ToolRig::lead(double depth, double aside, double tilt) { return lead(at_depth(depth, tilt, {aside, 0, 0})); }
 
 std::vector<TickResult> ToolRig::feed(double from, double to, double speed) {
     const auto count = std::max(1, static_cast<int>(std::lround(std::abs(to - from) / (speed * settings_.period))));

@@ -25,6 +25,7 @@ struct RigSettings {
 /// A tool with its law in a block of bone, in a simulation of the host.   [main]
 class ToolRig {
 public:
+    /// The subject must outlive it.
     ToolRig(const Subject& subject, const RigSettings& settings);
     ToolRig(const ToolRig&) = delete;
     ToolRig& operator=(const ToolRig&) = delete;
@@ -40,6 +41,7 @@ public:
     /// Stays above the bone until a motor has come to its speed.
     void run_up();
     /// One tick with the tool led to a pose of the block.
+    TickResult lead(const Pose& block_from_tool);
     TickResult lead(double depth, double aside = 0.0, double tilt = 0.0);
     /// Leads the tool straight from one depth to the other at `speed` [m/s], and returns the ticks.
     std::vector<TickResult> feed(double from, double to, double speed);

@@ -4,7 +4,9 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
+#include "conformance/acceptance_run.h"
 #include "conformance/schedule.h"
 #include "conformance/test.h"
 
@@ -24,9 +26,27 @@ int list_tests() {
     return 0;
 }
 
+/// Prints the law that was run and its wrenches, row by row.
+int run_acceptance(const Json& request) {
+    std::string error;
+    AcceptanceFile file = standard_script();
+    if (const std::string path = request.at("script"); !path.empty()) {
+        auto read = read_acceptance(path, error);
+        if (read) file = std::move(*read);
+    }
+    if (const std::string subject = request.at("subject"); !subject.empty()) file.subject = subject;
+    if (error.empty()) error = run_script(request.at("plugin"), file);
+    Json answer{{"error", error}, {"subject", file.subject}, {"wrenches", Json::array()}};
+    for (const AcceptanceRow& row : file.rows)
+        if (row.wrench) answer["wrenches"].push_back(*row.wrench);
+    print(answer);
+    return 0;
+}
+
 /// What to do comes as one JSON argument: only `kerf` calls this program.
 int run(const char* request_text) {
     const Json request = Json::parse(request_text);
+    if (request.contains("script")) return run_acceptance(request);
     Selection selection{.level = request.at("level"), .only = request.at("only")};
     for (const Json& one : request.at("excluded")) selection.excluded.push_back({one.at(0), one.at(1)});
     run_tests(

@@ -152,6 +152,8 @@ kerf_event events[2];
 kerf_tool tool;
 kerf_force force;
 kerf_component components[3];
+constexpr kerf_feature feature{
+    .id = "size", .help = "A longer one.", .kind = KERF_FEATURE_EFFECT, .param = 0, .off = 1e-3};
 
 kerf_param sound_parameter() {
     kerf_param p{};
@@ -174,6 +176,7 @@ kerf_drive sound_drive() {
     d.display_unit = "rpm";
     d.max = 100.0;
     d.def = 50.0;
+    d.least = 1.0;
     return d;
 }
 
@@ -242,6 +245,8 @@ void fill_components() {
         c.params = is("null_parameters") ? nullptr : parameters;
         c.param_count = is("huge_parameter_count") ? 1000000000u : std::size(parameters);
         c.tool = &tool;
+        c.features = &feature;
+        c.feature_count = 1;
     }
     components[0].id = "burr";
     components[1].id = "other_burr";

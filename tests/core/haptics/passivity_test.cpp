@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "devices/simulated_hand/simulated_hand.h"
-#include "tests/support/drill_rig.h"
 #include "tests/support/probe.h"
 #include "tests/support/rig.h"
 

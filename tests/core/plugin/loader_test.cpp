@@ -22,16 +22,21 @@
 namespace kerf {
 namespace {
 
-const std::string drilling = KERF_BUILD_DIR "/lib/kerf/kerf_drilling.so";
+const std::string sound = KERF_BUILD_DIR "/tests/bad_plugins/plugin_that_nothing_wrong.so";  // and has everything
 
-TEST(Loader, LoadsThePluginOfTheTree) {
-    const PluginLoad load = load_plugin(drilling);
+/// A folder with the sound plugin alone.
+struct SoundFolder : test::TemporaryFolder {
+    SoundFolder() { std::filesystem::copy(sound, *this / "sound.so"); }
+};
+
+TEST(Loader, LoadsASoundPlugin) {
+    const PluginLoad load = load_plugin(sound);
     ASSERT_TRUE(load.plugin) << load.refusal;
-    EXPECT_STREQ(load.plugin->entry().plugin_id, "kerf.drilling");
+    EXPECT_STREQ(load.plugin->entry().plugin_id, "test.hostile");
 }
 
 TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
-    const PluginLoad load = load_plugin(drilling);
+    const PluginLoad load = load_plugin(sound);
     ASSERT_TRUE(load.plugin);
     const kerf_entry good = load.plugin->entry();
     EXPECT_EQ(refusal_of(good, "libsaw.so"), "");
@@ -51,10 +56,10 @@ TEST(Loader, SaysWhichFieldDiffersAndWhatToDo) {
     EXPECT_NE(refusal_of(bad, "libsaw.so").find("components"), std::string::npos);
 }
 
-/// The first component of its kind of the drilling plugin alone, to be changed.
+/// The first component of its kind of the sound plugin alone, to be changed.
 template <std::uint32_t kind>
 struct One {
-    PluginLoad load = load_plugin(drilling);
+    PluginLoad load = load_plugin(sound);
     kerf_entry entry = load.plugin->entry();
     kerf_component component = *std::find_if(entry.components, entry.components + entry.component_count,
                                              [](const auto& c) { return c.kind == kind; });
@@ -102,7 +107,7 @@ TEST(Loader, RefusesADriveAtWhichTheToolNeverTakesBone) {
 
     for (const double least : {drive.max + 1.0, -1.0, std::nan("")}) {
         drive.least = least;
-        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("drive `spindle_speed`"), std::string::npos) << least;
+        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("drive `speed`"), std::string::npos) << least;
     }
 }
 
@@ -115,22 +120,22 @@ TEST(Loader, RefusesAnEventOfAnothersNameOrOfNone) {
     kerf_event event{};
     law.events = &event;
     law.event_count = 1;
-    for (const char* own : {"drilling.stalled", "kerf.drilling.stalled"}) {
+    for (const char* own : {"hostile.stalled", "test.hostile.stalled"}) {
         event = {own, "It stands.", KERF_EVENT_NOTE, 0};
         EXPECT_EQ(refusal_of(one.entry, "libsaw.so"), "") << own;
     }
-    for (const char* foreign : {"haptics.held_back", "stalled", "drilling.", "drilling", "drillings.stalled"}) {
+    for (const char* foreign : {"haptics.held_back", "stalled", "hostile.", "hostile", "hostiles.stalled"}) {
         event = {foreign, "It stands.", KERF_EVENT_NOTE, 0};
-        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("its plugin's name before it. Write `drilling."),
+        EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("its plugin's name before it. Write `hostile."),
                   std::string::npos)
             << foreign;
     }
-    event = {"drilling.stalled", "It stands.", 2, 0};
+    event = {"hostile.stalled", "It stands.", 2, 0};
     EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("`effect` is 2, expected 0 (note) or 1 (damage)"),
               std::string::npos)
         << refusal_of(one.entry, "libsaw.so");
-    event = {"drilling.stalled", nullptr, KERF_EVENT_NOTE, 0};
-    EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("event `drilling.stalled`: `help` is null"), std::string::npos);
+    event = {"hostile.stalled", nullptr, KERF_EVENT_NOTE, 0};
+    EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("event `hostile.stalled`: `help` is null"), std::string::npos);
     law.events = nullptr;
     EXPECT_NE(refusal_of(one.entry, "libsaw.so").find("event count` is 1 with a null table"), std::string::npos);
 }
@@ -190,13 +195,14 @@ TEST(LoaderDeath, APluginThatEndsTheProcessIsNamedFirst) {
 }
 
 TEST(LoaderDeath, OnceItIsLoadedNobodyIsAccused) {
-    EXPECT_EXIT((static_cast<void>(load_plugin(drilling)), std::abort()), testing::KilledBySignal(SIGABRT), "^$");
-    EXPECT_EXIT((static_cast<void>(load_plugin(drilling)), std::exit(7)), testing::ExitedWithCode(7), "^$");
+    EXPECT_EXIT((static_cast<void>(load_plugin(sound)), std::abort()), testing::KilledBySignal(SIGABRT), "^$");
+    EXPECT_EXIT((static_cast<void>(load_plugin(sound)), std::exit(7)), testing::ExitedWithCode(7), "^$");
 }
 
 TEST(Registry, DescribesEveryParameterWithItsSource) {
     PluginRegistry registry;
-    registry.scan({KERF_BUILD_DIR "/lib/kerf", "/nowhere"});
+    const SoundFolder folder;
+    registry.scan({folder.path(), "/nowhere"});
     EXPECT_TRUE(registry.refusals().empty());
     ASSERT_FALSE(registry.catalog().empty());
     for (const auto& component : registry.catalog())
@@ -204,13 +210,14 @@ TEST(Registry, DescribesEveryParameterWithItsSource) {
             EXPECT_FALSE(parameter.help.empty()) << parameter.id;
             EXPECT_FALSE(parameter.source.empty()) << parameter.id;
         }
-    EXPECT_NE(registry.find("kerf.drilling", KERF_KIND_TOOL, "twist_drill"), nullptr);
-    EXPECT_EQ(registry.find("kerf.drilling", KERF_KIND_FORCE, "twist_drill"), nullptr);
+    EXPECT_NE(registry.find("test.hostile", KERF_KIND_TOOL, "burr"), nullptr);
+    EXPECT_EQ(registry.find("test.hostile", KERF_KIND_FORCE, "burr"), nullptr);
 }
 
 TEST(Registry, TheSamePluginTwiceIsReportedWithBothPaths) {
     PluginRegistry registry;
-    registry.scan({KERF_BUILD_DIR "/lib/kerf", KERF_BUILD_DIR "/lib/kerf"});
+    const SoundFolder folder;
+    registry.scan({folder.path(), folder.path()});
     ASSERT_EQ(registry.refusals().size(), registry.plugins().size());
     EXPECT_NE(registry.refusals()[0].find("found twice"), std::string::npos);
 }
