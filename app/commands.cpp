@@ -481,7 +481,8 @@ ExitCode begin_plugin(const CommandLine& line) {
     const std::string folder = line.out.empty() ? line.source : line.out;
     print(folder + "\nBuild it: cmake -S " + folder + " -B " + folder +
           "/build -D CMAKE_PREFIX_PATH=WHERE_KERF_IS && cmake --build " + folder +
-          "/build\nTest it:  ctest --test-dir " + folder + "/build\n");
+          "/build\nTest it:  ctest --test-dir " + folder + "/build\nCheck it: kerf check " + folder +
+          "/build/lib/kerf/kerf_" + line.source + ".so --level 4\n");
     return exit_pass;
 }
 

@@ -6,6 +6,7 @@
 #   plugins/<name>  kerf/…, its own folder, std
 #   devices/<name>  the same; so does bench/as_printed, which is a plugin that only charts and tests find
 #   run/…           kerf/…, core/…, devices/…, run/…, third parties; plugins it finds at run time
+#   conformance/…   kerf/…, core/…, conformance/…, studies/drawing/…, third parties; plugins it is given at run time
 #   studies/…       kerf/…, core/…, devices/…, studies/…, third parties; plugins it finds at run time
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
@@ -220,8 +221,9 @@ function(check_library folder others)
   endforeach()
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
-check_library(run "plugins|studies|app|tests|bench|examples")
-check_library(studies "plugins|run|app|tests|bench|examples")
+check_library(run "plugins|studies|app|conformance|tests|bench|examples")
+check_library(studies "plugins|run|app|conformance|tests|bench|examples")
+check_library(conformance "plugins|devices|run|app|tests|bench|studies/(chart|plan|stability)")
 
 if(violations GREATER 0)
   message(FATAL_ERROR "layers: ${violations} line(s) know what they must not know")

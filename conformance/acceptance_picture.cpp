@@ -11,7 +11,7 @@ namespace kerf::conformance {
 std::string difference_svg(const AcceptanceFile& recorded, const std::vector<AcceptanceRow>& found) {
     constexpr const char* titles[] = {"across, x [N]", "across, y [N]", "along the block's z [N]"};
     constexpr double width = 900.0, height = 240.0;
-    std::string content;
+    std::string content = "<desc>For training and research; not for diagnosis, planning or deciding treatment</desc>\n";
     for (std::size_t i = 0; i < 3; ++i) {
         drawing::Panel panel;
         panel.title = std::string("Force of the bone on the tool ") + titles[i];

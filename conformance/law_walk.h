@@ -14,7 +14,7 @@
 #include "conformance/guarded_memory.h"
 #include "conformance/plane_bone.h"
 #include "conformance/subject.h"
-#include "conformance/watch.h"
+#include "conformance/watch/watch.h"
 #include "conformance/words.h"
 #include "core/haptics/channel.h"
 

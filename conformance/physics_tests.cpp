@@ -388,10 +388,10 @@ constexpr Test tests[] = {
      &does_not_know_directions, "law.sound", long_time},
     {"physics.re_entry", 4, Scope::law, "It meets nothing in the hole that it has made.", &knows_no_ghosts, "law.sound",
      long_time},
-    {"physics.switching", 4, Scope::law, "Its force does not step when it is switched on and off.", &hands_over,
-     "law.sound", long_time},
     {"physics.removal", 4, Scope::law, "It removes what its cutting part sweeps.", &removes_what_it_sweeps, "law.sound",
      long_time},
+    {"physics.switching", 4, Scope::law, "Its force does not step when it is switched on and off.", &hands_over,
+     "law.sound", long_time},
     {"physics.least", 4, Scope::law, "Below the `least` of its drive it removes nothing.", &keeps_to_its_least,
      "law.sound", long_time},
 };

@@ -112,7 +112,9 @@ std::string summary_of(const PluginReport& report) {
             text += (reasons.begin()->first == reason ? " " : "; ") + reason +
                     (times > 1 ? " (" + std::to_string(times) + ")" : "");
     }
-    return text + ".\n";
+    text += ".\n";
+    for (const std::string& note : report.notes) text += "  " + note + "\n";
+    return text;
 }
 
 std::string json_text(const std::vector<PluginReport>& reports) {
@@ -121,7 +123,8 @@ std::string json_text(const std::vector<PluginReport>& reports) {
         const Tally count = tally(report);
         Json one{{"path", report.path},    {"plugin", report.plugin},  {"conforming", is_conforming(report)},
                  {"error", report.error},  {"passed", count.passed},   {"warned", count.warned},
-                 {"failed", count.failed}, {"skipped", count.skipped}, {"tests", Json::array()}};
+                 {"failed", count.failed}, {"skipped", count.skipped}, {"notes", report.notes},
+                 {"tests", Json::array()}};
         for (const TestResult& result : report.results)
             one["tests"].push_back({{"id", result.id},
                                     {"level", result.level},

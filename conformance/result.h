@@ -38,7 +38,8 @@ struct PluginReport {
     std::string path;
     std::string plugin;  ///< "kerf.drilling 0.1.0"; empty: its tables could not be read
     std::vector<TestResult> results;
-    std::string error;  ///< the kit itself failed, so the plugin is not checked; empty if it did not
+    std::vector<std::string> notes;  ///< measured figures that no test judges
+    std::string error;               ///< the kit itself failed, so the plugin is not checked; empty if it did not
 };
 
 }  // namespace kerf::conformance

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // kerf-check-child: runs the tests of one plugin for `kerf check`, which never loads it. Results are JSON, one a line.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
@@ -7,11 +8,17 @@
 #include <utility>
 
 #include "conformance/acceptance_run.h"
+#include "conformance/law_walk.h"
 #include "conformance/schedule.h"
+#include "conformance/subject.h"
 #include "conformance/test.h"
+
+extern "C" [[gnu::noinline]] int kerf_counted_resist(kerf::conformance::LawWalk* law);
+extern "C" [[gnu::noinline]] int kerf_counted_resist(kerf::conformance::LawWalk* law) { return law->resist(); }
 
 namespace {
 
+using namespace kerf;
 using Json = nlohmann::json;
 using namespace kerf::conformance;
 
@@ -43,9 +50,34 @@ int run_acceptance(const Json& request) {
     return 0;
 }
 
+/// Calls a law along the short path, in this process: for callgrind, which counts between calls of one function.
+int count_calls(const Json& request) {
+    PluginLoad load = load_tried_plugin(request.at("plugin"));
+    if (load.plugin == nullptr) return 2;
+    const auto names = subjects_of(load.plugin->entry());
+    const auto name = std::find_if(names.begin(), names.end(), [&](const SubjectName& one) {
+        return one.scope == Scope::law && one.name == request.at("count");
+    });
+    if (name == names.end()) return 2;
+    const Subject subject = subject_of(std::move(load.plugin), *name);
+    LawWalk law(subject);
+    if (!law.refusal().empty()) return 2;
+    const auto path = short_path();
+    law.begin(path.front());
+    law.run_up();
+    int calls = 0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i, ++calls) {
+        static_cast<void>(kerf_counted_resist(&law));
+        static_cast<void>(law.commit(path[i + 1]));
+    }
+    print({{"calls", calls}});
+    return 0;
+}
+
 /// What to do comes as one JSON argument: only `kerf` calls this program.
 int run(const char* request_text) {
     const Json request = Json::parse(request_text);
+    if (request.contains("count")) return count_calls(request);
     if (request.contains("script")) return run_acceptance(request);
     Selection selection{.level = request.at("level"), .only = request.at("only")};
     for (const Json& one : request.at("excluded")) selection.excluded.push_back({one.at(0), one.at(1)});

@@ -77,11 +77,12 @@ struct Crushing {
         }
         std::array<kerf_bone_sample, around> found;
         bone.sample(rim, {0, 0, 1}, found);
-        double crushed = 0, gap = 1;
+        double crushed = 0, engaged = 0, gap = 1;
         for (const kerf_bone_sample& here : found) {
             const double m = resistance(here, bone.tissue_count(), 1850.0);
             if (m <= 0) continue;
             crushed += m / around;
+            engaged += here.engagement / around;
             gap = std::min(gap, here.gap);
         }
         if (crushed > 0)
@@ -89,7 +90,7 @@ struct Crushing {
                           .along = {0, 0, 1},
                           .edge_force = strength * area * crushed,
                           .onset = 0.1_mm_per_s,
-                          .slope = 1000 * crushed,
+                          .slope = 1000 * engaged,
                           .gap = gap});
         for (std::uint32_t i = 0; i < 4; ++i) {  // the wall of its hole holds the tube
             const Vec3 side{i == 0 ? 1.0 : i == 1 ? -1.0 : 0.0, i == 2 ? 1.0 : i == 3 ? -1.0 : 0.0, 0};

@@ -20,6 +20,7 @@ PluginReport report() {
          {"law.pure", 3, "peck with pecking", "It is pure.", Status::skipped, "law.answers must pass first", "", 0.0},
          {"law.moved", 3, "peck with pecking", "It may be moved.", Status::skipped, "law.answers must pass first", "",
           0.0}},
+        {"one `resist` of peck with pecking: 1234 instructions"},
         ""};
 }
 
@@ -27,7 +28,8 @@ TEST(CheckReport, CountsWhatRanAndWhatDidNot) {
     EXPECT_EQ(
         summary_of(report()),
         "example.peck 0.1.0: 3 of 5 tests run, 1 failed, 1 with a warning, 2 skipped: law.answers must pass first "
-        "(2).\n");
+        "(2).\n"
+        "  one `resist` of peck with pecking: 1234 instructions\n");
     EXPECT_FALSE(is_conforming(report()));
 }
 

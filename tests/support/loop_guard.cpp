@@ -1,77 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/loop_guard.h"
 
-#include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <pthread.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <typeinfo>
+#include "conformance/watch/watch.h"
 
-// These stand before the C library's own and pass everything on to them, for the whole test program and whatever it
-// loads.
-static thread_local kerf::test::Forbidden forbidden_count __attribute__((tls_model("initial-exec")));
-
-kerf::test::Forbidden kerf::test::forbidden_here() noexcept { return forbidden_count; }
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-extern "C" {
-
-void* __libc_malloc(std::size_t);
-void* __libc_calloc(std::size_t, std::size_t);
-void* __libc_realloc(void*, std::size_t);
-void* __libc_memalign(std::size_t, std::size_t);
-void __libc_free(void*);
-
-void* malloc(std::size_t size) {
-    ++forbidden_count.allocations;
-    return __libc_malloc(size);
+kerf::test::Forbidden kerf::test::forbidden_here() noexcept {
+    using Kind = conformance::Forbidden;
+    const conformance::Counts& counts = conformance::counted_here();
+    const auto count = [&](Kind kind) { return counts[static_cast<std::size_t>(kind)]; };
+    return {count(Kind::allocation), count(Kind::lock), count(Kind::exception)};
 }
-void* calloc(std::size_t count, std::size_t size) {
-    ++forbidden_count.allocations;
-    return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) {
-    ++forbidden_count.allocations;
-    return __libc_realloc(memory, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-    ++forbidden_count.allocations;
-    return __libc_memalign(alignment, size);
-}
-void free(void* memory) {
-    if (memory != nullptr) ++forbidden_count.allocations;
-    __libc_free(memory);
-}
-
-#define KERF_COUNT_LOCK(name, type)                                                         \
-    int name(type* lock) noexcept {                                                         \
-        static const auto real = reinterpret_cast<int (*)(type*)>(dlsym(RTLD_NEXT, #name)); \
-        ++forbidden_count.locks;                                                            \
-        return real(lock);                                                                  \
-    }
-KERF_COUNT_LOCK(pthread_mutex_lock, pthread_mutex_t)
-KERF_COUNT_LOCK(pthread_mutex_trylock, pthread_mutex_t)
-KERF_COUNT_LOCK(pthread_rwlock_rdlock, pthread_rwlock_t)
-KERF_COUNT_LOCK(pthread_rwlock_wrlock, pthread_rwlock_t)
-KERF_COUNT_LOCK(pthread_cond_signal, pthread_cond_t)
-KERF_COUNT_LOCK(pthread_cond_broadcast, pthread_cond_t)
-
-[[noreturn]] void __cxa_throw(void* what, std::type_info* type, void (*destroy)(void*)) {
-    static const auto real =
-        reinterpret_cast<void (*)(void*, std::type_info*, void (*)(void*))>(dlsym(RTLD_NEXT, "__cxa_throw"));
-    ++forbidden_count.throws;
-    real(what, type, destroy);
-    std::abort();
-}
-
-}  // extern "C"
-#endif
 
 // The strict mode would forbid reading the processor's counter as well, which is no system call.
 static bool forbid_all_but_exit() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/watch.h"
+#include "conformance/watch/watch.h"
 
 #include <dlfcn.h>
 #include <linux/prctl.h>
@@ -29,11 +29,13 @@ namespace {
 struct Watch {
     bool is_on = false;
     Watched seen;
+    kerf::conformance::Counts counts{};
 };
 // No first use of it may allocate.
 thread_local Watch watch __attribute__((tls_model("initial-exec")));
 
 void note(Forbidden kind, const char* function) noexcept {
+    ++watch.counts[static_cast<std::size_t>(kind)];
     if (!watch.is_on) return;
     const char*& first = watch.seen.function[static_cast<std::size_t>(kind)];
     if (first == nullptr) first = function;
@@ -187,6 +189,8 @@ bool kerf::conformance::can_watch() noexcept { return true; }
 #else
 bool kerf::conformance::can_watch() noexcept { return false; }
 #endif
+
+const kerf::conformance::Counts& kerf::conformance::counted_here() noexcept { return watch.counts; }
 
 void kerf::conformance::start_watching() noexcept {
     watch.seen = {};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
-/// What must not happen between pose read and force out. `kerf-check-child` defines these functions in the place of the
-/// C library's: it counts the calls of a watched thread and passes them on.
+/// What must not happen between pose read and force out. A program that links this has these functions in the place of
+/// the C library's: they are noted and passed on, for the whole program and whatever it loads.
 namespace kerf::conformance {
 
 enum class Forbidden : std::uint32_t {
@@ -25,9 +27,13 @@ struct Watched {
     [[nodiscard]] const char* of(Forbidden kind) const noexcept { return function[static_cast<std::size_t>(kind)]; }
 };
 
-/// Whether calls are counted: not under a sanitizer, which has a heap and locks of its own.   [any]
+/// How often this thread has called functions of each kind since it began.   [any] no allocation
+using Counts = std::array<std::size_t, static_cast<std::size_t>(Forbidden::count)>;
+[[nodiscard]] const Counts& counted_here() noexcept;
+
+/// Whether calls are noted: not under a sanitizer, which has a heap and locks of its own.   [any]
 [[nodiscard]] bool can_watch() noexcept;
-/// Counts the calls of this thread from now on.   [any] no allocation
+/// Notes the calls of this thread from now on.   [any] no allocation
 void start_watching() noexcept;
 /// Returns what was called since then.   [any] no allocation
 [[nodiscard]] Watched stop_watching() noexcept;
