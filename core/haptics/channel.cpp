@@ -24,8 +24,11 @@ ChannelForce channel_force(const kerf_channel& c, double s, double dt) noexcept 
             if (s >= c.w) return {c.tau, 0.0};
             if (s <= -c.w) return {-c.tau, 0.0};
             return {c.tau * s / c.w, c.tau / c.w};
-        case KERF_HOLD:
-            return {c.k * (c.delta + s * dt) + c.b * s, c.k * dt + c.b};
+        case KERF_HOLD: {
+            const double force = c.k * (c.delta + s * dt) + c.b * s;
+            if (c.tau > 0.0 && std::abs(force) >= c.tau) return {std::copysign(c.tau, force), 0.0};
+            return {force, c.k * dt + c.b};
+        }
         default:
             return {};
     }

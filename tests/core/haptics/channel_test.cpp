@@ -84,6 +84,19 @@ TEST(Hold, PullsAsWellAsItPushes) {
     EXPECT_NEAR(at(c, 0.1).slope, 2000.0 * dt + 30.0, 1e-12);
 }
 
+TEST(Hold, GivesWayAtItsLimit) {
+    kerf_channel c = channel(KERF_HOLD);
+    c.tau = 3.0;
+    c.delta = 1.4e-3;
+    EXPECT_NEAR(at(c, 0.0).lambda, 2.8, 1e-12) << "below it, a spring";
+    EXPECT_NEAR(at(c, 0.0).slope, 2000.0 * dt + 30.0, 1e-12);
+    EXPECT_EQ(at(c, 1.0).lambda, 3.0);
+    EXPECT_EQ(at(c, -1.0).lambda, -3.0);
+    EXPECT_EQ(at(c, 1.0).slope, 0.0);
+    c.tau = 0.0;
+    EXPECT_GT(at(c, 1.0).lambda, 30.0) << "0 is no limit";
+}
+
 TEST(ChannelOfNoKind, HasNoForce) {
     EXPECT_EQ(at(channel(KERF_HOLD + 1), 0.1).lambda, 0.0);
     EXPECT_FALSE(is_sound(channel(KERF_HOLD + 1)));

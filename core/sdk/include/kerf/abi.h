@@ -189,7 +189,7 @@ enum { KERF_CUT = 0, KERF_CONTACT = 1, KERF_FRICTION = 2, KERF_HOLD = 3 };
  *   cut       λ = 0 for s ≤ g/T; else with s' = s − g/T: λ = τ(1 − e^(−s'/w)) + η s'
  *   contact   λ = max(0, k(δ + sT) + b(s + min(δ, 0)/T))
  *   friction  λ = τ clamp(s/w, −1, 1)
- *   hold      λ = k(δ + sT) + b s
+ *   hold      λ = k(δ + sT) + b s; with τ > 0 no more than τ either way
  * `follow` is a wrench on the tool per newton of filtered λ; it does no work against s: reaction torque, imbalance. */
 typedef struct kerf_channel {
     uint32_t kind;

@@ -106,6 +106,16 @@ struct FrictionSpec {
     double onset = 1e-6;  ///< [m/s] ≥ 1e-6: the rate from which on the limit acts
 };
 
+/// A spring either way along `d`, which gives way at `limit`: a thread in bone.
+struct HoldSpec {
+    std::uint32_t id;
+    Vec6 d;                ///< linear [–], angular [m]
+    double stiffness;      ///< [N/m]
+    double stretch;        ///< [m] from where it holds no force
+    double damping = 0.0;  ///< [N·s/m]
+    double limit = 0.0;    ///< [N] either way; 0: none
+};
+
 /// Where a law writes its channels. It drops and counts those beyond KERF_MAX_CHANNELS.
 class Channels {
 public:
@@ -132,6 +142,14 @@ public:
         if (c == nullptr) return;
         c->tau = spec.limit;
         c->w = std::max(1e-6, spec.onset);
+    }
+    void hold(const HoldSpec& spec) noexcept {
+        kerf_channel* c = add(KERF_HOLD, spec.id, spec.d);
+        if (c == nullptr) return;
+        c->k = spec.stiffness;
+        c->b = spec.damping;
+        c->delta = spec.stretch;
+        c->tau = spec.limit;
     }
     /// Adds an empty channel; null where there is no room.
     /// @param id  the same number for the same thing in every tick

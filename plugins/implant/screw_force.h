@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bone_thread.h"
+#include "kerf/plugin.hpp"
+#include "screw_contact.h"
+#include "screw_parameters.h"
+#include "screw_tool.h"
+#include "thread_grip.h"
+
+/// What a hand feels through the driver of a screw.
+namespace kerf::implant {
+
+/// The law of a screw in bone, docs/models/screw.md: a helix that holds until it slips, rubbing thread, flutes that
+/// cut, a core in its hole, a head on its seat.
+struct ScrewInsertion : ScrewParameters {
+    enum class Phase { in_air, going_in, seated, slipping, stripped, backing_out };
+    struct Prepared {
+        ScrewThread thread{};
+        ThreadPlaces places;
+        ScrewContact contact;
+    };
+    struct State {
+        double angle = 0.0;       ///< [rad] turned since the thread met bone
+        double front = 0.0;       ///< [rad] the largest of it: up to there the groove is cut
+        double torque = 0.0;      ///< [N·m] of the bone, against the turn, in the last tick
+        double seat_force = 0.0;  ///< [N] under the head in the last tick
+        double seated_at = 0.0;   ///< [rad] the angle at which the head seated
+        ThreadGrip grip;
+        BesideHole beside;        ///< while it is out of bone
+        double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
+        Phase phase = Phase::in_air;
+        Prepared prepared;
+    };
+    struct Notes {
+        double strength = 0.0, stiffness = 0.0;  ///< of the bone's thread [N], [N/m]
+        double engaged = 0.0;                    ///< [m]
+    };
+    struct Signals {
+        double torque = 0.0, turned = 0.0, engaged = 0.0, clamp = 0.0, slip = 0.0, pull_out = 0.0;
+    };
+    /// In the order of the phases, without air.
+    enum class Happened { going_in, head_contact, yield, stripped, backing_out };
+
+    static constexpr auto about() {
+        return describe(
+            "screw_insertion",
+            "A thread that holds bone along its helix until it slips, friction, cutting flutes, core and head.",
+            ScrewParameters::about(), budget_us(100), work({.channels = 16, .points = 410, .queries = 4}),
+            signal(&Signals::torque,
+                   {.id = "torque", .help = "Torque of the bone against the turn.", .unit = unit::N_m}),
+            signal(&Signals::turned,
+                   {.id = "turned", .help = "Angle turned since the thread met bone.", .unit = unit::deg}),
+            signal(&Signals::engaged, {.id = "engaged", .help = "Length of thread in bone.", .unit = unit::mm}),
+            signal(&Signals::clamp, {.id = "clamp", .help = "Force under the head.", .unit = unit::N}),
+            signal(&Signals::slip, {.id = "slip", .help = "Slip of the thread in bone.", .unit = unit::mm}),
+            signal(&Signals::pull_out,
+                   {.id = "pull_out", .help = "Estimate of the force that pulls the screw out.", .unit = unit::N}),
+            event(Happened::going_in, {.id = "implant.going_in", .help = "The thread is in bone."}),
+            event(Happened::head_contact, {.id = "implant.head_contact", .help = "The head seats."}),
+            event(Happened::yield, {.id = "implant.yield", .help = "The thread begins to slip in bone."}),
+            event(Happened::stripped,
+                  {.id = "implant.stripped", .help = "The thread of the bone is stripped.", .is_damage = true}),
+            event(Happened::backing_out, {.id = "implant.backing_out", .help = "The screw is turned out."}));
+    }
+
+    void begin(const Held<PedicleScrew>& screw, const BoneQuery& bone, State& state) const noexcept;
+    [[nodiscard]] Notes resist(const Held<PedicleScrew>& screw, const BoneQuery& bone, const State& state,
+                               Channels& channels) const noexcept;
+    void commit(const Held<PedicleScrew>& screw, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
+                Signals& signals, Actions& actions) const noexcept;
+
+    [[nodiscard]] double left_of(const ThreadGrip& grip) const noexcept {
+        return strength_left(grip.slip, yield_share, yield_slip, strip_slip);
+    }
+};
+
+}  // namespace kerf::implant

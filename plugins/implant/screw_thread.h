@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "kerf/exact_math.hpp"
+#include "kerf/math.hpp"
+#include "kerf/units.hpp"
+
+/// The geometry of a screw's thread. Tool frame: origin at the tip, +z out of the tip; a right-hand thread, which goes
+/// in while it turns about +z.
+namespace kerf::implant {
+
+struct ScrewThread {
+    double outer;         ///< [m] diameter over the crests
+    double core;          ///< [m] diameter of the core where the thread ends, towards the head
+    double core_at_tip;   ///< [m] the same at the tip
+    double pitch;         ///< [m] from crest to crest
+    double starts;        ///< [–] threads beside each other
+    double length;        ///< [m] of the thread from the tip
+    double flank_angle;   ///< [rad] of a flank to the plane across the shaft
+    double flutes;        ///< [–] cutting edges at the tip
+    double flute_length;  ///< [m] over which they cut
+    double head;          ///< [m] diameter of the head's seat
+
+    /// [m] of the tip's cone, which bears no thread.
+    [[nodiscard]] double cone() const noexcept { return core_at_tip; }
+    [[nodiscard]] double lead() const noexcept { return starts * pitch; }  ///< [m] in a turn
+    /// [m] along the shaft for one radian.
+    [[nodiscard]] double advance() const noexcept { return lead() / (2.0 * pi); }
+    [[nodiscard]] double core_at(double z) const noexcept {  ///< [m] diameter at z ≤ 0
+        const double share = length > 0.0 ? std::min(1.0, std::max(0.0, -z / length)) : 1.0;
+        return core_at_tip + (core - core_at_tip) * share;
+    }
+    /// [m] radius in the middle of a flank at z ≤ 0.
+    [[nodiscard]] double mean_radius(double z) const noexcept { return 0.25 * (outer + core_at(z)); }
+    [[nodiscard]] double depth(double z) const noexcept { return 0.5 * (outer - core_at(z)); }  ///< [m] of the thread
+    /// Area on which bone presses, per length along the shaft [m²/m]: of the core, and of the thread the side that
+    /// carries,
+    ///
+    ///     a = π D_c + (π/4)(D_o² − D_c²)/P
+    ///
+    /// Over 25 mm it gives the "contact" of [weidling-2022], table 2, within 5 % for ten of twelve screws, and 14 %
+    /// less than the others.
+    [[nodiscard]] double core_contact(double z) const noexcept { return pi * core_at(z); }
+    [[nodiscard]] double flank_contact(double z) const noexcept {
+        const double c = core_at(z);
+        return 0.25 * pi * (outer * outer - c * c) / pitch;
+    }
+    /// Share of the cylinder over the crests that shears when the thread strips [–]: 0.5 + 0.57735 d_t/P.
+    /// Source: [chapman-1996].
+    [[nodiscard]] double shape_factor(double z) const noexcept { return 0.5 + 0.57735 * depth(z) / pitch; }
+    /// Cross-section of the groove that one crest cuts [m²]: a triangle of the thread's depth.
+    [[nodiscard]] double groove_area(double z) const noexcept {
+        const SinCos flank = sin_cos_exact(flank_angle);
+        return depth(z) * depth(z) * flank.sin / flank.cos;
+    }
+};
+
+/// A place on the thread's helix that stands for a short piece of it.
+struct ThreadPiece {
+    Vec3 place;     ///< [m] tool frame, in the middle of a flank
+    double length;  ///< [m] along the shaft that it stands for
+};
+
+inline constexpr int most_pieces = 192;
+
+/// The pieces of a thread, from the tip backwards, evenly along the shaft. Returns how many.   [any] pure.
+int make_pieces(const ScrewThread& thread, ThreadPiece (&pieces)[most_pieces]) noexcept;
+
+}  // namespace kerf::implant

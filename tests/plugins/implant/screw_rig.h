@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/haptics/simulation.h"
+#include "core/plugin/loader.h"
+#include "plugins/implant/screw_force.h"
+#include "tests/support/rig.h"
+
+/// A screw on its driver above a block of one material; the face is z = 0.
+namespace kerf::test {
+
+inline const PluginRegistry& implant_plugins() {
+    static const PluginRegistry registry = [] {
+        PluginRegistry r;
+        r.scan({KERF_BUILD_DIR "/lib/kerf"});
+        return r;
+    }();
+    return registry;
+}
+
+/// The plugin's screw with some parameters set, of the tool or of the law.
+inline ToolSetup screw(const std::map<std::string, double>& set = {}) {
+    ToolSetup setup;
+    setup.tool = implant_plugins().find("kerf.implant", KERF_KIND_TOOL, "pedicle_screw");
+    setup.force = implant_plugins().find("kerf.implant", KERF_KIND_FORCE, "screw_insertion");
+    const auto values = [&](const kerf_component& c) {
+        std::vector<double> v;
+        for (std::uint32_t i = 0; i < c.param_count; ++i)
+            v.push_back(set.contains(c.params[i].id) ? set.at(c.params[i].id) : c.params[i].def);
+        return v;
+    };
+    setup.tool_parameters = values(*setup.tool);
+    setup.force_parameters = values(*setup.force);
+    if (const std::string why = bind_law(setup); !why.empty()) throw std::runtime_error(why);
+    return setup;
+}
+
+/// A hand that turns the screw and lets it go along the shaft as it will.
+class ScrewRig {
+public:
+    using Signals = implant::ScrewInsertion::Signals;
+
+    /// With a pilot hole of the radius `hole` [m]; 0: as wide as the core's tip.
+    explicit ScrewRig(double density, const std::map<std::string, double>& set = {}, double period = Simulation::dt,
+                      double thickness = 55e-3, double hole = 0.0)
+        : rig_(made(density, thickness, hole > 0.0 ? hole : 0.5 * tip_of(set)), screw(set), at_depth(-0.2e-3), gains(),
+               period),
+          period_(period),
+          thread_(value_of<implant::PedicleScrew>(rig_.setup().tool_parameters).thread()) {
+        depth_ = -0.2e-3;
+    }
+
+    /// Turns by `by` [rad] at `speed` [rad/s]. `push`: [N] of the hand along the shaft.
+    void turn(double by, double speed, double push = 0.0) {
+        const auto ticks = static_cast<int>(std::ceil(std::abs(by) / (speed * period_)));
+        for (int i = 0; i < ticks; ++i) {
+            angle_ += by / ticks;
+            // As stiff as bone and thread together: the depth at which nothing pulls is found in a few ticks.
+            constexpr double stiffness = 3e7;  // [N/m]
+            depth_ += thread_.advance() * by / ticks + std::clamp((push - against_) / stiffness, -2e-6, 2e-6);
+            Pose pose = at_depth(depth_);
+            pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
+            last_ = rig_.tick_direct({pose});
+            against_ = linear(last_.bone_on_tool).z;
+            for (std::size_t e = 0; e < last_.event_count; ++e) events_.emplace_back(last_.events[e]);
+        }
+    }
+    /// Puts the tip into the hole until the thread meets bone, and turns `turns` times.
+    void insert(double turns, double speed) {
+        depth_ = thread_.cone();
+        for (double depth = -0.2e-3; depth < depth_; depth += 20e-6) (void)rig_.tick_direct({at_depth(depth)});
+        turn(2.0 * pi * turns, speed);
+    }
+    [[nodiscard]] Signals signals() const { return signals_of<implant::ScrewInsertion>(rig_.signals()); }
+    [[nodiscard]] double depth() const noexcept { return depth_; }
+    [[nodiscard]] double angle() const noexcept { return angle_; }
+    [[nodiscard]] const implant::ScrewThread& thread() const noexcept { return thread_; }
+    [[nodiscard]] const std::vector<std::string>& events() const noexcept { return events_; }
+    [[nodiscard]] Rig& rig() noexcept { return rig_; }
+
+private:
+    static double tip_of(const std::map<std::string, double>& set) {
+        return value_of<implant::PedicleScrew>(screw(set).tool_parameters).tip_core_diameter;
+    }
+    static Body made(double density, double thickness, double hole) {
+        Body body = block({-8e-3, -8e-3, -thickness}, {8e-3, 8e-3, 0}, 0.5e-3, {0.31, 0.17, 0.73});
+        body.materials[0].density = density;
+        const Grid grid = body.surface.grid();
+        body.surface = LevelSet::build(grid, [=](Vec3 p) {
+            const double box = box_distance(p, {-8e-3, -8e-3, -thickness}, {8e-3, 8e-3, 0});
+            return std::max(box, hole - std::sqrt(p.x * p.x + p.y * p.y));
+        });
+        return body;
+    }
+
+    Rig rig_;
+    double period_;
+    implant::ScrewThread thread_;
+    double depth_ = 0.0, angle_ = 0.0, against_ = 0.0;
+    TickResult last_;
+    std::vector<std::string> events_;
+};
+
+}  // namespace kerf::test
