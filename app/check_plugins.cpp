@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "app/interruption.h"
@@ -39,6 +40,14 @@ std::string refusal_of(const CommandLine& line) {
     for (const std::string& file : line.files)
         if (fs::is_directory(file))
             return "`" + file + "` is a folder. Write the file of a plugin, as in `" + file + "/*.so`.";
+    std::vector<std::string> files = line.files;
+    files.insert(files.end(), line.procedures.begin(), line.procedures.end());
+    if (!line.twin.empty()) files.push_back(line.twin);
+    std::error_code ignored;
+    for (const std::string& file : files)
+        if (!fs::exists(file, ignored)) return "`" + file + "` does not exist. Check its name and its folder.";
+    if (line.level < 5 && (!line.procedures.empty() || !line.twin.empty()))
+        return "`--procedure` and `--twin` are of level 5. Add `--level 5`.";
     return {};
 }
 

@@ -376,6 +376,7 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
     return command == nullptr                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
            : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
            : command->get_name() == "report" ? "of which run? Write `kerf report SESSION.db`."
+           : command->get_name() == "check"  ? "which plugin? Write `kerf check PLUGIN.so`."
            : command->get_name() == "new"    ? "what? Write `kerf new plugin NAME`."
            : command->get_name() == "anatomy"
                ? "which anatomy, for which procedure? Write `kerf anatomy check ANATOMY.yaml --for PROCEDURE.yaml`."

@@ -30,7 +30,7 @@ AcceptanceOutcome refused(const std::string& error, bool is_bad_input = true) {
 
 /// Fills in the wrenches of the file's rows. Returns what went wrong.
 std::string found_by(const AcceptanceRequest& request, const std::string& script, AcceptanceFile& file) {
-    const Json order{{"plugin", request.plugin}, {"script", script}, {"subject", request.law}};
+    const Json order{{"plugin", fs::absolute(request.plugin).string()}, {"script", script}, {"subject", request.law}};
     ChildProgram child({.arguments = {request.child, order.dump(-1, ' ', false, Json::error_handler_t::replace)}});
     if (!child.error().empty()) return request.child + " cannot be started: " + child.error() + ".";
     Json answer;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "conformance/sandbox.h"
@@ -29,7 +30,9 @@ std::string wrenches_along(const std::string& plugin, const AcceptanceFile& file
         if (chosen == nullptr && (file.subject.empty() || file.subject == name.name)) chosen = &name;
     }
     if (chosen == nullptr)
-        return Json{{"error", "the plugin has no law " + quoted_plain(file.subject) + "; it has " + known + "."}}
+        return Json{{"error", known.empty()
+                                  ? "the plugin has no law. Only a law has forces to record."
+                                  : "the plugin has no law " + quoted_plain(file.subject) + "; it has " + known + "."}}
             .dump();
     const Subject subject = subject_of(std::move(load.plugin), *chosen);
     ToolRig rig(subject, {.thickness = 12e-3});
@@ -45,9 +48,14 @@ std::string wrenches_along(const std::string& plugin, const AcceptanceFile& file
         TickResult tick;
         for (std::uint64_t i = 1; i <= count; ++i) {
             const double share = static_cast<double>(i) / static_cast<double>(count);
+            if (tick.is_quarantined) break;
             tick = rig.lead({from.position + share * (to.position - from.position),
                              from.rotation * quat_from_rotation_vector(share * turn)});
         }
+        if (tick.is_quarantined)
+            return Json{{"error", "the law was shut off before tick " + std::to_string(row.tick) +
+                                      ": it gave what no tool can follow. `kerf check` names the channel."}}
+                .dump();
         const Vec3 force = linear(tick.bone_on_tool), torque = angular(tick.bone_on_tool);
         answer["wrenches"].push_back({force.x, force.y, force.z, torque.x, torque.y, torque.z});
     }

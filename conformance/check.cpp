@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -36,7 +37,7 @@ void count_instructions(const CheckRequest& request, PluginReport& report) {
     for (const TestResult& result : report.results)
         if (result.id == "law.answers" && result.status == Status::passed) laws.push_back(result.subject);
     for (const std::string& law : laws) {
-        const Json order{{"plugin", report.path}, {"count", law}};
+        const Json order{{"plugin", std::filesystem::absolute(report.path).string()}, {"count", law}};
         ChildProgram child({.arguments = {valgrind, "--tool=callgrind", "--toggle-collect=kerf_counted_resist",
                                           "--callgrind-out-file=/dev/null", request.child,
                                           order.dump(-1, ' ', false, Json::error_handler_t::replace)},
@@ -68,7 +69,10 @@ std::string refusal_of_pattern(const std::string& pattern) {
 PluginReport check_plugin(const std::string& path, const CheckRequest& request,
                           const std::function<void(const TestResult&)>& on_result) {
     PluginReport report{path, "", {}, {}, ""};
-    Json order{{"plugin", path}, {"level", request.level}, {"only", request.only}, {"excluded", Json::array()}};
+    Json order{{"plugin", std::filesystem::absolute(path).string()},
+               {"level", request.level},
+               {"only", request.only},
+               {"excluded", Json::array()}};
     for (const auto& [pattern, reason] : request.excluded) order["excluded"].push_back({pattern, reason});
     ChildProgram child({.arguments = {request.child, order.dump(-1, ' ', false, Json::error_handler_t::replace)}});
     if (!child.error().empty()) {

@@ -82,6 +82,8 @@ bool ChildProgram::read_line(std::string& line, const std::function<bool()>& is_
         pollfd waits{output_, POLLIN, 0};
         ::poll(&waits, 1, 100);
         if (is_interrupted && is_interrupted()) return false;
+        // What the program forked may hold its output open: it has said all when it has ended.
+        if (waits.revents == 0 && has_ended()) return false;
         if (waits.revents == 0) continue;
         char buffer[4096];
         const auto got = read(output_, buffer, sizeof buffer);
@@ -91,12 +93,16 @@ bool ChildProgram::read_line(std::string& line, const std::function<bool()>& is_
     }
 }
 
+bool ChildProgram::has_ended() {
+    if (process_ > 0 && waitpid(process_, &status_, WNOHANG) == process_) process_ = -1;
+    return process_ < 0;
+}
+
 int ChildProgram::wait() {
-    int status = 0;
-    while (process_ > 0 && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    while (process_ > 0 && waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
 }
 
 }  // namespace kerf::conformance

@@ -29,7 +29,9 @@ public:
     int wait();
 
 private:
-    int process_ = -1, output_ = -1;
+    [[nodiscard]] bool has_ended();
+
+    int process_ = -1, output_ = -1, status_ = 0;
     std::string bytes_, error_;
 };
 

@@ -31,7 +31,8 @@ constexpr ProcedureTest rehearsals{"procedure.rehearsals", "All rehearsals end a
 class ScratchFolder {
 public:
     ScratchFolder() {
-        std::string pattern = (fs::temp_directory_path() / "kerf-check-XXXXXX").string();
+        std::error_code none;
+        std::string pattern = (fs::temp_directory_path(none) / "kerf-check-XXXXXX").string();
         if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
     }
     ~ScratchFolder() {
@@ -71,18 +72,21 @@ std::string put_alone(const std::string& plugin, const fs::path& folder) {
     return error ? plain(plugin) + " cannot be copied: " + error.message() + "." : std::string();
 }
 
+bool is_used_by(const std::string& plugin_id, const fs::path& procedure) {
+    std::string escaped;
+    for (const char c : plugin_id) escaped += c == '.' ? std::string("\\.") : std::string(1, c);
+    std::ifstream in(procedure);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    return std::regex_search(text, std::regex("plugin:\\s*" + escaped + "\\b"));
+}
+
 std::vector<std::string> procedures_of(const CheckRequest& request, const std::string& plugin_id) {
     if (!request.procedures.empty()) return request.procedures;
     std::vector<std::string> found;
-    std::string escaped;
-    for (const char c : plugin_id) escaped += c == '.' ? std::string("\\.") : std::string(1, c);
-    const std::regex uses("plugin:\\s*" + escaped + "\\b");
     std::error_code error;
     for (fs::directory_iterator file(request.shipped, error), end; !error && file != end; file.increment(error)) {
         if (file->path().extension() != ".yaml") continue;
-        std::ifstream in(file->path());
-        const std::string text(std::istreambuf_iterator<char>(in), {});
-        if (std::regex_search(text, uses)) found.push_back(file->path().string());
+        if (is_used_by(plugin_id, file->path())) found.push_back(file->path().string());
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -96,8 +100,10 @@ void check_procedures(const CheckRequest& request, PluginReport& report,
                       const std::function<void(const TestResult&)>& on_result) {
     const auto add = [&](const ProcedureTest& test, const std::string& procedure, auto body) {
         if (!request.only.empty() && !std::regex_search(test.id, std::regex(request.only))) return;
-        TestResult result{test.id, 5, fs::path(procedure).filename().string(), test.sentence, Status::passed, "",
-                          "",      0};
+        TestResult result{test.id, 5, fs::path(procedure).filename().string(), test.sentence, Status::passed, "", "",
+                          0,       {}};
+        if (!procedure.empty()) result.options = {"--procedure", procedure};
+        if (!request.twin.empty()) result.options.insert(result.options.end(), {"--twin", request.twin});
         for (const auto& [pattern, reason] : request.excluded)
             if (std::regex_search(test.id, std::regex(pattern)))
                 result.status = Status::skipped, result.text = "excluded: " + reason;
@@ -114,10 +120,15 @@ void check_procedures(const CheckRequest& request, PluginReport& report,
             add(test, "", [&](TestResult& result) { result.status = Status::skipped, result.text = reason; });
     };
     if (report.plugin.empty()) return skip_all("the plugin cannot be loaded");
-    const auto procedures = procedures_of(request, report.plugin.substr(0, report.plugin.find(' ')));
+    const std::string plugin_id = report.plugin.substr(0, report.plugin.find(' '));
+    const auto procedures = procedures_of(request, plugin_id);
     if (procedures.empty()) return skip_all("no procedure uses it: name one with --procedure");
     const ScratchFolder scratch;
-    if (scratch.path().empty()) return skip_all("no folder for its files could be made");
+    if (scratch.path().empty()) {
+        report.error =
+            "no folder for the files of level 5 could be made. Set TMPDIR to a folder that you can write to.";
+        return;
+    }
     const fs::path alone = scratch.path() / "plugin", twin_alone = scratch.path() / "twin";
     if (const std::string error = put_alone(report.path, alone); !error.empty()) return skip_all(error);
 
@@ -128,6 +139,10 @@ void check_procedures(const CheckRequest& request, PluginReport& report,
             result.output = ran.output;
         };
         add(rehearsals, procedure, [&](TestResult& result) {
+            if (!is_used_by(plugin_id, procedure)) {
+                fail(result, "No instrument of it is of " + plugin_id + ". Name a procedure that uses the plugin.", {});
+                return;
+            }
             const Ran ran = run(request, alone, {"rehearse", procedure});
             if (ran.exit_code != 0)
                 fail(result, "`kerf rehearse` ends with " + std::to_string(ran.exit_code) + ".", ran);

@@ -29,8 +29,10 @@ std::string quoted_for_shell(const std::string& word) {
 std::string again(const TestResult& result, const std::string& path) {
     std::string pattern = "^";
     for (const char c : result.id) pattern += c == '.' ? std::string("\\.") : std::string(1, c);
-    return "kerf check " + quoted_for_shell(path) + " --level " + std::to_string(result.level) + " --only '" + pattern +
-           "$'";
+    std::string line = "kerf check " + quoted_for_shell(path) + " --level " + std::to_string(result.level) +
+                       " --only '" + pattern + "$'";
+    for (const std::string& option : result.options) line += " " + quoted_for_shell(option);
+    return line;
 }
 
 std::string indented(const std::string& text, const std::string& by) {
@@ -84,7 +86,8 @@ Tally tally(const PluginReport& report) noexcept {
 }
 
 bool is_conforming(const PluginReport& report) noexcept {
-    return report.error.empty() && !report.results.empty() && tally(report).failed == 0;
+    const Tally count = tally(report);
+    return report.error.empty() && count.run() > 0 && count.failed == 0;
 }
 
 std::string text_of(const TestResult& result, const std::string& path) {

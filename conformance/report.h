@@ -17,7 +17,7 @@ struct Tally {
 };
 [[nodiscard]] Tally tally(const PluginReport& report) noexcept;  // [any]
 
-/// Whether no test failed and the kit did its work.   [any]
+/// Whether some test ran, none failed and the kit did its work.   [any]
 [[nodiscard]] bool is_conforming(const PluginReport& report) noexcept;
 
 /// One failure, warning or skipped test as it is shown at once; empty for a test that passed.   [any]

@@ -28,9 +28,10 @@ struct TestResult {
     std::string subject;   ///< "burr", "burr with burring"; empty: the plugin as a whole
     std::string sentence;  ///< what is true of a plugin that passes
     Status status = Status::passed;
-    std::string text;      ///< the cause, or a measured figure; may be empty
-    std::string output;    ///< what the plugin printed meanwhile, fit for a terminal; may be empty
-    double seconds = 0.0;  ///< differs from run to run
+    std::string text;                    ///< the cause, or a measured figure; may be empty
+    std::string output;                  ///< what the plugin printed meanwhile, fit for a terminal; may be empty
+    double seconds = 0.0;                ///< differs from run to run
+    std::vector<std::string> options{};  ///< of `kerf check`, that the test needs besides its level
 };
 
 /// All tests of one plugin.
