@@ -154,6 +154,11 @@ bool is_being_written(const std::string& folder) {
 // ---- files -------------------------------------------------------------------------------------------------------
 
 FileWriter::FileWriter(std::string path) : path_(std::move(path)), temporary_(path_ + ".part") {
+    struct stat there {};
+    if (stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
+        error_ = path_ + " could not be written: it is a device or a pipe, which a file would replace. Name a file.";
+        return;
+    }
     int error = 0;
     file_ = open_alone(temporary_, error);
     if (file_ < 0) fail(error);

@@ -32,6 +32,15 @@ std::string prepared(const std::string& folder) {
     return error;
 }
 
+TEST(WriteFile, LeavesAPipeWhereItIs) {
+    const TemporaryFolder folder;
+    const std::string pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_NE(write_file(pipe, "text").find("it is a device or a pipe"), std::string::npos);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_FALSE(fs::exists(pipe + ".part"));
+}
+
 TEST(WriteFile, ReplacesTheWholeFileAndLeavesNothingElse) {
     const TemporaryFolder folder;
     ASSERT_EQ(write_file(folder / "a.txt", "a longer text"), "");
