@@ -72,6 +72,7 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     std::copy(std::begin(points), std::end(points), out->profile);
     out->profile_count = is("empty_outline") ? 0u : is("huge_outline") ? 2000000000u : 4u;
     out->cutting_count = is("cuts_beyond_its_outline") ? 9u : 3u;
+    if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
     out->grip_z = -60e-3;
     return KERF_OK;
 }

@@ -212,6 +212,29 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
     return hole;
 }
 
+std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Vec3 tip, Vec3 direction) {
+    const double steepness = dot(direction, plan.along);
+    if (!(steepness >= 0.5)) return {};
+    DrilledHole hole;
+    hole.at = tip;
+    hole.direction = direction;
+    hole.end_depth = dot(tip - plan.entry, plan.along);
+    const auto offset_at = [&](double depth) {
+        const Vec3 middle = tip + (depth - hole.end_depth) / steepness * direction;
+        return length(middle - plan.entry - depth * plan.along);
+    };
+    std::vector<Section> sections;
+    const std::array<Vec3, 2> plane = across(plan.along);
+    for (double depth = 0.0; depth < hole.end_depth; depth += section_distance)
+        sections.push_back({.depth = depth, .narrowness = narrowness(body, plan.entry + depth * plan.along, plane)});
+    hole.narrowest_depth = waist_of(sections, plan.cutting.largest_radius()).value_or(0.0);
+    hole.entry_offset = offset_at(0.0);
+    hole.narrowest_offset = offset_at(hole.narrowest_depth);
+    hole.end_offset = offset_at(hole.end_depth);
+    hole.angle = std::atan2(length(cross(direction, plan.along)), steepness);
+    return hole;
+}
+
 double Breach::worst() const noexcept { return *std::max_element(towards.begin(), towards.end()); }
 
 Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a, Vec3 b) {

@@ -44,6 +44,10 @@ struct DrilledHole {
 [[nodiscard]] std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan,
                                                       const DrilledShare& drilled);
 
+/// Returns the axis of an implant in bone as if it were a hole: from `tip` back along unit `direction`, body frame.
+/// Nothing for one that lies at more than 60° to the plan. Its volumes are 0.   [worker] pure.
+[[nodiscard]] std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Vec3 tip, Vec3 direction);
+
 /// How far a cylinder leaves the bone, by the side that it leaves it on [m]; 0: nowhere.
 struct Breach {
     static constexpr std::size_t side_count = 4;

@@ -117,6 +117,22 @@ void Coupling::let_go(const Pose& handle, const Pose& tool) noexcept {
     rotation_slip_ = normalized(conjugate(handle.rotation) * tool.rotation);
 }
 
+bool Coupling::straighten(double share) noexcept {
+    constexpr double straight = 1e-6;  // [m], [–]
+    slip_ = (1.0 - share) * slip_;
+    const Quat& q = rotation_slip_;
+    const double towards = q.w < 0.0 ? -1.0 : 1.0;  // a quaternion and its opposite are one rotation
+    rotation_slip_ =
+        normalized(Quat{q.w + share * (towards - q.w), (1.0 - share) * q.x, (1.0 - share) * q.y, (1.0 - share) * q.z});
+    const bool is_left =
+        length(slip_) > straight || length(Vec3{rotation_slip_.x, rotation_slip_.y, rotation_slip_.z}) > straight;
+    if (!is_left) {
+        slip_ = {};
+        rotation_slip_ = {1, 0, 0, 0};
+    }
+    return is_left;
+}
+
 double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
     const Vec3 e = clamped(stretch(handle, tool), most_force() / spring_.stiffness);
     double energy = 0.5 * dot(e, spring_.stiffness * e);

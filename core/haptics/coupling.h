@@ -94,6 +94,10 @@ public:
     /// Nothing is stored any more: hand and tool go on from where they are.   [haptic, nonblocking]
     void let_go(const Pose& world_from_handle, const Pose& world_from_tool) noexcept;
 
+    /// In air a hand takes its tool straight again: of what the anchor has slid, this share (0 … 1) goes back. Returns
+    /// whether something is left.   [haptic, nonblocking]
+    bool straighten(double share) noexcept;
+
     /// What the stretch can give back to the hand [J], on the device's side: of a turn, as much as the device's own
     /// torques store.   [haptic, nonblocking]
     [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;

@@ -16,9 +16,10 @@ namespace kerf {
 
 namespace {
 
-constexpr double fastest = 1.0;     // [m/s] of a tool that bone resists (B9)
-constexpr double skidding = 10e-3;  // [m/s] of a tip in bone across its shaft, faster than the hand [assumed]
-constexpr int skidding_parts = 4;   // its edges catch and let go within 3 ms
+constexpr double fastest = 1.0;        // [m/s] of a tool that bone resists (B9)
+constexpr double skidding = 10e-3;     // [m/s] of a tip in bone across its shaft, faster than the hand [assumed]
+constexpr double straightening = 0.3;  // [s] in which a hand takes a new tool straight, in air [assumed]
+constexpr int skidding_parts = 4;      // its edges catch and let go within 3 ms
 
 // What is taken for a part of the tool that goes through bone unresisted [assumed]
 constexpr std::uint64_t unresisted_interval = 16;                  // ticks from look to look
@@ -244,6 +245,7 @@ bool HapticLoop::move(const Pose& last_handle, TickResult& result) noexcept {
         if (!find_motion(handle_in(part + 1), step, balance, motion)) return false;
     }
     coupling_.slide(hand_.pose(), world_from_tool_);
+    if (is_new_tool_ && law_.count == 0) is_new_tool_ = coupling_.straighten(std::min(1.0, period_ / straightening));
     if (tick_ % unresisted_interval == 0) look_for_unresisted(motion, result);
     return true;
 }

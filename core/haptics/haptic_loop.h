@@ -239,6 +239,7 @@ private:
     LawFault law_fault_;
     Unresisted unresisted_;
     bool is_unresisted_ = false;  ///< reported, and not yet over
+    bool is_new_tool_ = false;    ///< taken as the hand stood, and not yet straight in it
     ClockScale clock_scale_;
     std::vector<CallTimes> resist_times_;  ///< of each tool
     bool is_drawn_back_ = false, is_held_back_ = false;

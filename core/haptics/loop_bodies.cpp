@@ -47,6 +47,7 @@ void HapticLoop::take_tool(std::size_t tool) {
     following_.forget();
     coupling_ = Coupling(coupling_.gains(), outline().handling);
     coupling_.let_go(hand_.pose(), world_from_tool_);
+    is_new_tool_ = true;
     guard_.restart();
     begin_with_tool();
 }

@@ -90,6 +90,8 @@ std::string why_refused(const kerf_tool_shape& shape) {
     return words.empty() ? "it refused them." : words;
 }
 
+constexpr double widest = 0.1;  // [m]
+
 std::string in_mm(double metres) {
     char text[40];
     std::snprintf(text, sizeof text, "%.6g mm", 1e3 * metres);
@@ -120,7 +122,6 @@ std::string fault_of_bending(const kerf_tool_shape& shape) {
 /// What the carver cannot take. It follows every outline that does not turn back along the axis, however its radius
 /// rises and falls (tests/core/field/outline_sweep_test.cpp), so nothing else is asked of one.
 std::string fault_of_outline(const kerf_tool_shape& shape, std::uint32_t capacity) {
-    constexpr double widest = 0.1;  // [m]
     const auto count = [](const char* field, std::uint32_t is, std::uint32_t least, std::uint32_t most) {
         return std::string("`") + field + "` is " + std::to_string(is) + ", expected " + std::to_string(least) + " … " +
                std::to_string(most) + ".";
@@ -160,6 +161,19 @@ std::string fault_of_prism(const kerf_tool_shape& shape) {
     return {};
 }
 
+/// A thread stands on what goes through the bone.
+std::string fault_of_thread(const kerf_tool_shape& shape) {
+    if (shape.thread_radius == 0.0) return {};
+    if (shape.kind != KERF_SOLID_REVOLUTION || shape.cutting_count < 2)
+        return "`thread_radius` is " + in_mm(shape.thread_radius) +
+               ", expected 0 mm: only a solid of revolution that removes bone stays in it.";
+    double core = 0.0;
+    for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
+    if (shape.thread_radius >= core && shape.thread_radius < widest) return {};
+    return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
+           ", the widest that it cuts, to " + in_mm(widest) + ".";
+}
+
 }  // namespace
 
 bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
@@ -183,6 +197,11 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.handling = {shape.grip_z, shape.hands == 2 ? 2 : 1, {shape.tip_deflection, shape.tip_slope}};
     out.profile.assign(points, points + shape.profile_count);
     out.cutting_count = shape.cutting_count;
+    if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
+        error = std::string("tool `") + setup.tool->id + "` gives an implant that does not stay: " + fault;
+        return false;
+    }
+    out.thread_radius = shape.thread_radius;
     if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
     const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&

@@ -35,9 +35,11 @@ struct ToolOutline {
     ToolSolid whole;
     Handling handling{.grip_z = -0.1};
     Inertia inertia{};                        ///< with its handpiece
+    double thread_radius = 0.0;               ///< [m] over the thread of an implant that stays; 0: the tool leaves
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
     std::uint32_t cutting_count = 0;
 
+    [[nodiscard]] bool stays() const noexcept { return thread_radius > 0.0; }
     /// The outline as a law reads it. It lives as long as this and is not moved.   [any]
     [[nodiscard]] kerf_solid solid() const noexcept;
 };

@@ -113,8 +113,8 @@ void ScrewInsertion::commit(const Held<PedicleScrew>& screw, const BoneQuery&, c
         // The bone that it slipped in is still there: it is known again if the screw comes back the same way.
         state.beside.move(advance.rate, dt);
         state.grip.stretch = 0.0;
-        state.phase = Phase::in_air;
         if (state.beside.is_elsewhere(0.5 * thread.outer)) {
+            state.phase = Phase::in_air;
             state.angle = state.front = 0.0;
             state.grip.let_go();
         }

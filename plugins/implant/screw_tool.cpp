@@ -23,6 +23,7 @@ Outline PedicleScrew::outline() const noexcept {
                       in_mm(thread().cone() + 2.0 * starts * pitch), ".");
     return revolution({{0.0, 0.0}, {-thread().cone(), tip}, {-thread_length, core}})
         .cuts()
+        .stays(0.5 * outer_diameter)
         .to(-thread_length - step, head)
         .to(-thread_length - 6.0_mm, head)
         .to(-thread_length - 6.0_mm - step, 4.0_mm)

@@ -176,6 +176,14 @@ TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
     }
 }
 
+TEST(PluginGuard, NamesTheThreadThatLiesInItsCore) {
+    const Zoo zoo("thread_in_its_core");
+    const Ended validated = zoo.kerf("validate " + zoo.procedure());
+    EXPECT_EQ(validated.exit_code, 2) << validated.out;
+    EXPECT_TRUE(has(validated.out, "gives an implant that does not stay: `thread_radius` is 0.1 mm, expected 0 mm, or"))
+        << validated.out;
+}
+
 TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {
     for (const auto& [how, says] :
          {std::pair<const char*, const char*>{"nan_delta",

@@ -158,6 +158,27 @@ TEST(DrilledHole, ACylinderAlongTheHoleBreachesByWhatItReachesBeyondTheFace) {
     EXPECT_EQ(breach_of(block.body, block.plan, *hole, 2.9_mm, {1, 0, 0}, {0, 1, 0}).worst(), 0.0);
 }
 
+// An implant 9 mm off the middle of the block and tilted by 3 degrees towards its face, 12 mm away.
+TEST(DrilledHole, TheAxisOfAnImplantIsOffByItsPlaceAndItsTangent) {
+    DrilledBlock block;
+    const double tangent = std::tan(3.0_deg);
+    const Vec3 direction = normalized(Vec3{tangent, 0, 1});
+    const Vec3 tip{9.0_mm + 30.0_mm * tangent, 0, 30.0_mm};
+    block.plan.entry = {8.0_mm, 0, 0};
+    const auto hole = hole_along(block.body, block.plan, tip, direction);
+    ASSERT_TRUE(hole);
+    EXPECT_NEAR(hole->entry_offset.value(), 1.0_mm, 1e-9);
+    EXPECT_NEAR(hole->end_offset, 1.0_mm + 30.0_mm * tangent, 1e-9);
+    EXPECT_NEAR(hole->angle.value(), 3.0_deg, 1e-12);
+    EXPECT_EQ(hole->end_depth, 30.0_mm);
+    const double reach = 3.0_mm;
+    const Breach breach = breach_of(block.body, block.plan, *hole, reach, {1, 0, 0}, {0, 1, 0});
+    // Looked at across the implant: the face is nearer to its axis by the cosine
+    EXPECT_NEAR(breach.worst(), reach - (12.0_mm - tip.x) / std::cos(3.0_deg), 0.05_mm);
+    EXPECT_EQ(breach.worst(), breach.towards[0]);
+    EXPECT_FALSE(hole_along(block.body, block.plan, tip, normalized(Vec3{1, 0, 0.5}))) << "it lies across the plan";
+}
+
 // A waist of 3 mm radius 15 mm deep; the rim where the bone ends is none, however thin.
 TEST(DrilledHole, TheNarrowestPlaceIsAWaistAndNotTheFarEnd) {
     const auto waisted = [](double waist) {

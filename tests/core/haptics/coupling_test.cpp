@@ -100,6 +100,30 @@ TEST(Coupling, ScalesGainsToTheBonesSide) {
     EXPECT_DOUBLE_EQ(b.release_damping, 200.0);
 }
 
+// ---- a new tool --------------------------------------------------------------------------------------------------
+
+TEST(Coupling, AHandTakesAToolStraightAgainInAir) {
+    // Given a tool that it took 2 mm aside and turned by 50 mrad
+    Coupling coupling(gains(), at_grip);
+    const Pose tool{{2.0_mm, 0, 0}, quat_from_rotation_vector({0, 0.05, 0})};
+    coupling.let_go(origin, tool);
+    expect_near(held(coupling, origin, {}, tool).force.pull, {});
+
+    // When it straightens it, a hundredth at a time
+    EXPECT_TRUE(coupling.straighten(0.01));
+    const Balance first = held(coupling, origin, {}, tool);
+    EXPECT_GT(length(first.force.pull), 0.0);
+    int left = 1;
+    while (coupling.straighten(0.01) && left < 10000) ++left;
+
+    // Then it pulls as if it had never been taken otherwise
+    EXPECT_LT(left, 2000);
+    const Balance fresh = held({gains(), at_grip}, origin, {}, tool), last = held(coupling, origin, {}, tool);
+    EXPECT_TRUE(last.force.pull == fresh.force.pull);
+    EXPECT_TRUE(last.torque.pull == fresh.torque.pull);
+    EXPECT_LT(length(first.force.pull), 0.02 * length(last.force.pull));
+}
+
 // ---- release -----------------------------------------------------------------------------------------------------
 
 TEST(Release, BeginsFiveMillimetresASecondBeyondTheHand) {

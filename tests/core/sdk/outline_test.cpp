@@ -44,6 +44,11 @@ TEST(Outline, CutsNothingUnlessAsked) {
     EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().to(-9_mm, 1_mm)).shape.cutting_count, 2u);
 }
 
+TEST(Outline, WritesTheThreadOfWhatStays) {
+    EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts()).shape.thread_radius, 0.0);
+    EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().stays(3_mm)).shape.thread_radius, 3_mm);
+}
+
 TEST(Outline, BallLiesOnItsSphereBehindTheEquatorToo) {
     const Written ball(revolution().ball(-3_mm, 3_mm, 150_deg, 10));
     ASSERT_EQ(ball.shape.profile_count, 11u);

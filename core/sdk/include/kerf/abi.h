@@ -134,6 +134,8 @@ typedef struct kerf_tool_shape {
     double gyration;        /* out, with a mass: radius of gyration about that centre [m], > 0 */
     double tip_deflection; /* out: how far 1 N across the tip bends the shaft there, held at the grip [m/N]; 0: rigid */
     double tip_slope;      /* out: by how much it turns the tip [rad/N]; 0 if and only if tip_deflection is */
+    double thread_radius;  /* out, revolution: of an implant that stays in bone: the radius over its thread [m], at
+                              least that of what removes bone; 0: the tool leaves */
     char refusal[240];     /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
                               needed; UTF-8, ends with NUL */
 } kerf_tool_shape;

@@ -72,6 +72,11 @@ public:
         weight_ = weight;
         return *this;
     }
+    /// It stays in bone when its driver leaves. Its thread, over what cuts, has this radius [m] over the crests.
+    constexpr Outline& stays(double thread_radius) noexcept {
+        thread_radius_ = thread_radius;
+        return *this;
+    }
     [[nodiscard]] constexpr const kerf_profile_point& last() const noexcept { return point_[count_ - 1]; }
 
     /// Writes it into what the host gave.
@@ -94,6 +99,7 @@ public:
         out.mass = weight_.mass;
         out.centre_z = weight_.centre_z;
         out.gyration = weight_.gyration;
+        out.thread_radius = thread_radius_;
         return KERF_OK;
     }
 
@@ -106,7 +112,7 @@ private:
     std::array<kerf_profile_point, capacity> point_{};
     std::size_t count_ = 0, cutting_ = 0;
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
-    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
+    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0, thread_radius_ = 0.0;
     Weight weight_{};
     Bending bending_{};
     std::array<char, sizeof(kerf_tool_shape::refusal)> refusal_{};
