@@ -87,7 +87,8 @@ void print_summary(const RunSummary& s) {
     const auto print_metrics = [&](bool of_simulation) {
         for (const auto& m : s.metrics)
             if (is_of_simulation(m) == of_simulation)
-                print(formatted("  %-34s %8.2f %s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str()));
+                print(formatted("  %-34s %8.2f %s%s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str(),
+                                m.status.starts_with("grade") ? ("  " + m.status).c_str() : ""));
     };
     print_metrics(false);
     print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,

@@ -7,6 +7,34 @@
 
 namespace kerf {
 
+namespace {
+
+/// Looks for a breach along the hole of what will lie in it.
+class BreachesAlong {
+public:
+    /// Medial and lateral, cranial and caudal; without the landmark `midline` the sides have no names.
+    BreachesAlong(const Body& body, const HolePlan& plan, const AxisFrame& frame, const DrilledHole& hole)
+        : body_(&body), plan_(&plan), hole_(&hole) {
+        to_side_ = frame.medial != Vec3{} ? frame.medial : rotate(quat_between({0, 0, 1}, frame.along), {1, 0, 0});
+        up_ = cross(to_side_, frame.along);
+        if (up_.z < 0.0) up_ = -up_;
+    }
+    [[nodiscard]] Breach of(double radius) const { return breach_of(*body_, *plan_, *hole_, radius, to_side_, up_); }
+
+private:
+    const Body* body_;
+    const HolePlan* plan_;
+    const DrilledHole* hole_;
+    Vec3 to_side_, up_;
+};
+
+void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& result) {
+    for (const Limit& limit : step.limits)
+        if (limit.quantity == "breach") result.breaches.emplace_back(limit.diameter, along.of(0.5 * limit.diameter));
+}
+
+}  // namespace
+
 std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
                                const StepMonitor& monitor, std::size_t step) {
     const AxisFrame& frame = scene.frames[step];
@@ -48,14 +76,31 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
         return was <= 0.0 || gone <= 0.0 ? 0.0 : was * std::max(0.0, gone - before.share_gone(body, owner, p));
     });
     if (!result.hole) return result;
-    // Medial and lateral, cranial and caudal; without the landmark `midline` the sides have no names.
-    const Vec3 to_side =
-        frame.medial != Vec3{} ? frame.medial : rotate(quat_between({0, 0, 1}, frame.along), {1, 0, 0});
-    const Vec3 up = cross(to_side, frame.along);
-    for (const Limit& limit : state.step->limits)
-        if (limit.quantity == "breach")
-            result.breaches.emplace_back(limit.diameter, breach_of(body, plan, *result.hole, 0.5 * limit.diameter,
-                                                                   to_side, up.z >= 0.0 ? up : -up));
+    add_breaches(BreachesAlong(body, plan, frame, *result.hole), *state.step, result);
+    return result;
+}
+
+std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
+                                   std::size_t step) {
+    const ToolOutline& outline = scene.tool(step).outline;
+    const StepState& state = monitor.steps()[step];
+    if (!state.has_cut_bone()) return {};
+    const AxisFrame& frame = scene.frames[step];
+    const std::size_t owner = monitor.owners().step[step];
+    const Body& body = *simulation.present().piece(owner).bone;
+    const Pose screw = inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool();
+    const HolePlan plan{
+        .entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = outline.cutting};
+    HoleResult result;
+    result.hole = hole_along(body, plan, screw.position, rotate(screw.rotation, {0, 0, 1}));
+    if (!result.hole) return result;
+    const BreachesAlong along(body, plan, frame, *result.hole);
+    add_breaches(along, *state.step, result);
+    const double radius = outline.thread_radius, unsure = 0.5 * body.grid().spacing;
+    result.screw = InsertedScrew{.diameter = 2.0 * radius,
+                                 .breach = along.of(radius),
+                                 .least = along.of(radius - unsure).worst(),
+                                 .most = along.of(radius + unsure).worst()};
     return result;
 }
 

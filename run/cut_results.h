@@ -57,4 +57,8 @@ private:
 [[nodiscard]] std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulation,
                                                 const CutBefore& before, const StepMonitor& monitor, std::size_t step);
 
+/// The implant that a step leaves in that body, where the tool is now. Nothing for one that has cut no bone.   [main]
+[[nodiscard]] std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulation,
+                                                 const StepMonitor& monitor, std::size_t step);
+
 }  // namespace kerf

@@ -20,6 +20,10 @@ public:
     HandInputs(const HandPlan& plan, const Recorded* recorded) : plan_(&plan), recorded_(recorded) {}
     /// Before a tick, of a hand that has gone `legs` of its way.
     [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs);
+    /// Whether a hand that has gone `legs` of its way has asked for nothing yet of what it asks there.
+    [[nodiscard]] bool is_due(std::size_t legs) const noexcept {
+        return recorded_ == nullptr && next_ <= legs && legs < plan_->inputs.size() && !plan_->inputs[legs].empty();
+    }
 
 private:
     const HandPlan* plan_;

@@ -35,6 +35,11 @@ std::string text_of(const Separation& separation) {
            (separation.crumbs == 1 ? " crumb, " : " crumbs, ") + volume(separation.crumb_volume);
 }
 
+/// By bone. What a thread pulls in is not pushed back.
+bool is_resisted(const TickResult& result, const Tool& tool) {
+    return (result.thrust > 0.0 || (tool.outline.stays() && result.is_cutting)) && !result.is_at_metal;
+}
+
 std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
 
 /// What is known of a run before its first tick.
@@ -165,7 +170,8 @@ void Run::take_tool_of_step() {
 void Run::take_hand_inputs() {
     for (const HandInput& input : hand_inputs_.take(simulation_.ticks(), hand_.leg())) {
         add_event_at(simulation_.ticks(), hand_input_event, text_of(input));
-        const std::string why_not = carry_out(input, *scene_, simulation_);
+        std::string why_not = carry_out(input, *scene_, simulation_);
+        if (why_not.empty() && input.kind == HandInput::Kind::release) why_not = monitor_.release();
         if (!why_not.empty()) {
             add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
         } else if (input.kind != HandInput::Kind::drive) {
@@ -186,7 +192,7 @@ void Run::observe(const Pose& handle, double now) {
     monitor_.observe({.time = now,
                       .world_from_tool = result_.world_from_tool,
                       .is_running = result_.is_cutting,
-                      .is_resisted = result_.thrust > 0.0 && !result_.is_at_metal,
+                      .is_resisted = is_resisted(result_, scene_->tools[simulation_.tool()]),
                       .thrust = result_.thrust,
                       .world_from_body = world_from_body_,
                       .held = simulation_.held(),
@@ -205,7 +211,8 @@ void Run::judge_step(std::size_t step, double now) {
     monitor_.judge_cut(step, wall_of(*scene_, simulation_, before_, monitor_, step), removed_ - removed_before_step_,
                        now);
     add_news();
-    if (auto hole = hole_of(*scene_, simulation_, before_, monitor_, step)) {
+    if (auto hole = scene_->tool(step).outline.stays() ? screw_of(*scene_, simulation_, monitor_, step)
+                                                       : hole_of(*scene_, simulation_, before_, monitor_, step)) {
         monitor_.judge_hole(step, std::move(*hole), now);
         add_news();
     }
@@ -229,7 +236,8 @@ std::optional<RunEnd> Run::end_after_tick() {
             outcome_.was_interrupted = *end == RunEnd::interrupted;
             return end;
         }
-    if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done()) return RunEnd::path_ended;
+    if (is_replay() ? ticks >= request_.replay.size() : hand_.is_done() && !hand_inputs_.is_due(hand_.leg()))
+        return RunEnd::path_ended;
     return std::nullopt;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/procedure/quantity.h"
 #include "kerf/units.hpp"
+#include "run/screw_grade.h"
 
 namespace kerf {
 
@@ -93,16 +94,8 @@ void add_advance(const TipProgress& advance, StepRows& rows) {
     rows.length("plunge.hand", advance.hand_plunge, -1.0, "info", "The farthest that the hand moved on meanwhile.");
 }
 
-/// @param is_one   of several, which are told apart by their diameters
-void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
-    std::string name = "breach";
-    if (is_one) {
-        const std::string width = quantity_text(diameter, "mm");
-        name += "-" + width.substr(0, width.find(' ')) + "mm";
-    }
+void add_sides(const std::string& name, const Breach& breach, const AxisFrame& frame, StepRows& rows) {
     const bool knows_sides = frame.medial != Vec3{};
-    rows.length(name, breach.worst(), rows.half_voxel(), rows.status_of("breach", diameter),
-                "How far a cylinder of " + quantity_text(diameter, "mm") + " along the hole leaves the bone.");
     constexpr std::array sides{"medial", "lateral", "cranial", "caudal"};
     for (std::size_t side = 0; knows_sides && side < sides.size(); ++side)
         if (breach.towards[side] > 0.0)
@@ -110,31 +103,80 @@ void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFr
                         "The same on this side.");
 }
 
+/// @param is_one   of several, which are told apart by their diameters
+void add_breach(double diameter, const Breach& breach, bool is_one, const AxisFrame& frame, StepRows& rows) {
+    std::string name = "breach";
+    if (is_one) {
+        const std::string width = quantity_text(diameter, "mm");
+        name += "-" + width.substr(0, width.find(' ')) + "mm";
+    }
+    rows.length(name, breach.worst(), rows.half_voxel(), rows.status_of("breach", diameter),
+                "How far a cylinder of " + quantity_text(diameter, "mm") + " along the hole leaves the bone.");
+    add_sides(name, breach, frame, rows);
+}
+
 /// Of a blind hole so many voxels wide [–]: measured up to 6.4 % at 4 voxels, 1.1 % at 6.4 (docs/limits.md).
 double volume_uncertainty(double voxels) { return voxels < 6.0 ? 0.07 : 0.015; }
 
-/// @param width   [m] of the drill
-void add_hole(const HoleResult& result, const AxisFrame& frame, double width, StepRows& rows) {
-    if (!result.hole) return;
-    const DrilledHole& hole = *result.hole;
+/// Rows of offsets from the planned axis.
+class OffsetRows {
+public:
+    OffsetRows(const char* what, StepRows& rows) : what_(what), rows_(&rows) {}
+
+    void add(const char* name, const char* quantity, const std::optional<double>& value, const std::string& where,
+             int revision = 1) {
+        if (!value) return;
+        rows_
+            ->length(name, *value, rows_->sharp(), rows_->status_of(quantity),
+                     std::string("Distance of ") + what_ + " from the planned axis " + where)
+            .revision = revision;
+    }
+
+private:
+    const char* what_;
+    StepRows* rows_;
+};
+
+void add_angle(const DrilledHole& hole, const char* line, StepRows& rows) {
     if (hole.angle)
         rows.row("hole-angle", *hole.angle, "deg", 1.0_deg, rows.status_of("hole_angle"),
-                 "Between the line of least squares through the hole's middles and the planned axis.");
-    const auto offset = [&](const char* name, const char* quantity, const std::optional<double>& value,
-                            std::string where, int revision = 1) {
-        if (value)
-            rows.length(name, *value, rows.sharp(), rows.status_of(quantity),
-                        "Distance of the hole's middle from the planned axis " + std::move(where))
-                .revision = revision;
-    };
+                 std::string("Between ") + line + " and the planned axis.");
+}
+
+constexpr const char* at_waist = "at the waist of the bone around the axis; where there is none, at the entry.";
+
+/// @param width   [m] of the drill
+void add_drilled(const DrilledHole& hole, double width, StepRows& rows) {
+    add_angle(hole, "the line of least squares through the hole's middles", rows);
+    OffsetRows offsets("the hole's middle", rows);
     // Revision 1 was the place of the tip at first touch.
-    offset("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.", 2);
-    offset("narrowest-offset", "narrowest_offset", hole.narrowest_offset,
-           "at the waist of the bone around the axis; where there is none, at the entry.");
-    offset("end-offset", "end_offset", hole.end_offset, "where its last whole circle is.");
+    offsets.add("entry-offset", "entry_offset", hole.entry_offset, "one diameter behind its first whole circle.", 2);
+    offsets.add("narrowest-offset", "narrowest_offset", hole.narrowest_offset, at_waist);
+    offsets.add("end-offset", "end_offset", hole.end_offset, "where its last whole circle is.");
     rows.row("excess-removal", hole.ideal > 0.0 ? hole.drilled / hole.ideal - 1.0 : 0.0, "%", 0.01,
              rows.status_of("excess_removal"), "Bone removed beyond what the same tool takes on the planned axis.")
         .uncertainty = volume_uncertainty(width / rows.spacing());
+}
+
+void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFrame& frame, StepRows& rows) {
+    add_angle(axis, "the axis of the screw", rows);
+    OffsetRows offsets("the screw's axis", rows);
+    offsets.add("entry-offset", "entry_offset", axis.entry_offset, "at the entry.");
+    offsets.add("narrowest-offset", "narrowest_offset", axis.narrowest_offset, at_waist);
+    offsets.add("end-offset", "end_offset", axis.end_offset, "at its tip.");
+    const std::string name = "gertzbein-robbins";
+    rows.length(name, screw.breach.worst(), rows.half_voxel(), "grade " + gertzbein_robbins(screw.least, screw.most),
+                "How far the screw's thread, " + quantity_text(screw.diameter, "mm") +
+                    " wide, leaves the bone, and its grade by it.");
+    add_sides(name, screw.breach, frame, rows);
+}
+
+void add_hole(const HoleResult& result, const AxisFrame& frame, double width, StepRows& rows) {
+    if (!result.hole) return;
+    if (result.screw)
+        add_screw(*result.screw, *result.hole, frame, rows);
+    else
+        add_drilled(*result.hole, width, rows);
     for (const auto& [diameter, breach] : result.breaches)
         add_breach(diameter, breach, result.breaches.size() > 1, frame, rows);
 }
@@ -160,7 +202,8 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         add_clearances(state, rows);
         if (state.drilled)
             add_hole(*state.drilled, scene.frames[s], 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
-        if (state.step->has_depth() && state.has_cut_bone()) add_advance(state.advance, rows);
+        const bool is_screw = scene.tool(s).outline.stays();  // it goes on in the hole that was drilled for it
+        if (state.step->has_depth() && state.has_cut_bone() && !is_screw) add_advance(state.advance, rows);
         if (state.is_done() && scene.frames[s].across != Vec3{}) add_wall(state, rows);
         rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
                  "Share of the planned axis behind its entry that lies in bone.");

@@ -2,8 +2,10 @@
 #include "run/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 
 #include "core/field/fnv1a.h"
@@ -59,18 +61,19 @@ std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, cons
 double hardest_of_steps(const Scene& scene) {
     double hardest = 0.0;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
-        hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
+        if (!scene.tool(s).outline.stays())  // a screw is turned in, and not fed
+            hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
     return hardest;
 }
 
 /// What bone takes at a step's feed, every half millimetre of its axis in bone, as deep as its goal [N]. Empty for a
-/// step without depth.
+/// step without depth, and for a screw, which is turned in.
 std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     const Step& asked = scene.procedure.steps[step];
     double depth = 0.0;
     for (const Goal& goal : asked.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
-    if (depth <= 0.0) return {};
+    if (depth <= 0.0 || scene.tool(step).outline.stays()) return {};
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];
@@ -93,7 +96,7 @@ double least_time_of(const HandPlan& plan) {
     double time = 0.0;
     Vec3 from = plan.start.position;
     for (const simulated_hand::Leg& leg : plan.intent.legs) {
-        time += length(leg.target.position - from) / leg.speed;
+        time += std::max(length(leg.target.position - from) / leg.speed, std::abs(leg.turn) / leg.turning);
         from = leg.target.position;
     }
     return time;
@@ -177,10 +180,17 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
         plan.inputs.push_back(rehearsal.path[i].inputs);
         const Waypoint &from = rehearsal.path[i - 1], &to = rehearsal.path[i];
         const bool is_into_bone = to.step == from.step && to.depth > from.depth && to.depth > 0.0;
-        plan.intent.legs.push_back({.target = pose_at(to),
-                                    .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
-                                    .push = to.push.value_or(rehearsal.push) * scene.gains.force_scale,
-                                    .stop_aside = to.stop_aside});
+        simulated_hand::Leg leg{.target = pose_at(to),
+                                .speed = to.speed.value_or(is_into_bone ? rehearsal.feed : rehearsal.approach),
+                                .push = to.push.value_or(rehearsal.push) * scene.gains.force_scale,
+                                .stop_aside = to.stop_aside};
+        if (to.turn != 0.0) {  // it goes on as the thread pulls it in
+            leg.turn = to.turn;
+            leg.turning = 2.0 * std::numbers::pi * to.turning;
+            const double distance = length(leg.target.position - pose_at(from).position);
+            if (!to.speed && distance > 0.0) leg.speed = distance * leg.turning / std::abs(leg.turn);
+        }
+        plan.intent.legs.push_back(leg);
     }
     return plan;
 }

@@ -24,6 +24,7 @@ constexpr std::array symbols{
     UnitSymbol{"\u03BCm", 1, 1e6, dimension::length},  // Greek mu
     UnitSymbol{"rad", 1, 1, dimension::angle},
     UnitSymbol{"deg", pi, 180, dimension::angle},
+    UnitSymbol{"turns", 2.0 * pi, 1, dimension::angle},
     UnitSymbol{"s", 1, 1, dimension::time},
     UnitSymbol{"ms", 1, 1e3, dimension::time},
     UnitSymbol{"us", 1, 1e6, dimension::time},

@@ -11,11 +11,9 @@
 namespace kerf {
 
 namespace {
-constexpr std::pair<HandInput::Kind, std::string_view> words[] = {{HandInput::Kind::undo, "undo"},
-                                                                  {HandInput::Kind::redo, "redo"},
-                                                                  {HandInput::Kind::remove, "remove"},
-                                                                  {HandInput::Kind::fuse, "fuse"},
-                                                                  {HandInput::Kind::subtract, "subtract"}};
+constexpr std::pair<HandInput::Kind, std::string_view> words[] = {
+    {HandInput::Kind::undo, "undo"}, {HandInput::Kind::redo, "redo"},         {HandInput::Kind::remove, "remove"},
+    {HandInput::Kind::fuse, "fuse"}, {HandInput::Kind::subtract, "subtract"}, {HandInput::Kind::release, "release"}};
 constexpr std::string_view insert = "insert:";
 }  // namespace
 

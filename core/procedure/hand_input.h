@@ -9,7 +9,7 @@ namespace kerf {
 
 /// What a hand asks for besides moving the handle. A run records it, so that a replay asks for the same.
 struct HandInput {
-    enum class Kind { drive, insert, undo, redo, remove, fuse, subtract };
+    enum class Kind { drive, insert, undo, redo, remove, fuse, subtract, release };
     Kind kind = Kind::drive;
     std::string id{};    ///< of a drive channel of the tool in hand, or of an implant
     double value = 0.0;  ///< what it is set to [SI]

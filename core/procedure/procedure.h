@@ -117,6 +117,8 @@ struct Step {
     }
 };
 
+inline constexpr double default_turning = 0.5;  ///< [1/s] of a hand that turns a driver: 30 rpm
+
 /// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt; and how the hand gets
 /// there.
 struct Waypoint {
@@ -132,6 +134,8 @@ struct Waypoint {
     std::optional<double> push{};     ///< [N] on the way there; none: the hand's
     double stop_aside = 0.0;          ///< [m] beside the way at which it is given up; 0: never
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
+    double turn = 0.0;                ///< [rad] by which the hand turns the tool about its z on the way there
+    double turning = default_turning;  ///< [1/s] revolutions of that turn
 };
 
 inline constexpr double hardest_push = 500.0;  ///< [N] of a simulated hand

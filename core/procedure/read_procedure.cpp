@@ -683,6 +683,12 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
         at.stop_aside = map.quantity("aside");
         map.finish();
     }
+    if (const Node* turn = waypoint.find("turn")) {
+        MapReader map(*turn, shapes::turn, "waypoint.turn", report);
+        at.turn = map.quantity("by");
+        map.quantity("speed", at.turning);
+        map.finish();
+    }
     waypoint.quantity("aside", at.aside);
     waypoint.quantity("tilt", at.tilt);
     if (const Node* drives = waypoint.find("drives"); drives && at.step < steps.size()) {

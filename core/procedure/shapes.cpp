@@ -325,6 +325,15 @@ const Shape stop{"stop",
                      {required, "aside", length(0.1_mm, 100.0_mm), "The tip is so far beside the way.", "1 mm"},
                  }};
 
+const Shape turn{"turn",
+                 "How the hand turns the tool about its axis.",
+                 {
+                     {required, "by", quantity(dimension::angle, "turns", -1000.0_turns, 1000.0_turns),
+                      "Clockwise as the hand sees it, which drives a screw in; negative: back.", "18 turns"},
+                     {optional, "speed", quantity(dimension::frequency, "rpm", 0.1_rpm, 300.0_rpm),
+                      "The speed of the turn.", "30 rpm", "30 rpm"},
+                 }};
+
 const Shape waypoint{
     "waypoint",
     "A position of the tool in the frame of a step's axis.",
@@ -351,12 +360,14 @@ const Shape waypoint{
         {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push),
          "Its largest push on the way here, at the bone; if not given, its own.", "20 N"},
         {optional, "stop", map(stop), "What makes the hand give up on the way here.", "{aside: 1 mm}"},
+        {optional, "turn", map(turn),
+         "The rotation of the tool on the way here, as of a screw. It sets the time of the way.", "{by: 18 turns}"},
         {optional, "drives", of_kind(Kind::drives), "The drives of the step's tool, set on arrival.",
          "{spindle_speed: 500 rpm}"},
         {optional, "insert", id(), "One of `implants`, which is inserted on arrival, at the tool.", "plate"},
-        {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract"}),
+        {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract", "release"}),
          "On arrival: undo or redo the last change of the bone, remove the held piece from the scene, fuse it with the "
-         "piece next to it, or subtract the tool's cutting region from the bone.",
+         "piece next to it, subtract the tool's cutting region from the bone, or release an implant where it is.",
          "undo"},
     }};
 

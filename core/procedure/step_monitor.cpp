@@ -170,9 +170,9 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
         news_.emplace_back("goal_reached", state.step->id + ": " + goal.quantity);
     }
 
-    // The step ends when its goals are reached and the tool is back outside, with nothing in it.
-    const bool has_all = std::all_of(state.goal_done.begin(), state.goal_done.end(), [](bool done) { return done; });
-    if (has_all && depth < 0.0 && now.held < 0) {
+    // The step ends when its goals are reached and the tool is back outside, with nothing in it, or stays.
+    if (state.has_reached_all() && (depth < 0.0 || is_released_) && now.held < 0) {
+        is_released_ = false;
         state.end = time;
         news_.emplace_back("step_done", state.step->id);
         ++current_;
@@ -218,6 +218,12 @@ void StepMonitor::judge_hole(std::size_t step, HoleResult drilled, double time) 
             if (quantity == "breach" && diameter == limit.limit->diameter) hold(limit, breach.worst(), time);
     }
     state.drilled = std::move(drilled);
+}
+
+std::string StepMonitor::release() {
+    if (current_ >= steps_.size() || !steps_[current_].has_reached_all()) return "a goal of the step is not reached";
+    is_released_ = true;
+    return {};
 }
 
 void StepMonitor::report(const std::string& event, double time) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -65,9 +66,17 @@ struct TipProgress {
     std::optional<double> left_at, hand_left_at;  ///< [m] along the axis, where it left the bone last
 };
 
-/// What a step that drills has left.
+/// A screw that a step has left in the bone.
+struct InsertedScrew {
+    double diameter = 0.0;           ///< [m] over its thread
+    Breach breach{};                 ///< of its thread
+    double least = 0.0, most = 0.0;  ///< [m] between which the breach lies
+};
+
+/// What a step that drills, or inserts a screw, has left.
 struct HoleResult {
     std::optional<DrilledHole> hole;                  ///< none: no section shows a whole circle
+    std::optional<InsertedScrew> screw{};             ///< its axis is the hole's
     std::vector<std::pair<double, Breach>> breaches;  ///< diameter [m] of each cylinder that a limit names
 };
 
@@ -94,6 +103,9 @@ struct StepState {
     double moved = 0.0;  ///< [m] the farthest that the bone at the entry was from where it had been
 
     [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
+    [[nodiscard]] bool has_reached_all() const noexcept {
+        return std::all_of(goal_done.begin(), goal_done.end(), [](bool done) { return done; });
+    }
     [[nodiscard]] bool is_done() const noexcept { return end.has_value(); }
 };
 
@@ -111,6 +123,8 @@ public:
     void judge_hole(std::size_t step, HoleResult drilled, double time);
     /// An event that the tool's law reported in this tick.
     void report(const std::string& event, double time);
+    /// The driver leaves an implant where it is: the step ends with the next tick. Returns why not; empty: it does.
+    [[nodiscard]] std::string release();
     /// From now on things move with these bodies.
     void belong(Owners owners) { owners_ = std::move(owners); }
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
@@ -133,6 +147,7 @@ private:
     Owners owners_;  ///< at first all belongs to body 0
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
+    bool is_released_ = false;
     double before_ = 0.0;  ///< [s] of the last tick that was shown
     std::vector<std::pair<std::string, std::string>> news_;
 };

@@ -65,7 +65,7 @@ struct MetricRow {
     std::string unit;       ///< display unit, "mm"
     double per_unit = 1.0;  ///< SI per display unit, 1e-3 for mm
     double uncertainty = -1.0;
-    std::string status;  ///< "ok", "broken", "info"
+    std::string status;  ///< "ok", "broken", "info"; "grade B/C" of what is graded
     std::string help;
 };
 

@@ -175,11 +175,14 @@ std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
 
     if (!summary.signals.empty()) {
         html += "<h3><label>Signal of the force model <select id=\"signal\">";
+        std::string options;
         for (std::size_t i = 0; i < std::min<std::size_t>(summary.signals.size(), most_signal_columns); ++i)
-            html += "<option value=\"" + std::to_string(i) + "\" title=\"" + html_escaped(summary.signals[i].help) +
-                    "\">" + html_escaped(summary.signals[i].id) + "</option>";
-        html += "</select></label></h3><canvas class=\"plot\" id=\"plot-5\" role=\"img\" aria-label=\"Signal over "
-                "time\"></canvas>";
+            options += "<option value=\"" + std::to_string(i) + "\" title=\"" + html_escaped(summary.signals[i].help) +
+                       "\">" + html_escaped(summary.signals[i].id) + "</option>";
+        html += options + "</select></label> <label>over <select id=\"signal-over\"><option value=\"\">time</option>" +
+                options +
+                "</select></label></h3><canvas class=\"plot\" id=\"plot-5\" role=\"img\" aria-label=\"Signal of the "
+                "force model\"></canvas>";
     }
     return html + "</div></section>\n";
 }

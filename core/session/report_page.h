@@ -194,7 +194,7 @@ class Plot {
     if (this.isTime) this.drawEvents();
     g.save();
     g.beginPath(); g.rect(margin.left, this.top, this.width - margin.left - margin.right, this.height - this.top - margin.bottom); g.clip();
-    if (!this.isTime) this.drawBands();
+    if (this.hasBands) this.drawBands();
     this.drawLine(from, to);
     this.drawCursor();
     if (this.selection) {
@@ -333,16 +333,24 @@ if (count) {
   const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
   const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
   const time = { x: rows.time, xName: "time", xUnit: "s", isTime: true };
-  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xName: "depth", xUnit: "mm", name: "thrust", unit: "N" });
+  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xName: "depth", xUnit: "mm", name: "thrust", unit: "N", hasBands: true });
   new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, name: "thrust", unit: "N", namesEvents: true });
   new Plot("plot-2", timeAxis, { ...time, y: rows.torque, name: "torque about the shaft", unit: "N·mm" });
   new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, name: "force across the shaft", unit: "N" });
   new Plot("plot-4", timeAxis, { ...time, y: rows.depth, name: "depth", unit: "mm" });
   new Plot("plot-strip", timeAxis, { isStrip: true });
   if (data.signals.length) {
-    const choice = byId("signal"), plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, name: "", unit: "" });
-    const choose = () => { const s = data.signals[choice.value]; Object.assign(plot, { y: s.values, name: s.name, unit: s.unit }); later(drawAll); };
-    choice.addEventListener("change", choose);
+    const choice = byId("signal"), over = byId("signal-over");
+    const torque = data.signals.findIndex(s => s.name === "torque"), angle = data.signals.findIndex(s => s.unit === "°");
+    if (torque >= 0 && angle >= 0) { choice.value = torque; over.value = angle; }  // how surgeons look at a screw
+    const plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, name: "", unit: "" });
+    const across = s => ({ x: s.values, xName: s.name, xUnit: s.unit, isTime: false, axis: new Axis(...rangeOf(s.values, 0, count, () => true)) });
+    const choose = () => {
+      const s = data.signals[choice.value], x = data.signals[over.value];
+      Object.assign(plot, { y: s.values, name: s.name, unit: s.unit }, x ? across(x) : { ...time, axis: timeAxis });
+      later(drawAll);
+    };
+    for (const select of [choice, over]) select.addEventListener("change", choose);
     choose();
   }
   drawAll();

@@ -134,7 +134,7 @@ std::vector<Table> session_tables(const std::vector<SignalColumn>& signals) {
           {"display_unit", "TEXT", "", "", "", "unit to show it in"},
           {"per_unit", "REAL", "SI", "", "", "one display unit in SI: divide by it to show"},
           {"uncertainty", "REAL", "SI", "see display_unit", "", "half width; empty when not stated"},
-          {"status", "TEXT", "", "", "", "ok, broken or info"},
+          {"status", "TEXT", "", "", "", "ok, broken, info or a grade"},
           {"help", "TEXT", "", "", "", "meaning"}}},
         {"reasons",
          {{"position", "INTEGER", "", "", "", "order in which they are reported"},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace kerf::simulated_hand {
 
@@ -50,6 +51,12 @@ Vec3 pulled(Vec3 spring, double most, double friction) noexcept {
     return (std::min(strength, most) + made_up) / strength * spring;
 }
 
+/// Without a jump of its sign: a quaternion is itself again after two turns.
+Quat turned_about_z(double angle) noexcept {
+    constexpr double two_turns = 4.0 * std::numbers::pi;
+    return quat_from_rotation_vector({0, 0, std::remainder(angle, two_turns)});
+}
+
 double quantised(double x, double step) { return step > 0.0 ? std::floor(x / step + 0.5) * step : x; }
 
 }  // namespace
@@ -76,7 +83,8 @@ SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pos
 
 Pose SimulatedHand::reported() const noexcept {
     const double r = plant_.resolution;
-    return {{quantised(position_.x, r), quantised(position_.y, r), quantised(position_.z, r)}, rotation_};
+    return {{quantised(position_.x, r), quantised(position_.y, r), quantised(position_.z, r)},
+            turned_ == 0.0 ? rotation_ : rotation_ * turned_about_z(turned_)};
 }
 
 Vec3 SimulatedHand::along() const noexcept {
@@ -95,6 +103,8 @@ void SimulatedHand::think(Vec3 tip) {
 
     const Leg& leg = intent_.legs[leg_];
     rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
+    const double most_turn = leg.turning * dt_;
+    turned_ += std::clamp(turn_end_ - turned_, -most_turn, most_turn);
     const double total = length(leg.target.position - leg_start_);
     const Vec3 along = this->along();
     const double seen_at = dot(seen, along), lag = planned - seen_at;
@@ -113,14 +123,15 @@ void SimulatedHand::think(Vec3 tip) {
     const std::size_t last = intent_.legs.size() - 1;
     if (leg.stop_aside > 0.0 && leg_ < last && length(seen - seen_at * along) > leg.stop_aside)
         begin(last, tip, tip);
-    else if (are_same(rotation_, leg.target.rotation) &&
-             (turns_ ? plan_ >= total : dot(tip - leg_start_, along) >= total - arrived))
+    else if (are_same(rotation_, leg.target.rotation) && turned_ == turn_end_ &&
+             (leg.turn != 0.0 || (turns_ ? plan_ >= total : dot(tip - leg_start_, along) >= total - arrived)))
         begin(leg_ + 1, leg.target.position, tip);
 }
 
 void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
     leg_ = leg;
     leg_start_ = from;
+    if (!is_done()) turn_end_ = turned_ + intent_.legs[leg_].turn;
     turns_ = !is_done() && !are_same(rotation_, intent_.legs[leg_].target.rotation);
     plan_ = std::max(0.0, dot(tip - leg_start_, along()));
     lean_ = 0.0;

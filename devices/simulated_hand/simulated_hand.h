@@ -33,6 +33,8 @@ struct Leg {
     double speed = 10e-3;     ///< [m/s] aimed at
     double push = 0.0;        ///< [N] the most that reaches the tool, device side
     double stop_aside = 0.0;  ///< [m] beside the leg, where it sees the tip, at which it goes to the last leg; 0: never
+    double turn = 0.0;        ///< [rad] about the handle's z, right-handed, from its start on; the leg ends with it
+    double turning = 3.0;     ///< [rad/s] of that turn
 };
 
 struct Intent {
@@ -47,7 +49,7 @@ struct Intent {
 /// What the device's friction takes, the arm adds. The mind sees the tool's tip, one reaction time late, and never
 /// writes its pose. When it sees the tip ahead of the plan it lets go: the lean is gone and the plan goes on from where
 /// the tip is. A tip that it sees beside the leg it brings back, by its distance in a second. The wrist turns to its
-/// aim and holds it, whatever it meets.
+/// aim and holds it, whatever it meets. A driver it turns on from there, as often as it takes.
 class SimulatedHand {
 public:
     SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt);
@@ -70,11 +72,13 @@ private:
     Intent intent_;
     double dt_;
     Vec3 position_, velocity_{};
-    Quat rotation_;
-    double plan_ = 0.0;  ///< [m] along the leg: where the mind would be
-    double lean_ = 0.0;  ///< [m] along the leg: stretch of the arm's spring on top
-    Vec3 beside_{};      ///< [m] how far it aims beside the leg, so that the tip is on it
-    Vec3 leg_start_;     ///< where the leg before was to end
+    Quat rotation_;          ///< of the wrist
+    double turned_ = 0.0;    ///< [rad] by which the driver is ahead of the wrist, about its z
+    double plan_ = 0.0;      ///< [m] along the leg: where the mind would be
+    double lean_ = 0.0;      ///< [m] along the leg: stretch of the arm's spring on top
+    Vec3 beside_{};          ///< [m] how far it aims beside the leg, so that the tip is on it
+    Vec3 leg_start_;         ///< where the leg before was to end
+    double turn_end_ = 0.0;  ///< [rad] of `turned_`, in this leg
     std::size_t leg_ = 0;
     bool turns_ = false;  ///< in this leg: it ends as planned, as a tip in a hole may not get there
     /// What was, and what was planned, one reaction time ago: rings.

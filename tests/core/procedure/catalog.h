@@ -26,7 +26,26 @@ inline ComponentCatalog drilling_catalog() {
     return {tool, force};
 }
 
-/// The same from the plugin that the shapes' examples speak of: core knows none by name.
+/// What the shipped procedures for the spine use.
+inline ComponentCatalog spine_catalog() {
+    using namespace literals;
+    ComponentCatalog catalog = drilling_catalog();
+    ComponentInfo tool;
+    tool.plugin = "kerf.implant";
+    tool.id = "pedicle_screw";
+    tool.kind = KERF_KIND_TOOL;
+    tool.parameters = {{"outer_diameter", "", dimension::length, "mm", 2.0_mm, 10.0_mm, 6.5_mm, ""},
+                       {"thread_length", "", dimension::length, "mm", 5.0_mm, 90.0_mm, 45.0_mm, ""}};
+    ComponentInfo force;
+    force.plugin = tool.plugin;
+    force.id = "screw_insertion";
+    force.kind = KERF_KIND_FORCE;
+    catalog.push_back(tool);
+    catalog.push_back(force);
+    return catalog;
+}
+
+/// What drilling offers, from the plugin that the shapes' examples speak of: core knows none by name.
 inline ComponentCatalog example_catalog() {
     ComponentCatalog catalog = drilling_catalog();
     for (ComponentInfo& component : catalog) component.plugin = "example.drilling";

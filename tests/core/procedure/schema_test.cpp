@@ -108,7 +108,7 @@ TEST(Schema, TakesEveryDocumentOfExamples) {
 }
 
 TEST(Schema, TakesTheShippedDocuments) {
-    ComponentCatalog catalog = drilling_catalog();
+    const ComponentCatalog catalog = spine_catalog();
     const JsonSchema schema(schema_text(shapes::procedure, catalog, ""));
     EXPECT_EQ(schema.breach(as_json(test::contents_of(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"))), "");
     EXPECT_EQ(anatomy_schema().breach(

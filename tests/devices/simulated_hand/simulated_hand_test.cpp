@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "tests/support/layered_slab.h"
@@ -30,6 +31,36 @@ TEST(SimulatedHand, InAirItArrivesAtItsSpeed) {
     }
     EXPECT_NEAR(ticks * dt, 2.0, 0.5 /* it starts from rest */);
     EXPECT_NEAR(-hand.reported().position.z, 20.0_mm, 0.5_mm);
+}
+
+/// By which one rotation is ahead of another about z [rad].
+double ahead_about_z(Quat from, Quat to) {
+    const Quat turn = conjugate(from) * to;
+    EXPECT_NEAR(turn.x, 0.0, 1e-12);
+    EXPECT_NEAR(turn.y, 0.0, 1e-12);
+    return 2.0 * std::atan2(turn.z, turn.w);
+}
+
+TEST(SimulatedHand, TurnsADriverManyTimesAtItsSpeedAndEndsThere) {
+    for (const double turns : {5.25, -3.0}) {
+        Intent intent = down_to(14.0_mm, 7.0_mm_per_s, 0.5);
+        intent.legs[0].turn = turns * 2.0 * pi;
+        intent.legs[0].turning = 2.0 * pi;
+        SimulatedHand hand({}, intent, test::at_depth(0.0), dt);
+        double turned = 0.0;
+        Quat before = hand.reported().rotation;
+        int ticks = 0;
+        for (; !hand.is_done() && ticks < 10000; ++ticks) {
+            hand.step({});
+            const Quat now = hand.reported().rotation;
+            const double step = ahead_about_z(before, now);
+            EXPECT_LT(std::abs(step), 2.0 * pi * dt + 1e-9) << "and no jump of its sign";
+            turned += step;
+            before = now;
+        }
+        EXPECT_NEAR(turned, turns * 2.0 * pi, 1e-6);
+        EXPECT_NEAR(ticks * dt, std::abs(turns), 0.01) << "one turn in a second";
+    }
 }
 
 TEST(SimulatedHand, ArrivesInEveryDirection) {
