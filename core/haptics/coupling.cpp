@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/sweep.h"
 #include "kerf/assert.hpp"
 
 namespace kerf {
@@ -119,11 +120,9 @@ void Coupling::let_go(const Pose& handle, const Pose& tool) noexcept {
 
 bool Coupling::straighten(double share) noexcept {
     constexpr double straight = 1e-6;  // [m], [–]
-    slip_ = (1.0 - share) * slip_;
-    const Quat& q = rotation_slip_;
-    const double towards = q.w < 0.0 ? -1.0 : 1.0;  // a quaternion and its opposite are one rotation
-    rotation_slip_ =
-        normalized(Quat{q.w + share * (towards - q.w), (1.0 - share) * q.x, (1.0 - share) * q.y, (1.0 - share) * q.z});
+    const Pose left = between({slip_, rotation_slip_}, identity_pose(), share);
+    slip_ = left.position;
+    rotation_slip_ = left.rotation;
     const bool is_left =
         length(slip_) > straight || length(Vec3{rotation_slip_.x, rotation_slip_.y, rotation_slip_.z}) > straight;
     if (!is_left) {
