@@ -47,7 +47,7 @@ std::string refusal_of(const CommandLine& line) {
     for (const std::string& file : files)
         if (!fs::exists(file, ignored)) return "`" + file + "` does not exist. Check its name and its folder.";
     if (line.level < 5 && (!line.procedures.empty() || !line.twin.empty()))
-        return "`--procedure` and `--twin` are of level 5. Add `--level 5`.";
+        return "`--procedure` and `--twin` belong to level 5. Add `--level 5`.";
     return {};
 }
 
@@ -55,7 +55,7 @@ std::string refusal_of(const CommandLine& line) {
 ExitCode accept_or_record(const CommandLine& line, const std::string& child) {
     if (!line.accept.empty() && !line.record.empty())
         return complain("`--accept` and `--record` are both given. Write one of them.", exit_bad_input);
-    if (line.files.size() > 1) return complain("an acceptance file is of one plugin. Name one.", exit_bad_input);
+    if (line.files.size() > 1) return complain("an acceptance file belongs to one plugin. Name one.", exit_bad_input);
     const bool is_record = line.accept.empty();
     const AcceptanceRequest request{.child = child,
                                     .plugin = line.files.front(),

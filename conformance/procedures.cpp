@@ -140,7 +140,7 @@ void check_procedures(const CheckRequest& request, PluginReport& report,
         };
         add(rehearsals, procedure, [&](TestResult& result) {
             if (!is_used_by(plugin_id, procedure)) {
-                fail(result, "No instrument of it is of " + plugin_id + ". Name a procedure that uses the plugin.", {});
+                fail(result, "None of its instruments uses " + plugin_id + ". Name a procedure that does.", {});
                 return;
             }
             const Ran ran = run(request, alone, {"rehearse", procedure});

@@ -117,7 +117,7 @@ struct Step {
     }
 };
 
-inline constexpr double default_turning = 0.5;  ///< [1/s] of a hand that turns a driver: 30 rpm
+inline constexpr double default_turning = 0.5;  ///< [1/s] of a hand that turns a driver: 30 rpm [assumed]
 
 /// One waypoint of a rehearsal, in the frame of a step: depth along its axis, shifts and a tilt; and how the hand gets
 /// there.
