@@ -155,10 +155,22 @@ void requests_known_actions(Examination& exam) {
             if (action.kind < KERF_ACTION_CUT || action.kind > KERF_ACTION_EVENT)
                 exam.fail("`commit` requests an action of kind " + std::to_string(action.kind) +
                           ", expected 1 (cut), 2 (hold), 3 (release) or 4 (event), " + law.where() + ".");
+            else if (action.kind == KERF_ACTION_CUT && action.value > KERF_CUT_THREAD)
+                exam.fail("`commit` cuts with solid " + std::to_string(action.value) +
+                          ", expected 0 (what cuts) or 1 (the cylinder over the thread), " + law.where() + ".");
+            else if (action.kind == KERF_ACTION_CUT && action.value == KERF_CUT_THREAD && !law.outline().has_thread())
+                exam.fail("`commit` cuts with the cylinder over the thread, and the tool has none, " + law.where() +
+                          ".");
             else if (action.kind == KERF_ACTION_EVENT && action.value >= force.event_count)
                 exam.fail("`commit` reports event number " + std::to_string(action.value) + ", and it declares " +
                           std::to_string(force.event_count) + ", " + law.where() + ".");
         }
+        if (out.thread_count > 1)
+            exam.fail("`commit` leaves " + std::to_string(out.thread_count) + " threads, expected 0 or 1, " +
+                      law.where() + ".");
+        else if (const char* field = out.thread_count == 1 ? fault_of(*out.thread) : nullptr; field != nullptr)
+            exam.fail("`commit` leaves a thread that the host cannot keep: its `" + std::string(field) +
+                      "` is out of range, " + law.where() + ".");
         return !exam.has_failed();
     });
 }
@@ -238,8 +250,8 @@ constexpr Test tests[] = {
     {"law.continuous", 3, Scope::law, "The force does not jump where the tool meets bone.", &is_continuous, "law.sound",
      6},
     {"law.signals", 3, Scope::law, "Every signal is written in each tick.", &writes_its_signals, "law.answers"},
-    {"law.actions", 3, Scope::law, "It requests actions and reports events that exist.", &requests_known_actions,
-     "law.answers"},
+    {"law.actions", 3, Scope::law, "It requests actions, leaves threads and reports events that can be.",
+     &requests_known_actions, "law.answers"},
     {"law.channels", 3, Scope::law, "It uses no more channels than it declares.", &keeps_to_its_channels, "law.sound",
      6},
     {"law.points", 3, Scope::law, "It queries no more points than it declares.", &keeps_to_its_points, "law.sound", 6},

@@ -8,8 +8,8 @@ namespace kerf::conformance {
 
 PlaneBone::PlaneBone(const Settings& settings) : settings_(settings) {
     constexpr double reach_in_voxels = 4.0;  // as the host's fields
-    query_ = {sizeof(kerf_bone_query), settings.tissues, reach_in_voxels * settings.voxel,
-              &sample_entry,           &nearest_entry,   reinterpret_cast<const kerf_bone*>(this)};
+    query_ = {sizeof(kerf_bone_query), settings.tissues, reach_in_voxels * settings.voxel,        &sample_entry,
+              &nearest_entry,          &threads_entry,   reinterpret_cast<const kerf_bone*>(this)};
 }
 
 PlaneBone::Counts PlaneBone::take_counts() noexcept { return std::exchange(counts_, {}); }
@@ -61,6 +61,12 @@ void PlaneBone::nearest_entry(const kerf_bone* bone, const kerf_vec3* points, st
     ++self.counts_.queries;
     self.counts_.points += count;
     self.nearest(points, count, out);
+}
+
+std::uint32_t PlaneBone::threads_entry(const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
+    const auto& self = *reinterpret_cast<const PlaneBone*>(bone);
+    const ToolInBody here{0, self.bone_from_tool_};
+    return self.threads_.write({&here, 1}, out, capacity);
 }
 
 }  // namespace kerf::conformance

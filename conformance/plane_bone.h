@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/haptics/body_threads.h"
 #include "kerf/abi.h"
 #include "kerf/math.hpp"
 
@@ -29,6 +30,13 @@ public:
     void place(const Pose& bone_from_tool) noexcept { bone_from_tool_ = bone_from_tool; }
     [[nodiscard]] const kerf_bone_query& query() const noexcept { return query_; }
 
+    /// Keeps a thread that a law has left in it. Returns whether it can be kept.
+    bool leave(const kerf_thread& thread) noexcept {
+        const ToolInBody here{0, bone_from_tool_};
+        return threads_.leave(thread, {&here, 1}, 0);
+    }
+    void forget_threads() noexcept { threads_ = {}; }
+
     struct Counts {
         std::uint32_t queries = 0, points = 0;
     };
@@ -43,9 +51,11 @@ private:
                              std::uint32_t, kerf_bone_sample* out);
     static void nearest_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
                               kerf_surface_point* out);
+    static std::uint32_t threads_entry(const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity);
 
     Settings settings_;
     Pose bone_from_tool_ = identity_pose();
+    BodyThreads threads_;
     Counts counts_;
     kerf_bone_query query_{};
 };

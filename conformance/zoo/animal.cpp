@@ -277,6 +277,13 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
     if (is("cuts_nothing"))
         for (std::uint32_t i = 0; i < out->action_count; ++i)
             if (out->action[i].kind == KERF_ACTION_CUT) out->action[i] = out->action[--out->action_count];
+    if (is("strips_what_it_has_not")) out->action[out->action_count++] = {KERF_ACTION_CUT, KERF_CUT_THREAD};
+    if (is("leaves_half_a_thread")) {
+        *out->thread = {};
+        out->thread->tool_from_thread.rotation.w = 1.0;
+        out->thread->number = KERF_NEW_THREAD;
+        out->thread_count = 1;
+    }
     if (is("cuts_at_rest") || (is("ignores_its_least") && in->drive[0] > 0.0))
         out->action[out->action_count++] = {KERF_ACTION_CUT, 0};
     if (is("knows_no_leaps") && std::abs(advance->rate[2]) > 1.0) extra_of(state).value = nan_value;

@@ -73,6 +73,8 @@ kerf_status shape(const double*, kerf_tool_shape* out) {
     out->profile_count = is("empty_outline") ? 0u : is("huge_outline") ? 2000000000u : 4u;
     out->cutting_count = is("cuts_beyond_its_outline") ? 9u : 3u;
     if (is("thread_in_its_core")) out->thread_radius = 0.1e-3;
+    if (is("thread_without_lead")) out->thread_radius = 2e-3;
+    if (is("stays_without_thread")) out->stay_count = 1;
     out->grip_z = -60e-3;
     return KERF_OK;
 }

@@ -9,12 +9,13 @@
 
 namespace kerf {
 
-BodiesView::BodiesView(const Body& first) {
+BodiesView::BodiesView(const Body& first, const BodyThreads& threads) : threads_(&threads) {
     query_.size = sizeof(kerf_bone_query);
     query_.reach = first.grid().clamp();
     query_.tissue_count = static_cast<std::uint32_t>(first.materials.size());
     query_.sample = &BodiesView::sample_entry;
     query_.nearest = &BodiesView::nearest_entry;
+    query_.threads = &BodiesView::threads_entry;
     query_.bone = reinterpret_cast<const kerf_bone*>(this);
 }
 
@@ -29,7 +30,9 @@ void BodiesView::place(std::span<const std::unique_ptr<LiveBody>> bodies, const 
             const auto box = tool.box(body_from_tool);
             body->is_near = body->is_near_box(box.low, box.high, body->bone->grid().clamp());
         }
-        if (body->is_near && body->is_cuttable) near_[near_count_++] = body.get();
+        if (!body->is_near || !body->is_cuttable) continue;
+        place_[near_count_] = {body->id, body_from_tool};
+        near_[near_count_++] = body.get();
     }
     cuttable_count_ = near_count_;
     for (const auto& body : bodies)
@@ -54,6 +57,10 @@ void BodiesView::sample(const Vec3* points, std::uint32_t count, Directions dire
             for (std::uint32_t i = 0; i < some; ++i)
                 if (other[i].engagement > out[first + i].engagement) out[first + i] = other[i];
         }
+}
+
+std::uint32_t BodiesView::threads(kerf_thread* out, std::uint32_t capacity) const noexcept {
+    return threads_->write(places(), out, capacity);
 }
 
 void BodiesView::nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept {

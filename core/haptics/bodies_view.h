@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "core/haptics/body_threads.h"
 #include "core/haptics/held_body.h"
 
 /// All bodies near a tool as one bone, which is how a plugin asks.
@@ -16,7 +17,8 @@ namespace kerf {
 /// deepest in; the answer names it. With one body near, its own answer is handed through.
 class BodiesView {
 public:
-    explicit BodiesView(const Body& first);
+    /// `threads` must outlive it.
+    BodiesView(const Body& first, const BodyThreads& threads);
     BodiesView(const BodiesView&) = delete;
     BodiesView& operator=(const BodiesView&) = delete;
 
@@ -32,6 +34,9 @@ public:
         sample(points, count, Directions::one(direction), out);
     }
     void nearest(const Vec3* points, std::uint32_t count, kerf_surface_point* out) const noexcept;
+    std::uint32_t threads(kerf_thread* out, std::uint32_t capacity) const noexcept;
+    /// Of the bodies that can be cut.
+    [[nodiscard]] std::span<const ToolInBody> places() const noexcept { return {place_.data(), cuttable_count_}; }
 
 private:
     static void sample_entry(const kerf_bone* bone, const kerf_vec3* points, std::uint32_t count,
@@ -44,7 +49,13 @@ private:
         reinterpret_cast<const BodiesView*>(bone)->nearest(points, count, out);
     }
 
+    static std::uint32_t threads_entry(const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
+        return reinterpret_cast<const BodiesView*>(bone)->threads(out, capacity);
+    }
+
+    const BodyThreads* threads_;
     std::array<LiveBody*, most_bodies> near_{};
+    std::array<ToolInBody, most_bodies> place_{};      ///< of the tool in each of those that can be cut
     std::size_t near_count_ = 0, cuttable_count_ = 0;  ///< those that can be cut come first
     kerf_bone_query query_{};
 };

@@ -94,6 +94,7 @@ Offer BoneScene::turn(Turn turn) const {
     Offer offer;
     offer.change = turn == Turn::undo ? Offer::Change::undo : Offer::Change::redo;
     offer.removing = removing_;
+    offer.removing_then = then.removing;
     offer.placings = then.placings;
     offer.owners = then.owners;
     for (std::size_t id = 0; id < then.placings.count; ++id) {

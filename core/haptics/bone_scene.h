@@ -85,9 +85,12 @@ private:
         Placings placings;
         std::vector<Waiting> waiting;
         Owners owners;
+        std::uint64_t removing = 0;  ///< records that had removed bone
     };
     void wait_for_the_loop(Separation separation);
-    [[nodiscard]] Moment moment(const Placings& now) { return {bone_.image(), now, waiting_, belongings_.owners}; }
+    [[nodiscard]] Moment moment(const Placings& now) {
+        return {bone_.image(), now, waiting_, belongings_.owners, removing_};
+    }
     [[nodiscard]] static double removed_in(const BoneImage& bone) noexcept;  ///< [m³]
     void keep(Moment before);
     void keep_for_undo(const Placings& before);

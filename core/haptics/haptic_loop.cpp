@@ -50,7 +50,7 @@ HapticLoop::HapticLoop(const Body& body, std::vector<Tool> tools, const Coupling
     : period_(period),
       spacing_(body.grid().spacing),
       tools_(std::move(tools)),
-      view_(body),
+      view_(body, threads_),
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, outline().handling),
@@ -96,7 +96,7 @@ HapticLoop::~HapticLoop() = default;
 
 std::vector<const ToolSolid*> HapticLoop::cutting_solids() const {
     std::vector<const ToolSolid*> solids;
-    for (const Tool& tool : tools_) solids.push_back(&tool.outline.cutting);
+    for (std::size_t number = 0; number < 2 * tools_.size(); ++number) solids.push_back(&solid(number));
     return solids;
 }
 
@@ -426,8 +426,11 @@ void HapticLoop::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     out.size = sizeof out;
     out.action = actions;
     out.signal = signals_;
+    kerf_thread thread{};
+    out.thread = &thread;
     const kerf_tick_in in = tick_in(step);
     static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
+    if (out.thread_count > 0) keep_thread(out);
 
     if (law_.metal_channel >= 0 && lambda[law_.metal_channel] > 0.0) result.is_at_metal = true;
 
@@ -442,7 +445,9 @@ void HapticLoop::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     world_from_tool_ = advanced(world_from_tool_, rate, step);
     bool is_cutting = false;
     for (std::uint32_t a = 0; a < std::min(out.action_count, KERF_MAX_ACTIONS); ++a) {
-        if (actions[a].kind == KERF_ACTION_CUT) is_cutting = true;
+        if (actions[a].kind == KERF_ACTION_CUT && actions[a].value == KERF_CUT_REGION) is_cutting = true;
+        if (actions[a].kind == KERF_ACTION_CUT && actions[a].value == KERF_CUT_THREAD)
+            result.is_stripping = outline().has_thread();
         do_as_told(actions[a], result);
     }
     if (is_cutting) result.is_cutting = true;
@@ -473,6 +478,11 @@ void HapticLoop::do_as_told(const kerf_action& action, TickResult& result) noexc
         result.add_event("haptics.bone_is_whole");  // nobody takes the patient
     else
         held_.take(bodies_, action.value, world_from_tool_);
+}
+
+void HapticLoop::keep_thread(const kerf_commit_out& out) noexcept {
+    if (out.thread->number == KERF_NEW_THREAD) threads_.forget_hidden();
+    threads_.leave(*out.thread, view_.places(), removing_);
 }
 
 void HapticLoop::take_closed(CutTracker& tracker, int count) noexcept {

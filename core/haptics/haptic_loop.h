@@ -47,6 +47,7 @@ struct TickResult {
     int parts = 1;                ///< 1 … 16: how often the law was asked
     int iterations = 0;           ///< of the hardest of their solves
     bool is_cutting = false;      ///< the plugin removed bone in this tick
+    bool is_stripping = false;    ///< it asked for the bone around the tool's thread: `crest_number`
     bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
     bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
@@ -101,9 +102,9 @@ public:
     /// held at the end of it.   [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept;
 
-    /// Takes up another of the tools, where the hand is, with its law as at the beginning; drawn back along its axis if
-    /// it lies in bone there. What was held is let go. Pre: `close_stretches` was called and its records are applied.
-    /// [main] between ticks
+    /// Takes up one of the tools anew, where the hand is, with its law as at the beginning; drawn back along its axis
+    /// if it lies in bone there. What was held is let go. Pre: `close_stretches` was called and its records are
+    /// applied. [main] between ticks
     void take_tool(std::size_t tool);
     [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
     /// From the next tick on a sleeve leads the tool; nothing: none.   [main] between ticks
@@ -129,8 +130,15 @@ public:
     [[nodiscard]] Placings placings() const noexcept;
     /// From here on no body has numbered a record.
     [[nodiscard]] std::uint64_t next_sequence() const noexcept;
-    /// Of each tool, as records number them.   [main]
+    /// Of each tool what cuts, then of each the cylinder over its thread, as records number them.   [main]
     [[nodiscard]] std::vector<const ToolSolid*> cutting_solids() const;
+    [[nodiscard]] const ToolSolid& solid(std::size_t number) const noexcept {
+        return number < tools_.size() ? tools_[number].outline.cutting : tools_[number - tools_.size()].outline.crest;
+    }
+    /// The number of the cylinder over the thread of the tool in hand.
+    [[nodiscard]] std::size_t crest_number() const noexcept { return tools_.size() + tool_; }
+    /// What taps and screws have left in the bone.
+    [[nodiscard]] const BodyThreads& threads() const noexcept { return threads_; }
 
     [[nodiscard]] std::span<const std::unique_ptr<LiveBody>> bodies() const noexcept { return bodies_; }
     /// Moves a body, between ticks; nothing is cut on the way.   [haptic, nonblocking]
@@ -199,6 +207,7 @@ private:
     void close_open_stretches() noexcept;
     void begin_with_tool();  ///< its law as at the beginning, out of bone
     void do_as_told(const kerf_action& action, TickResult& result) noexcept;
+    void keep_thread(const kerf_commit_out& out) noexcept;
     [[nodiscard]] bool take_turn(Offer& offer) noexcept;
     [[nodiscard]] bool take_change(Offer& offer) noexcept;
     [[nodiscard]] bool stamp_lacking(const Offer& offer) noexcept;
@@ -214,6 +223,7 @@ private:
     std::size_t tool_ = 0;
     std::array<double, KERF_MAX_DRIVES> drives_{};   ///< as commanded
     std::vector<std::unique_ptr<LiveBody>> bodies_;  ///< at the place of their id; room for all there may be
+    BodyThreads threads_;
     BodiesView view_;
     HeldBody held_;
 

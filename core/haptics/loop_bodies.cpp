@@ -37,7 +37,6 @@ struct Lacking {
 }  // namespace
 
 void HapticLoop::take_tool(std::size_t tool) {
-    if (tool == tool_) return;
     tool_ = tool;
     flush();
     for (const auto& body : bodies_) body->tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool));
@@ -85,6 +84,7 @@ bool HapticLoop::take_turn(Offer& offer) noexcept {
         offer.made[id].body->tracker.number_from(next);
     }
     exchange_bodies(offer);
+    threads_.turn_to(offer.removing_then);
     held_.let_go();
     look_around();
     return true;
@@ -124,7 +124,7 @@ bool HapticLoop::stamp_lacking(const Offer& offer) noexcept {
     if (!for_each([](const Offer::Made&, const Lacking& lacking) { return !lacking.is_too_much; })) return false;
     return for_each([&](const Offer::Made& made, const Lacking& lacking) {
         for (std::size_t i = 0; i < lacking.count; ++i)
-            made.body->committed.stamp(*lacking.record[i], tools_[lacking.record[i]->solid].outline.cutting);
+            made.body->committed.stamp(*lacking.record[i], solid(lacking.record[i]->solid));
         return true;
     });
 }
@@ -137,7 +137,10 @@ void HapticLoop::go_on(const Offer& offer) noexcept {
         made.body->world_from_body = before.world_from_body;
         made.body->is_present = before.is_present;
         const bool is_same = made.body->id == before.id;
-        if (is_same) made.body->group = before.group;
+        if (is_same)
+            made.body->group = before.group;
+        else
+            threads_.pass_on(before.id, made.body->id);
         made.body->tracker.go_on_from(before.tracker, is_same ? before.tracker.next_sequence() : 0);
     }
 }

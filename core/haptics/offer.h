@@ -45,6 +45,7 @@ struct Offer {
     Change change = Change::none;
     std::uint64_t tick = 0;              ///< separation: of the record that parted the parent
     std::uint64_t removing = 0;          ///< undo, redo: records that had removed bone when it was made
+    std::uint64_t removing_then = 0;     ///< the same: at the time that it goes back to, or on to
     std::array<Made, most_bodies> made;  ///< at the index of their id
     Placings placings;                   ///< after it; of a separation and a subtraction only `count`
     std::optional<Separation> separation;

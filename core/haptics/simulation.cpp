@@ -18,12 +18,14 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
 TickResult Simulation::tick(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick(sample);
     follow();
+    if (result.is_stripping) subtract(crest_number(), world_from_tool());
     return result;
 }
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick_direct(sample);
     follow();
+    if (result.is_stripping) subtract(crest_number(), world_from_tool());
     return result;
 }
 
@@ -46,7 +48,10 @@ void Simulation::close_and_follow() {
 }
 
 void Simulation::take_tool(std::size_t tool) {
-    if (tool == this->tool()) return;
+    if (tool != this->tool()) take_another(tool);
+}
+
+void Simulation::take_another(std::size_t tool) {
     close_and_follow();
     HapticLoop::take_tool(tool);
 }
@@ -80,10 +85,13 @@ void Simulation::take_separations_due(bool all) {
     }
 }
 
-std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable) {
+std::string Simulation::insert(const Body& body, const Pose& world_from_body, bool is_cuttable,
+                               std::optional<std::size_t> rigid_to) {
     take_separations_due(true);  // ids are given in order
     std::string why_not;
     Offer offer = scene_.insertion(body, world_from_body, is_cuttable, placings(), why_not);
+    if (rigid_to && offer.is_any())
+        offer.placings.of[offer.placings.count - 1].group = static_cast<std::uint16_t>(bodies()[*rigid_to]->group);
     if (offer.is_any()) take_over(std::move(offer));
     return why_not;
 }
@@ -97,10 +105,10 @@ std::string Simulation::fuse() {
     return why_not;
 }
 
-void Simulation::subtract(std::size_t tool, const Pose& world_from_tool) {
+void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
     close_and_follow();
     take_separations_due(true);
-    take_over(scene_.subtraction(static_cast<std::uint16_t>(tool), world_from_tool, placings()));
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, placings()));
 }
 
 std::string Simulation::turn_back(Turn turn) {

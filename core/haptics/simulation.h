@@ -33,6 +33,8 @@ public:
     TickResult tick_direct(const DeviceSample& sample);
     /// `HapticLoop::take_tool`. What the last tool cut is closed and committed before.
     void take_tool(std::size_t tool);
+    /// The same, and another one of its kind where it is in hand already: the implant on it stayed in bone.
+    void take_another(std::size_t tool);
     /// Closes and commits everything: both fields of a body then hold the same bits.
     void finish();
 
@@ -49,9 +51,12 @@ public:
 
     /// Puts another body into the scene, which must outlive it; if it is not `cuttable`, it stops what would cut it.
     /// Returns why it cannot be, or nothing: there are sixteen, or its tissues are others.
-    std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable);
-    /// Removes all that the cutting solid of a tool holds at a pose from every body there.
-    void subtract(std::size_t tool, const Pose& world_from_tool);
+    /// @param rigid_to  body that it is rigid to; none: it moves by itself
+    std::string insert(const Body& body, const Pose& world_from_body, bool is_cuttable,
+                       std::optional<std::size_t> rigid_to = {});
+    /// Removes all that a solid holds at a pose of its tool from every body there.
+    /// @param solid  the number of a tool, for what it cuts, or `crest_number`
+    void subtract(std::size_t solid, const Pose& world_from_tool);
     /// Lets the body that is held grow together with the piece nearest to it: a bridge of bone fills the gap between
     /// them, and they are rigid to each other from now on. Returns why they cannot, or nothing.
     std::string fuse();
@@ -97,6 +102,7 @@ public:
     using HapticLoop::state;
     using HapticLoop::state_size;
     using HapticLoop::stored_at;
+    using HapticLoop::threads;
     using HapticLoop::ticks;
     using HapticLoop::tool;
     using HapticLoop::tracker;

@@ -163,10 +163,21 @@ std::string fault_of_prism(const kerf_tool_shape& shape) {
 
 /// A thread stands on what goes through the bone.
 std::string fault_of_thread(const kerf_tool_shape& shape) {
-    if (shape.thread_radius == 0.0) return {};
+    if (shape.thread_radius == 0.0)
+        return shape.stay_count == 0 ? ""
+                                     : "`stay_count` is " + std::to_string(shape.stay_count) +
+                                           ", expected 0: without a thread nothing holds it in bone.";
     if (shape.kind != KERF_SOLID_REVOLUTION || shape.cutting_count < 2)
         return "`thread_radius` is " + in_mm(shape.thread_radius) +
-               ", expected 0 mm: only a solid of revolution that removes bone stays in it.";
+               ", expected 0 mm: only a solid of revolution that removes bone has one.";
+    constexpr double longest = 0.1;  // [m]
+    if (!(shape.thread_lead > 0.0 && shape.thread_lead < longest))
+        return "`thread_lead` is " + in_mm(shape.thread_lead) + ", expected more than 0 mm and less than " +
+               in_mm(longest) + ".";
+    if (shape.stay_count != 0 && (shape.stay_count < shape.cutting_count || shape.stay_count > shape.profile_count))
+        return "`stay_count` is " + std::to_string(shape.stay_count) + ", expected 0, or " +
+               std::to_string(shape.cutting_count) + " … " + std::to_string(shape.profile_count) +
+               ": all that cuts, and the head.";
     double core = 0.0;
     for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
     if (shape.thread_radius >= core && shape.thread_radius < widest) return {};
@@ -198,10 +209,12 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.profile.assign(points, points + shape.profile_count);
     out.cutting_count = shape.cutting_count;
     if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
-        error = std::string("tool `") + setup.tool->id + "` gives an implant that does not stay: " + fault;
+        error = std::string("tool `") + setup.tool->id + "` gives a thread that is none: " + fault;
         return false;
     }
     out.thread_radius = shape.thread_radius;
+    out.thread_lead = shape.thread_lead;
+    out.stay_count = shape.stay_count;
     if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
     const bool has_mass = shape.mass > 0.0 && shape.mass <= heaviest && std::abs(shape.centre_z) < 1.0 &&
@@ -227,6 +240,9 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
         return false;
     }
     out.cutting = ToolSolid({points, points + shape.cutting_count});
+    if (out.has_thread())
+        out.crest = ToolSolid({{points[shape.cutting_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
+                               {points[shape.cutting_count - 1].z, out.thread_radius}});
     out.whole = ToolSolid({points, points + shape.profile_count});
     return true;
 }

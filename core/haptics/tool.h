@@ -35,11 +35,15 @@ struct ToolOutline {
     ToolSolid whole;
     Handling handling{.grip_z = -0.1};
     Inertia inertia{};                        ///< with its handpiece
-    double thread_radius = 0.0;               ///< [m] over the thread of an implant that stays; 0: the tool leaves
+    double thread_radius = 0.0;               ///< [m] over its thread; 0: it has none
+    double thread_lead = 0.0;                 ///< [m] in one turn
+    std::uint32_t stay_count = 0;             ///< the first points of the profile, which stay in bone; 0: it leaves
+    ToolSolid crest;                          ///< with a thread: the cylinder over it
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
     std::uint32_t cutting_count = 0;
 
-    [[nodiscard]] bool stays() const noexcept { return thread_radius > 0.0; }
+    [[nodiscard]] bool has_thread() const noexcept { return thread_radius > 0.0; }
+    [[nodiscard]] bool is_implant() const noexcept { return stay_count > 0; }
     /// The outline as a law reads it. It lives as long as this and is not moved.   [any]
     [[nodiscard]] kerf_solid solid() const noexcept;
 };

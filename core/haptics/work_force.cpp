@@ -55,7 +55,8 @@ void run_up(const ToolSetup& setup, kerf_tick_in in, void* state) {
     kerf_action actions[KERF_MAX_ACTIONS];
     kerf_advance advance{};
     advance.size = sizeof advance;
-    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals};
+    kerf_thread thread{};
+    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals, &thread, 0, 0};
     for (int i = 0; i < longest; ++i) {
         in.tick = static_cast<std::uint64_t>(i);
         out.action_count = 0;
@@ -87,7 +88,8 @@ EndlessBoneLaw::EndlessBoneLaw(const ToolSetup& setup, std::size_t tissues) : st
     state.storage = std::make_unique<std::byte[]>(space);
     void* storage = state.storage.get();
     state.law = std::align(force.state_align, force.state_size, storage, space);
-    const kerf_bone_query air{sizeof(kerf_bone_query), state.tissues, 1.0, &sample_air, &nearest_endless, nullptr};
+    const kerf_bone_query air{sizeof(kerf_bone_query), state.tissues, 1.0,    &sample_air,
+                              &nearest_endless,        nullptr,       nullptr};
     kerf_tick_in in_air = tick_in_of(setup, air, HapticLoop::dt);
     in_air.outline = &state.solid;
     call_begin(*setup.force, in_air, state.law);
@@ -99,9 +101,13 @@ EndlessBoneLaw::~EndlessBoneLaw() = default;
 double EndlessBoneLaw::force(std::size_t material, double density, double feed_rate) const {
     if (state_->law == nullptr) return 0.0;
     const EndlessBone endless{material, density};
-    const kerf_bone_query query{
-        sizeof(kerf_bone_query), state_->tissues,  1.0,
-        &sample_endless,         &nearest_endless, reinterpret_cast<const kerf_bone*>(&endless)};
+    const kerf_bone_query query{sizeof(kerf_bone_query),
+                                state_->tissues,
+                                1.0,
+                                &sample_endless,
+                                &nearest_endless,
+                                nullptr,
+                                reinterpret_cast<const kerf_bone*>(&endless)};
     kerf_tick_in in = tick_in_of(*state_->setup, query, HapticLoop::dt);
     in.outline = &state_->solid;
     kerf_channel channels[KERF_MAX_CHANNELS];

@@ -43,6 +43,7 @@ constexpr LayoutField layout_fields[] = {
     {"kerf_commit_out", &kerf_layout::commit_out},
     {"kerf_force", &kerf_layout::force},
     {"kerf_component", &kerf_layout::component},
+    {"kerf_thread", &kerf_layout::thread},
     {"kerf_feature", &kerf_layout::feature},
     {"kerf_need", &kerf_layout::need},
 };

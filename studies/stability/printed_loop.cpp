@@ -28,6 +28,7 @@ kerf_bone_query PrintedLoop::query() const noexcept {
             0.0,
             &sample,
             &nearest,
+            nullptr,
             reinterpret_cast<const kerf_bone*>(&bone_)};
 }
 
@@ -83,7 +84,7 @@ void PrintedLoop::go(const Pose& next) {
     advance.channel = channels;
     advance.note = law.note;
     kerf_action actions[KERF_MAX_ACTIONS];
-    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals_.data()};
+    kerf_commit_out out{sizeof(kerf_commit_out), 0, actions, signals_.data(), nullptr, 0, 0};
     static_cast<void>(call_commit(*setup_.force, in, advance, state_.data(), out));
     bone_.pose = next;
 }

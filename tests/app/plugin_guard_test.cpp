@@ -176,12 +176,16 @@ TEST(PluginGuard, NamesTheOutlineThatIsNoSolid) {
     }
 }
 
-TEST(PluginGuard, NamesTheThreadThatLiesInItsCore) {
-    const Zoo zoo("thread_in_its_core");
-    const Ended validated = zoo.kerf("validate " + zoo.procedure());
-    EXPECT_EQ(validated.exit_code, 2) << validated.out;
-    EXPECT_TRUE(has(validated.out, "gives an implant that does not stay: `thread_radius` is 0.1 mm, expected 0 mm, or"))
-        << validated.out;
+TEST(PluginGuard, NamesWhatWasUnsoundInAThread) {
+    for (const auto& [how, says] :
+         {std::pair<const char*, const char*>{"thread_in_its_core", "`thread_radius` is 0.1 mm, expected 0 mm, or"},
+          {"thread_without_lead", "`thread_lead` is 0 mm, expected more than 0 mm and less than 100 mm."},
+          {"stays_without_thread", "`stay_count` is 1, expected 0: without a thread nothing holds it in bone."}}) {
+        const Zoo zoo(how);
+        const Ended validated = zoo.kerf("validate " + zoo.procedure());
+        EXPECT_EQ(validated.exit_code, 2) << validated.out;
+        EXPECT_TRUE(has(validated.out, std::string("gives a thread that is none: ") + says)) << validated.out;
+    }
 }
 
 TEST(PluginGuard, NamesWhatWasUnsoundInALaw) {

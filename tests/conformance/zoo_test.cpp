@@ -112,6 +112,8 @@ const std::vector<Animal>& zoo() {
         {"plugin_that_nan_signal", "law.signals", "`load`"},
         {"plugin_that_unknown_event", "law.actions", "event number 99"},
         {"plugin_that_unknown_actions", "law.actions", "4000000000 actions"},
+        {"strips_what_it_has_not", "law.actions", "the tool has none"},
+        {"leaves_half_a_thread", "law.actions", "its `lead`"},
         {"declares_fewer_channels", "law.channels", "declares 1"},
         {"declares_fewer_points", "law.points", "declares 1"},
         {"declares_fewer_queries", "law.queries", "declares 1"},

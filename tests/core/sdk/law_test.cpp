@@ -154,7 +154,7 @@ const kerf_component &bar = entry.components[0], &rod = entry.components[1], &gr
 /// The input of a law whose tool is a rod of 3 mm by 40 mm at 600 rpm.
 struct Asked {
     double tool[2] = {3_mm, 40_mm}, force[2] = {100_N_per_mm, 0.5}, drive[1] = {600_rpm};
-    kerf_bone_query bone{sizeof(kerf_bone_query), 1, 2.0e-3, nullptr, nullptr, nullptr};
+    kerf_bone_query bone{sizeof(kerf_bone_query), 1, 2.0e-3, nullptr, nullptr, nullptr, nullptr};
     kerf_tick_in in{};
 
     Asked() {
@@ -258,7 +258,7 @@ TEST(Law, HandsItsNotesOnToItsCommit) {
     advance.note = law.law.note;
     double signal[2] = {-5.0, -5.0};
     kerf_action action[KERF_MAX_ACTIONS]{};
-    kerf_commit_out out{sizeof(kerf_commit_out), 0, action, signal};
+    kerf_commit_out out{sizeof(kerf_commit_out), 0, action, signal, nullptr, 0, 0};
     ASSERT_EQ(grind.force->commit(&asked.in, &advance, &state, &out), KERF_OK);
     EXPECT_EQ(signal[0], 7.0);
     EXPECT_EQ(signal[1], 1.0);

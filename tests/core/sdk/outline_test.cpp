@@ -46,7 +46,10 @@ TEST(Outline, CutsNothingUnlessAsked) {
 
 TEST(Outline, WritesTheThreadOfWhatStays) {
     EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts()).shape.thread_radius, 0.0);
-    EXPECT_EQ(Written(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().stays(3_mm)).shape.thread_radius, 3_mm);
+    const Written screw(revolution({{0, 0}, {-2_mm, 1_mm}}).cuts().threaded({3_mm, 2_mm}).stays());
+    EXPECT_EQ(screw.shape.thread_radius, 3_mm);
+    EXPECT_EQ(screw.shape.thread_lead, 2_mm);
+    EXPECT_EQ(screw.shape.stay_count, 2u);
 }
 
 TEST(Outline, BallLiesOnItsSphereBehindTheEquatorToo) {

@@ -32,6 +32,8 @@ extern "C" {
 #define KERF_MAX_TISSUES 4u   /* materials that one sample can mix          */
 #define KERF_MAX_ACTIONS 8u   /* actions of one commit                      */
 #define KERF_NOTE_BYTES 64u   /* what a resist hands on to its commit       */
+#define KERF_MAX_THREADS 16u  /* threads cut into the bone of a scene       */
+#define KERF_THREAD_BINS 64u  /* pieces of a thread that slip by themselves */
 
 /* ---- plain values ------------------------------------------------------------------------------------------ */
 
@@ -134,10 +136,13 @@ typedef struct kerf_tool_shape {
     double gyration;        /* out, with a mass: radius of gyration about that centre [m], > 0 */
     double tip_deflection; /* out: how far 1 N across the tip bends the shaft there, held at the grip [m/N]; 0: rigid */
     double tip_slope;      /* out: by how much it turns the tip [rad/N]; 0 if and only if tip_deflection is */
-    double thread_radius;  /* out, revolution: of an implant that stays in bone: the radius over its thread [m], at
-                              least that of what removes bone; 0: the tool leaves */
-    char refusal[240];     /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
-                              needed; UTF-8, ends with NUL */
+    double thread_radius;  /* out, revolution: the radius over its thread [m], at least that of what removes bone; 0: it
+                              has none */
+    double thread_lead;    /* out, with a thread: how far it goes in one turn [m], > 0 */
+    uint32_t stay_count;   /* out, with a thread: the first points that stay in bone when the driver leaves; 0: none */
+    uint32_t reserved;
+    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
+                          needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {
@@ -168,6 +173,23 @@ typedef struct kerf_surface_point {
     uint32_t reserved;
 } kerf_surface_point;
 
+/* A thread that a tap or a screw has cut into a body. It stays there when the tool leaves. Its groove is a right-hand
+ * helix about z of the frame `tool_from_thread`, whose z points into the bone; x points to the groove at z = 0. */
+typedef struct kerf_thread {
+    kerf_pose tool_from_thread;    /* at the pose of this tick */
+    double lead;                   /* [m] along z for each turn, > 0 */
+    double radius, core;           /* [m] over the groove, and of the hole that it stands on */
+    double from, to;               /* [m] of z: it is cut between them, from <= to */
+    double tapped_to;              /* [m] of z: so far a tap has taken its chips out; <= from: nowhere */
+    double tapped_radius;          /* [m] over the groove of that tap */
+    double volume;                 /* [m³] of bone that the groove has taken */
+    double slip_from, slip_step;   /* [m] of z: where the first bin of slip begins, and the length of each, > 0 */
+    double slip[KERF_THREAD_BINS]; /* [m] by which bone has given way there along z, >= 0 */
+    int32_t body;                  /* whose bone it is in */
+    uint32_t number; /* the host's, of a thread that it answered; KERF_NEW_THREAD of one that it does not know */
+} kerf_thread;
+#define KERF_NEW_THREAD 0xffffffffu
+
 typedef struct kerf_bone_query {
     uint32_t size;
     uint32_t tissue_count;
@@ -179,6 +201,9 @@ typedef struct kerf_bone_query {
                    uint32_t direction_count, kerf_bone_sample* out);
     /* Returns distance and normal of the present surface at contact points. [haptic, nonblocking] */
     void (*nearest)(const kerf_bone* bone, const kerf_vec3* points, uint32_t count, kerf_surface_point* out);
+    /* Returns how many threads there are in bodies near the tool, and writes the first `capacity` of them. Null: there
+       are none. [haptic, nonblocking] */
+    uint32_t (*threads)(const kerf_bone* bone, kerf_thread* out, uint32_t capacity);
     const kerf_bone* bone;
 } kerf_bone_query;
 
@@ -246,11 +271,15 @@ typedef struct kerf_advance {
     const unsigned char* note; /* that law's note; null when no law was evaluated */
 } kerf_advance;
 
-/*   cut      removes what the tool sweeps in this tick
+/*   cut      removes what the tool sweeps in this tick; `value` 1: at once all that the cylinder over its thread holds
+ *            where the tool stands, as of a thread that is stripped
  *   hold     makes body `value` rigid to the tool: it moves with it, and other bodies stop it
  *   release  lets go of what is held
  *   event    reports number `value` of the law's declared events */
 enum { KERF_ACTION_CUT = 1, KERF_ACTION_HOLD = 2, KERF_ACTION_RELEASE = 3, KERF_ACTION_EVENT = 4 };
+
+/* What a cut removes. */
+enum { KERF_CUT_REGION = 0, KERF_CUT_THREAD = 1 };
 
 typedef struct kerf_action {
     uint32_t kind;
@@ -261,7 +290,11 @@ typedef struct kerf_commit_out {
     uint32_t size;
     uint32_t action_count; /* out, ≤ KERF_MAX_ACTIONS */
     kerf_action* action;
-    double* signal; /* out, declared order */
+    double* signal;      /* out, declared order */
+    kerf_thread* thread; /* out: in the tool's frame before the motion; null: none is kept */
+    uint32_t
+        thread_count; /* out: 1: the law has cut a new thread, or changed the one that is numbered so; 0: neither */
+    uint32_t reserved;
 } kerf_commit_out;
 
 enum { KERF_NEED_PARAM = 1, KERF_NEED_DRIVE = 2 };
@@ -336,7 +369,7 @@ typedef struct kerf_component {
 /* Sizes of all structs that cross the boundary, so that the loader can name one that differs. */
 typedef struct kerf_layout {
     uint32_t param, drive, signal, event, solid, tool_shape, tool, bone_sample, surface_point, bone_query, channel, law,
-        tick_in, advance, action, commit_out, force, component, feature, need;
+        tick_in, advance, action, commit_out, force, component, feature, need, thread;
 } kerf_layout;
 
 #define KERF_LAYOUT_INIT                                                                                      \
@@ -345,7 +378,7 @@ typedef struct kerf_layout {
             sizeof(kerf_tool_shape), sizeof(kerf_tool), sizeof(kerf_bone_sample), sizeof(kerf_surface_point), \
             sizeof(kerf_bone_query), sizeof(kerf_channel), sizeof(kerf_law), sizeof(kerf_tick_in),            \
             sizeof(kerf_advance), sizeof(kerf_action), sizeof(kerf_commit_out), sizeof(kerf_force),           \
-            sizeof(kerf_component), sizeof(kerf_feature), sizeof(kerf_need)                                   \
+            sizeof(kerf_component), sizeof(kerf_feature), sizeof(kerf_need), sizeof(kerf_thread)              \
     }
 
 typedef struct kerf_entry {

@@ -57,6 +57,12 @@ public:
         query_->nearest(query_->bone, &point, 1, &out);
         return out;
     }
+    /// Writes the threads in bodies near the tool. Returns how many were written.
+    std::size_t threads(std::span<kerf_thread> out) const noexcept {
+        if (query_->threads == nullptr) return 0;
+        const auto capacity = static_cast<std::uint32_t>(out.size());
+        return std::min(query_->threads(query_->bone, out.data(), capacity), capacity);
+    }
     [[nodiscard]] std::uint32_t tissue_count() const noexcept { return query_->tissue_count; }
     /// [m] distances are known this far on either side of a surface.
     [[nodiscard]] double reach() const noexcept { return query_->reach; }
@@ -249,9 +255,18 @@ struct Noted : Advance {
 /// What a law does to the world.
 class Actions {
 public:
-    explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = 0; }
+    explicit Actions(kerf_commit_out& out) : out_(&out) { out.action_count = out.thread_count = 0; }
     /// Removes what the cutting part of the tool sweeps in this tick.
-    void cut() noexcept { add(KERF_ACTION_CUT); }
+    void cut() noexcept { add(KERF_ACTION_CUT, KERF_CUT_REGION); }
+    /// Removes all that the cylinder over the tool's thread holds: bone whose thread is stripped.
+    void cut_thread() noexcept { add(KERF_ACTION_CUT, KERF_CUT_THREAD); }
+    /// Leaves a thread in bone, or changes one that the bone answered.
+    /// @param thread  as `BoneQuery::threads` gave it, or with `KERF_NEW_THREAD`
+    void leave(const kerf_thread& thread) noexcept {
+        if (out_->thread == nullptr) return;
+        *out_->thread = thread;
+        out_->thread_count = 1;
+    }
     /// Makes a body rigid to the tool.
     /// @param body  as the bone's answers name it
     void hold(std::int32_t body) noexcept { add(KERF_ACTION_HOLD, static_cast<std::uint32_t>(body)); }

@@ -72,9 +72,18 @@ public:
         weight_ = weight;
         return *this;
     }
-    /// It stays in bone when its driver leaves. Its thread, over what cuts, has this radius [m] over the crests.
-    constexpr Outline& stays(double thread_radius) noexcept {
-        thread_radius_ = thread_radius;
+    struct Thread {
+        double radius;  ///< [m] over the crests
+        double lead;    ///< [m] in one turn
+    };
+    /// What cuts has a thread around it.
+    constexpr Outline& threaded(Thread thread) noexcept {
+        thread_ = thread;
+        return *this;
+    }
+    /// All that is listed so far stays in bone when its driver leaves: an implant.
+    constexpr Outline& stays() noexcept {
+        stay_ = count_;
         return *this;
     }
     [[nodiscard]] constexpr const kerf_profile_point& last() const noexcept { return point_[count_ - 1]; }
@@ -99,7 +108,9 @@ public:
         out.mass = weight_.mass;
         out.centre_z = weight_.centre_z;
         out.gyration = weight_.gyration;
-        out.thread_radius = thread_radius_;
+        out.thread_radius = thread_.radius;
+        out.thread_lead = thread_.lead;
+        out.stay_count = static_cast<std::uint32_t>(stay_);
         return KERF_OK;
     }
 
@@ -110,9 +121,10 @@ private:
     friend Outline refuse(const Pieces&... pieces) noexcept;
 
     std::array<kerf_profile_point, capacity> point_{};
-    std::size_t count_ = 0, cutting_ = 0;
+    std::size_t count_ = 0, cutting_ = 0, stay_ = 0;
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
-    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0, thread_radius_ = 0.0;
+    double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
+    Thread thread_{};
     Weight weight_{};
     Bending bending_{};
     std::array<char, sizeof(kerf_tool_shape::refusal)> refusal_{};
