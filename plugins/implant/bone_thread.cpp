@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bone_thread.h"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 
 #include "kerf/edge_law.hpp"
+#include "thread_grip.h"
 
 namespace kerf::implant {
 
@@ -16,39 +18,66 @@ ThreadPlaces::ThreadPlaces(const ScrewThread& thread) noexcept {
         const double z = pieces[i].place.z, length = pieces[i].length;
         place[n] = pieces[i].place;
         radius[n] = thread.mean_radius(z);
+        outer[n] = 0.5 * thread.outer_at(z);
+        core[n] = 0.5 * thread.core_at(z);
         on_flank[n] = thread.flank_contact(z) * length;
         on_core[n] = thread.core_contact(z) * length;
-        sheared[n] = pi * thread.outer * thread.shape_factor(z) * length;
+        sheared[n] = pi * thread.outer_at(z) * thread.shape_factor(z) * length;
+        across[n] = pi * (outer[n] * outer[n] - core[n] * core[n]) * length / thread.pitch;
         grip[n] = length;
         // Just outside: what the core itself has removed ends there.
         constexpr double beside = 0.2e-3;  // [m]
-        const double share = (0.5 * thread.core_at(z) + beside) / radius[n];
+        const double share = (core[n] + beside) / radius[n];
         place[static_cast<std::size_t>(count) + n] = {share * pieces[i].place.x, share * pieces[i].place.y, z};
     }
 }
 
-BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ScrewParameters& law,
-                       const BoneQuery& bone) noexcept {
+BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track,
+                       const ScrewParameters& law, const BoneQuery& bone) noexcept {
     const auto count = static_cast<std::size_t>(places.count);
     std::array<kerf_bone_sample, 2 * most_pieces> found;
     bone.sample(std::span<const Vec3>(places.place.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
-    double flutes = 0.0;
+    double flutes = 0.0, first_quarter = 0.0, whole = 0.0, square = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double m = resistance(found[i], bone.tissue_count(), reference_density);
-        if (-places.place[i].z <= thread.cone() + thread.flute_length) {
+        const double m = resistance(found[i], bone.tissue_count(), reference_density), z = places.place[i].z;
+        if (-z <= thread.cone() + thread.flute_length) {
             front += m;
             flutes += 1.0;
         }
+        if (z >= thread.first_crest() - 0.25 * thread.lead()) {
+            front_in_bone += found[i].engagement;
+            first_quarter += 1.0;
+        }
         const double on_core = resistance(found[count + i], bone.tissue_count(), reference_density);
+        const double depth = track.depth_of(places.place[i]);
+        const bool is_cut = track.is_cut_at(depth);
+        const double relieved = 1.0 - law.tapped_relief * track.share_tapped(depth, places.outer[i], places.core[i]);
         // All of it at the thread's radius, as the torque of foam goes with it [weidling-2022].
-        rubbing +=
-            law.friction * law.compaction * places.radius[i] * (m * places.on_flank[i] + on_core * places.on_core[i]);
+        rubbing += relieved * law.friction * law.compaction * places.radius[i] *
+                   (m * places.on_flank[i] + on_core * places.on_core[i]);
         if (m <= 0.0) continue;
-        strength += law.shear * m * places.sheared[i];
-        stiffness += 1e3 * law.grip_stiffness * m * places.grip[i];  // of 1 mm, for each metre
         engaged += found[i].engagement * places.grip[i];
+        if (found[i].body >= 0) body = found[i].body;
+        if (!is_cut) {
+            blocked += law.crush * m * places.across[i];
+            continue;
+        }
+        const double strong = law.shear * m * places.sheared[i],
+                     stiff = 1e3 * law.grip_stiffness * m * places.grip[i];  // of 1 mm, for each metre
+        whole += strong;
+        strength += strong * strength_left(track.slip_at(depth), law.yield_share, law.yield_slip, law.strip_slip);
+        stiffness += stiff;
+        pressed += law.crush * m * 2.0 * places.outer[i] * places.grip[i];
+        middle += stiff * z;
+        square += stiff * z * z;
     }
     if (flutes > 0.0) front /= flutes;
+    if (first_quarter > 0.0) front_in_bone /= first_quarter;
+    if (whole > 0.0) left = strength / whole;
+    if (stiffness > 0.0) {
+        middle /= stiffness;
+        spread = std::sqrt(std::max(0.0, square / stiffness - middle * middle));
+    }
 }
 
 }  // namespace kerf::implant

@@ -6,6 +6,7 @@
 #include "kerf/plugin.hpp"
 #include "screw_parameters.h"
 #include "screw_thread.h"
+#include "thread_track.h"
 
 namespace kerf::implant {
 
@@ -16,7 +17,10 @@ struct ThreadPlaces {
     std::array<double, most_pieces> on_flank;  ///< [m²] of each, on which bone presses
     std::array<double, most_pieces> on_core;   ///< the same of the core
     std::array<double, most_pieces> radius;    ///< [m] in the middle of its flank
+    std::array<double, most_pieces> outer;     ///< [m] radius over its crest
+    std::array<double, most_pieces> core;      ///< [m] radius of the core there
     std::array<double, most_pieces> sheared;   ///< [m²] of each, that shears when it strips
+    std::array<double, most_pieces> across;    ///< [m²] of its crest, seen along the shaft
     std::array<double, most_pieces> grip;      ///< [m] along the shaft
 
     ThreadPlaces() = default;
@@ -25,14 +29,21 @@ struct ThreadPlaces {
 
 /// What the bone around a thread does to it.
 struct BoneThread {
-    double rubbing = 0.0;    ///< [N·m] torque of the bone that presses on it
-    double strength = 0.0;   ///< [N] along the shaft before it slips, at its full strength
-    double stiffness = 0.0;  ///< [N/m] along the shaft
-    double engaged = 0.0;    ///< [m] of thread in bone
-    double front = 0.0;      ///< [–] resistance of the bone at the flutes, in dense bone
+    double rubbing = 0.0;        ///< [N·m] torque of the bone that presses on it
+    double strength = 0.0;       ///< [N] along the shaft before it slips, as far as it has not slipped yet
+    double stiffness = 0.0;      ///< [N/m] along the shaft
+    double engaged = 0.0;        ///< [m] of thread in bone
+    double front = 0.0;          ///< [–] resistance of the bone at the flutes, in dense bone
+    double front_in_bone = 0.0;  ///< [–] of the thread's first quarter of a turn
+    double left = 1.0;           ///< [–] of its strength
+    double blocked = 0.0;        ///< [N] along the shaft at which crests are pushed through bone without a groove
+    double pressed = 0.0;        ///< [N] across the shaft at which it presses its way through bone
+    double middle = 0.0;         ///< [m] of z, the middle of what grips
+    double spread = 0.0;         ///< [m] of what grips about there, root of the mean square
+    std::int32_t body = -1;      ///< whose bone it is in
 
-    BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ScrewParameters& law,
-               const BoneQuery& bone) noexcept;
+    BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track,
+               const ScrewParameters& law, const BoneQuery& bone) noexcept;
 };
 
 }  // namespace kerf::implant

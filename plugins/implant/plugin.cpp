@@ -3,4 +3,5 @@
 
 #include "screw_force.h"
 
-KERF_PLUGIN("kerf.implant", "0.1.0", "Apache-2.0", kerf::implant::PedicleScrew, kerf::implant::ScrewInsertion)
+KERF_PLUGIN("kerf.implant", "0.2.0", "Apache-2.0", kerf::implant::PedicleScrew, kerf::implant::BoneScrew,
+            kerf::implant::DentalImplant, kerf::implant::Tap, kerf::implant::ScrewInsertion)

@@ -21,7 +21,7 @@ Vec3 at(double radius, double z, std::size_t i, std::size_t of) noexcept {
 
 }  // namespace
 
-ScrewContact::ScrewContact(const ScrewThread& thread) noexcept {
+ScrewContact::ScrewContact(const ScrewThread& thread) noexcept : has_head(thread.head > 0.0) {
     const double low = -thread.core_at_tip, high = -std::min(0.5 * thread.length, low + 0.4 * thread.length);
     for (std::size_t i = 0; i < ways; ++i) {
         wall[i] = at(0.5 * thread.core_at(low), low, i, ways);
@@ -33,7 +33,7 @@ ScrewContact::ScrewContact(const ScrewThread& thread) noexcept {
     for (std::size_t i = 0; i < around; ++i) {  // the middle of the cone's rest
         tip[i + 1] = at(0.75 * radius, -1.5 * radius, i, around);
         tip_area[i + 1] = 0.75 * area / around;
-        seat[i] = at(0.25 * (thread.outer + thread.head), -thread.length, i, around);
+        seat[i] = at(0.25 * (thread.outer + thread.head), -thread.seat, i, around);
     }
 }
 
@@ -51,19 +51,58 @@ void ScrewContact::add_to(Channels& channels, const ScrewParameters& law, const 
         channels.cut(
             {.id = id_tip, .along = {0, 0, 1}, .edge_force = crushed, .onset = 1e-5, .slope = 0.0, .gap = gap});
 
-    std::array<kerf_surface_point, levels * ways> walls;
-    bone.nearest(wall, walls);
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        const Vec3 out = normalized(Vec3{wall[i].x, wall[i].y, 0.0});
-        const double faces = -dot(Vec3{walls[i].normal.x, walls[i].normal.y, walls[i].normal.z}, out);
-        if (walls[i].body < 0 || faces <= 0.0 || walls[i].distance > soon) continue;
-        channels.contact({.id = id_wall + static_cast<std::uint32_t>(i),
-                          .at = wall[i],
-                          .along = out,
-                          .stiffness = law.wall_stiffness * faces * faces,
-                          .depth = -walls[i].distance / std::max(faces, 0.1)});
-    }
+    add_walls(channels, law, bone);
+    if (has_head) add_seat(channels, law, bone);
+}
 
+namespace {
+
+/// A wall that one place of the core may touch.
+struct Wall {
+    double stiffness = 0.0;  ///< [N/m]; 0: there is none
+    double depth = 0.0;      ///< [m]
+};
+
+Wall wall_at(const kerf_surface_point& found, Vec3 place, double stiffness) noexcept {
+    const Vec3 out = normalized(Vec3{place.x, place.y, 0.0});
+    const double faces = -dot(Vec3{found.normal.x, found.normal.y, found.normal.z}, out);
+    if (found.body < 0 || faces <= 0.0 || found.distance > soon) return {};
+    return {stiffness * faces * faces, -found.distance / std::max(faces, 0.1)};
+}
+
+}  // namespace
+
+/// One channel for two opposite places: a core that is wider than its hole rests between them.
+void ScrewContact::add_walls(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept {
+    std::array<kerf_surface_point, levels * ways> found;
+    bone.nearest(wall, found);
+    for (std::size_t level = 0; level < levels; ++level)
+        for (std::size_t way = 0; way < ways / 2; ++way) {
+            const std::size_t i = level * ways + way, j = i + ways / 2;
+            const Wall ahead = wall_at(found[i], wall[i], law.wall_stiffness),
+                       behind = wall_at(found[j], wall[j], law.wall_stiffness);
+            const auto id = id_wall + static_cast<std::uint32_t>(i);
+            const Vec3 out = normalized(Vec3{wall[i].x, wall[i].y, 0.0});
+            const double both = ahead.stiffness + behind.stiffness;
+            if (both <= 0.0) continue;
+            if (ahead.stiffness > 0.0 && behind.stiffness > 0.0 && ahead.depth > 0.0 && behind.depth > 0.0)
+                channels.hold({.id = id,
+                               .d = rate_at(wall[i], out),
+                               .stiffness = both,
+                               .stretch = (ahead.stiffness * ahead.depth - behind.stiffness * behind.depth) / both});
+            else if (behind.stiffness <= 0.0 || (ahead.stiffness > 0.0 && ahead.depth >= behind.depth))
+                channels.contact(
+                    {.id = id, .at = wall[i], .along = out, .stiffness = ahead.stiffness, .depth = ahead.depth});
+            else
+                channels.contact({.id = id + static_cast<std::uint32_t>(ways / 2),
+                                  .at = wall[j],
+                                  .along = -out,
+                                  .stiffness = behind.stiffness,
+                                  .depth = behind.depth});
+        }
+}
+
+void ScrewContact::add_seat(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept {
     std::array<kerf_surface_point, around> seats;
     bone.nearest(seat, seats);
     double deepest = -soon, share = 0.0;

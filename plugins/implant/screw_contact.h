@@ -13,10 +13,11 @@ namespace kerf::implant {
 /// How the core lies in its hole, the tip beside it, and the head on its seat.
 struct ScrewContact {
     static constexpr std::size_t levels = 2, ways = 4, around = 8;
-    std::array<Vec3, levels * ways> wall;     ///< places of the core
+    std::array<Vec3, levels * ways> wall;     ///< places of the core, at each level +x, +y, -x, -y
     std::array<Vec3, around + 1> tip;         ///< its centre and its rim
     std::array<double, around + 1> tip_area;  ///< [m²] that each stands for
     std::array<Vec3, around> seat;            ///< under the head
+    bool has_head = false;
 
     ScrewContact() = default;
     explicit ScrewContact(const ScrewThread& thread) noexcept;
@@ -24,6 +25,10 @@ struct ScrewContact {
     static constexpr std::uint32_t id_tip = 10, id_seat = 11, id_wall = 20;
     /// Adds the channels of walls, tip and seat.
     void add_to(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept;
+
+private:
+    void add_walls(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept;
+    void add_seat(Channels& channels, const ScrewParameters& law, const BoneQuery& bone) const noexcept;
 };
 
 }  // namespace kerf::implant

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bone_screw.h"
 #include "bone_thread.h"
+#include "dental_implant.h"
 #include "kerf/plugin.hpp"
+#include "pedicle_screw.h"
 #include "screw_contact.h"
 #include "screw_parameters.h"
-#include "screw_tool.h"
+#include "tap.h"
 #include "thread_grip.h"
+#include "thread_track.h"
 
-/// What a hand feels through the driver of a screw.
+/// What a hand feels through the driver of a screw, or the handle of a tap.
 namespace kerf::implant {
 
-/// The law of a screw in bone, docs/models/screw.md: a helix that holds until it slips, rubbing thread, flutes that
-/// cut, a core in its hole, a head on its seat.
+using HeldThread = Held<PedicleScrew, BoneScrew, DentalImplant, Tap>;
+
+/// The law of a thread in bone, docs/models/screw.md: a helix that holds until it slips, rubbing thread, flutes that
+/// cut, a core in its hole, a head on its seat. What it leaves in bone is a thread of the bone.
 struct ScrewInsertion : ScrewParameters {
     enum class Phase { in_air, going_in, seated, slipping, stripped, backing_out };
     struct Prepared {
@@ -22,25 +28,30 @@ struct ScrewInsertion : ScrewParameters {
     };
     struct State {
         double angle = 0.0;       ///< [rad] turned since the thread met bone
-        double front = 0.0;       ///< [rad] the largest of it: up to there the groove is cut
+        double front = 0.0;       ///< [rad] the largest of it
         double torque = 0.0;      ///< [N·m] of the bone, against the turn, in the last tick
         double seat_force = 0.0;  ///< [N] under the head in the last tick
         double seated_at = 0.0;   ///< [rad] the angle at which the head seated
-        ThreadGrip grip;
-        BesideHole beside;        ///< while it is out of bone
+        double stretch = 0.0;     ///< [m] elastic, of the thread against bone along the shaft
+        double slip = 0.0;        ///< [m] plastic, of this tool, either way
         double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
         Phase phase = Phase::in_air;
+        bool is_crossed = false;  ///< said already
         Prepared prepared;
     };
     struct Notes {
         double strength = 0.0, stiffness = 0.0;  ///< of the bone's thread [N], [N/m]
         double engaged = 0.0;                    ///< [m]
+        double middle = 0.0, across = 0.0;       ///< [m], [N]: where the bone holds it sideways, and how strongly
+        float left = 1.0f, front = 0.0f;         ///< [–] of its strength, of its first crest in bone
+        float spread = 0.0f;                     ///< [m] along the shaft of what holds it sideways
+        std::int32_t body = -1;
     };
     struct Signals {
         double torque = 0.0, turned = 0.0, engaged = 0.0, clamp = 0.0, slip = 0.0, pull_out = 0.0;
     };
-    /// In the order of the phases, without air.
-    enum class Happened { going_in, head_contact, yield, stripped, backing_out };
+    /// In the order of the phases, without air; then the others.
+    enum class Happened { going_in, head_contact, yield, stripped, backing_out, cross_threaded };
 
     static constexpr auto about() {
         return describe(
@@ -61,18 +72,23 @@ struct ScrewInsertion : ScrewParameters {
             event(Happened::yield, {.id = "implant.yield", .help = "The thread begins to slip in bone."}),
             event(Happened::stripped,
                   {.id = "implant.stripped", .help = "The thread of the bone is stripped.", .is_damage = true}),
-            event(Happened::backing_out, {.id = "implant.backing_out", .help = "The screw is turned out."}));
+            event(Happened::backing_out, {.id = "implant.backing_out", .help = "The screw is turned out."}),
+            event(Happened::cross_threaded, {.id = "implant.cross_threaded",
+                                             .help = "The thread crosses one of another lead.",
+                                             .is_damage = true}));
     }
 
-    void begin(const Held<PedicleScrew>& screw, const BoneQuery& bone, State& state) const noexcept;
-    [[nodiscard]] Notes resist(const Held<PedicleScrew>& screw, const BoneQuery& bone, const State& state,
+    void begin(const HeldThread& tool, const BoneQuery& bone, State& state) const noexcept;
+    [[nodiscard]] Notes resist(const HeldThread& tool, const BoneQuery& bone, const State& state,
                                Channels& channels) const noexcept;
-    void commit(const Held<PedicleScrew>& screw, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
+    void commit(const HeldThread& tool, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
                 Signals& signals, Actions& actions) const noexcept;
 
-    [[nodiscard]] double left_of(const ThreadGrip& grip) const noexcept {
-        return strength_left(grip.slip, yield_share, yield_slip, strip_slip);
-    }
+private:
+    void add_track(const ThreadTrack& track, const BoneThread& found, Channels& channels) const noexcept;
+    /// Moves the tool in the thread, which goes on where it turns into new bone.
+    void turn_in(const Noted<Notes>& advance, double dt, ThreadTrack& track, State& state) const noexcept;
+    void change_phase(const Noted<Notes>& advance, State& state, Actions& actions) const noexcept;
 };
 
 }  // namespace kerf::implant

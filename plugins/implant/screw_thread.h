@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "kerf/exact_math.hpp"
 #include "kerf/math.hpp"
@@ -12,16 +13,19 @@
 namespace kerf::implant {
 
 struct ScrewThread {
-    double outer;         ///< [m] diameter over the crests
-    double core;          ///< [m] diameter of the core where the thread ends, towards the head
-    double core_at_tip;   ///< [m] the same at the tip
-    double pitch;         ///< [m] from crest to crest
-    double starts;        ///< [–] threads beside each other
-    double length;        ///< [m] of the thread from the tip
-    double flank_angle;   ///< [rad] of a flank to the plane across the shaft
-    double flutes;        ///< [–] cutting edges at the tip
-    double flute_length;  ///< [m] over which they cut
-    double head;          ///< [m] diameter of the head's seat
+    double outer;          ///< [m] diameter over the crests, towards the head
+    double outer_at_tip;   ///< [m] the same at the tip
+    double core;           ///< [m] diameter of the core where the thread ends, towards the head
+    double core_at_tip;    ///< [m] the same at the tip
+    double pitch;          ///< [m] from crest to crest
+    double starts;         ///< [–] threads beside each other
+    double length;         ///< [m] of the thread from the tip
+    double flank_angle;    ///< [rad] of a flank to the plane across the shaft
+    double flutes;         ///< [–] cutting edges at the tip
+    double flute_length;   ///< [m] over which they cut
+    double head;           ///< [m] diameter of the head's seat; 0: it has none
+    double seat;           ///< [m] of the head, from the tip
+    bool takes_chips_out;  ///< a tap
 
     /// [m] of the tip's cone, which bears no thread.
     [[nodiscard]] double cone() const noexcept { return core_at_tip; }
@@ -29,12 +33,16 @@ struct ScrewThread {
     /// [m] along the shaft for one radian.
     [[nodiscard]] double advance() const noexcept { return lead() / (2.0 * pi); }
     [[nodiscard]] double core_at(double z) const noexcept {  ///< [m] diameter at z ≤ 0
-        const double share = length > 0.0 ? std::min(1.0, std::max(0.0, -z / length)) : 1.0;
-        return core_at_tip + (core - core_at_tip) * share;
+        return core_at_tip + (core - core_at_tip) * share_at(z);
+    }
+    [[nodiscard]] double outer_at(double z) const noexcept {  ///< [m] diameter over the crests at z ≤ 0
+        return outer_at_tip + (outer - outer_at_tip) * share_at(z);
     }
     /// [m] radius in the middle of a flank at z ≤ 0.
-    [[nodiscard]] double mean_radius(double z) const noexcept { return 0.25 * (outer + core_at(z)); }
-    [[nodiscard]] double depth(double z) const noexcept { return 0.5 * (outer - core_at(z)); }  ///< [m] of the thread
+    [[nodiscard]] double mean_radius(double z) const noexcept { return 0.25 * (outer_at(z) + core_at(z)); }
+    [[nodiscard]] double depth(double z) const noexcept {
+        return 0.5 * (outer_at(z) - core_at(z));
+    }  ///< [m] of the thread
     /// Area on which bone presses, per length along the shaft [m²/m]: of the core, and of the thread the side that
     /// carries,
     ///
@@ -44,8 +52,8 @@ struct ScrewThread {
     /// less than the others.
     [[nodiscard]] double core_contact(double z) const noexcept { return pi * core_at(z); }
     [[nodiscard]] double flank_contact(double z) const noexcept {
-        const double c = core_at(z);
-        return 0.25 * pi * (outer * outer - c * c) / pitch;
+        const double o = outer_at(z), c = core_at(z);
+        return 0.25 * pi * (o * o - c * c) / pitch;
     }
     /// Share of the cylinder over the crests that shears when the thread strips [–]: 0.5 + 0.57735 d_t/P.
     /// Source: [chapman-1996].
@@ -54,6 +62,19 @@ struct ScrewThread {
     [[nodiscard]] double groove_area(double z) const noexcept {
         const SinCos flank = sin_cos_exact(flank_angle);
         return depth(z) * depth(z) * flank.sin / flank.cos;
+    }
+    /// Bone that its grooves take, per length along the shaft [m²].
+    [[nodiscard]] double groove_volume(double z) const noexcept {
+        const double around = 2.0 * pi * mean_radius(z);
+        return starts * groove_area(z) * std::sqrt(around * around + lead() * lead()) / lead();
+    }
+    /// Where the first crest is, along the shaft from the tip [m].
+    [[nodiscard]] double first_crest() const noexcept { return -cone(); }
+
+private:
+    /// How far from the tip to the thread's end [–].
+    [[nodiscard]] double share_at(double z) const noexcept {
+        return length > 0.0 ? std::min(1.0, std::max(0.0, -z / length)) : 1.0;
     }
 };
 

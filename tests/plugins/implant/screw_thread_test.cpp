@@ -16,6 +16,7 @@ using namespace literals;
 
 ScrewThread thread() {
     return {.outer = 6.5_mm,
+            .outer_at_tip = 6.5_mm,
             .core = 4.5_mm,
             .core_at_tip = 3.0_mm,
             .pitch = 3.0_mm,
@@ -24,7 +25,9 @@ ScrewThread thread() {
             .flank_angle = 15.0_deg,
             .flutes = 2.0,
             .flute_length = 6.0_mm,
-            .head = 10.0_mm};
+            .head = 10.0_mm,
+            .seat = 45.0_mm,
+            .takes_chips_out = false};
 }
 
 TEST(ScrewThread, GoesItsLeadInATurn) {
@@ -72,16 +75,16 @@ TEST(ScrewThread, HasTheContactThatWasMeasured) {
 }
 
 TEST(ThreadGrip, StretchesAndThenSlips) {
-    ThreadGrip grip;
-    grip.move(0.1_mm, 1e6, 500.0);
-    EXPECT_DOUBLE_EQ(grip.stretch, 0.1_mm);
-    EXPECT_EQ(grip.slip, 0.0);
-    grip.move(0.9_mm, 1e6, 500.0);  // 500 N stretch 0.5 mm
-    EXPECT_DOUBLE_EQ(grip.stretch, 0.5_mm);
-    EXPECT_DOUBLE_EQ(grip.slip, 0.5_mm);
-    grip.move(-1.5_mm, 1e6, 500.0);
-    EXPECT_DOUBLE_EQ(grip.stretch, -0.5_mm) << "the other way";
-    EXPECT_DOUBLE_EQ(grip.slip, 1.0_mm);
+    double stretch = 0.1_mm;
+    EXPECT_EQ(give_way(stretch, 1e6, 500.0), 0.0);
+    EXPECT_DOUBLE_EQ(stretch, 0.1_mm);
+    stretch = 1.0_mm;  // 500 N stretch 0.5 mm
+    EXPECT_DOUBLE_EQ(give_way(stretch, 1e6, 500.0), 0.5_mm);
+    EXPECT_DOUBLE_EQ(stretch, 0.5_mm);
+    stretch = -1.0_mm;
+    EXPECT_DOUBLE_EQ(give_way(stretch, 1e6, 500.0), 0.5_mm) << "the other way";
+    EXPECT_DOUBLE_EQ(stretch, -0.5_mm);
+    EXPECT_DOUBLE_EQ(give_way(stretch, 0.0, 0.0), 0.5_mm) << "nothing holds it";
 }
 
 TEST(ThreadGrip, ItsStrengthRisesToFullAndFallsToNothing) {
@@ -94,29 +97,91 @@ TEST(ThreadGrip, ItsStrengthRisesToFullAndFallsToNothing) {
     EXPECT_EQ(left(9.0_mm), 0.0);
 }
 
-TEST(BesideHole, IsElsewhereAsideOrTilted) {
-    BesideHole beside;
-    beside.move({1e-3, 0, -1.0, 0, 0, 5.0}, 1.0);
-    EXPECT_FALSE(beside.is_elsewhere(3.0_mm)) << "along and about its shaft it stays over its hole";
-    beside.move({3e-3, 0, 0, 0, 0, 0}, 1.0);
-    EXPECT_TRUE(beside.is_elsewhere(3.0_mm));
-    BesideHole tilted;
-    tilted.move({0, 0, 0, 0.3, 0, 0}, 1.0);
-    EXPECT_TRUE(tilted.is_elsewhere(3.0_mm));
+/// A bone of nothing but threads.
+struct Threads {
+    std::vector<kerf_thread> all;
+
+    [[nodiscard]] ThreadTrack found(const ScrewThread& tool) const {
+        kerf_bone_query query{};
+        query.bone = reinterpret_cast<const kerf_bone*>(this);
+        query.threads = [](const kerf_bone* bone, kerf_thread* out, std::uint32_t capacity) {
+            const auto& threads = reinterpret_cast<const Threads*>(bone)->all;
+            std::copy_n(threads.begin(), std::min<std::size_t>(threads.size(), capacity), out);
+            return static_cast<std::uint32_t>(threads.size());
+        };
+        return ThreadTrack::found(BoneQuery(query), tool);
+    }
+};
+
+/// Cut from the first crest on, 20 mm deep. The tool stands where it began.
+kerf_thread groove(const ScrewThread& tool) {
+    kerf_thread t = ThreadTrack::begun(tool, 0).thread();
+    t.to = t.from + 20.0_mm;
+    t.number = 0;
+    return t;
 }
 
-TEST(PedicleScrew, RefusesWhatCannotBeMade) {
-    const auto refusal = [](const std::map<std::string, double>& set) {
-        ToolOutline outline;
-        std::string error;
-        return outline_of(test::screw(set), outline, error) ? std::string() : error;
+TEST(ThreadTrack, IsFoundByItsLeadItsPlaceAndItsAxis) {
+    const auto is_found = [](const Pose& moved, double lead) {
+        kerf_thread t = groove(thread());
+        t.tool_from_thread = moved;
+        t.lead = lead;
+        return Threads{{t}}.found(thread()).is_there();
     };
-    EXPECT_EQ(refusal({}), "");
-    EXPECT_NE(refusal({{"core_diameter", 7.0_mm}}).find("`core_diameter` is 7 mm; it needs less than `outer_diameter`"),
-              std::string::npos);
-    EXPECT_NE(refusal({{"tip_core_diameter", 5.0_mm}}).find("`tip_core_diameter` is 5 mm"), std::string::npos);
-    EXPECT_NE(refusal({{"head_diameter", 6.0_mm}}).find("could not seat"), std::string::npos);
-    EXPECT_NE(refusal({{"thread_length", 7.0_mm}}).find("two turns"), std::string::npos);
+    EXPECT_FALSE(Threads{}.found(thread()).is_there());
+    EXPECT_TRUE(is_found(identity_pose(), 3.0_mm));
+    EXPECT_FALSE(is_found(identity_pose(), 2.75_mm)) << "of another lead";
+    EXPECT_TRUE(is_found({{1.0_mm, 0, 0}, {1, 0, 0, 0}}, 3.0_mm));
+    EXPECT_FALSE(is_found({{2.5_mm, 0, 0}, {1, 0, 0, 0}}, 3.0_mm)) << "beside it";
+    EXPECT_TRUE(is_found({{}, quat_from_rotation_vector({5.0_deg, 0, 0})}, 3.0_mm));
+    EXPECT_FALSE(is_found({{}, quat_from_rotation_vector({15.0_deg, 0, 0})}, 3.0_mm)) << "askew";
+    EXPECT_TRUE(is_found({{0, 0, 2.5_mm}, {1, 0, 0, 0}}, 3.0_mm)) << "just before it";
+    EXPECT_FALSE(is_found({{0, 0, 4.0_mm}, {1, 0, 0, 0}}, 3.0_mm)) << "not there yet";
+}
+
+TEST(ThreadTrack, OfAnotherLeadIsCrossed) {
+    kerf_thread t = groove(thread());
+    t.lead = 2.0_mm;
+    t.tool_from_thread.position.z = -5.0_mm;  // the tool is 5 mm deep in it
+    EXPECT_TRUE(Threads{{t}}.found(thread()).is_crossed());
+    t.lead = thread().lead();
+    EXPECT_FALSE(Threads{{t}}.found(thread()).is_crossed());
+}
+
+TEST(ThreadTrack, SlipsInItsBinsAlone) {
+    ThreadTrack track = ThreadTrack::begun(thread(), 0);
+    const double from = track.thread().from;
+    track.add_slip(from + 10.0_mm, from + 20.0_mm, 0.3_mm);
+    EXPECT_EQ(track.slip_at(from + 5.0_mm), 0.0);
+    EXPECT_DOUBLE_EQ(track.slip_at(from + 15.0_mm), 0.3_mm);
+    EXPECT_EQ(track.slip_at(from + 30.0_mm), 0.0);
+    EXPECT_DOUBLE_EQ(track.slip_at(1.0), 0.0) << "far behind its end: the last bin";
+}
+
+TEST(ThreadTrack, SaysHowTheToolLiesToIt) {
+    kerf_thread t = groove(thread());
+    t.tool_from_thread = {{0.2_mm, -0.1_mm, 0}, quat_from_rotation_vector({0.01, 0, 0})};
+    ThreadTrack track = Threads{{t}}.found(thread());
+    EXPECT_NEAR(track.askew().x, -0.01, 1e-5) << "the thread is turned about +x, so the tool is about −x";
+    EXPECT_NEAR(track.beside(0.0).x, -0.2_mm, 1e-9);
+    EXPECT_NEAR(track.beside(0.0).y, 0.1_mm, 1e-9);
+    EXPECT_NEAR(track.beside(-10.0_mm).y, 0.1_mm - 0.1_mm, 1e-7) << "10 mm × 0.01";
+    const Vec3 beside = track.beside(-10.0_mm), askew = track.askew();
+    track.give_way(beside, askew, -10.0_mm);
+    track = Threads{{track.thread()}}.found(thread());
+    EXPECT_NEAR(length(track.beside(-10.0_mm)), 0.0, 1e-9) << "it gave way by all of it";
+    EXPECT_NEAR(length(track.askew()), 0.0, 1e-4);
+}
+
+TEST(ThreadTrack, KnowsHowMuchATapTook) {
+    kerf_thread t = groove(thread());
+    EXPECT_EQ(Threads{{t}}.found(thread()).share_tapped(t.from, 3.25_mm, 2.25_mm), 0.0) << "no tap was there";
+    t.tapped_to = t.from + 10.0_mm;
+    t.tapped_radius = 2.75_mm;
+    const ThreadTrack track = Threads{{t}}.found(thread());
+    EXPECT_NEAR(track.share_tapped(t.from + 5.0_mm, 3.25_mm, 2.25_mm), 0.5, 1e-12);
+    EXPECT_EQ(track.share_tapped(t.from + 11.0_mm, 3.25_mm, 2.25_mm), 0.0);
+    EXPECT_EQ(track.share_tapped(t.from, 2.5_mm, 2.25_mm), 1.0) << "a wider tap";
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ inline constexpr MeasuredScrew weidling[] = {
 /// 25 mm of thread behind a short tip; nothing is known of its flutes, so it has none.
 inline implant::ScrewThread thread_of(const MeasuredScrew& s) {
     return {.outer = s.outer,
+            .outer_at_tip = s.outer,
             .core = s.core,
             .core_at_tip = s.core,
             .pitch = s.pitch,
@@ -33,7 +34,9 @@ inline implant::ScrewThread thread_of(const MeasuredScrew& s) {
             .flank_angle = 0.26,
             .flutes = 0.0,
             .flute_length = 0.0,
-            .head = 12e-3};
+            .head = 12e-3,
+            .seat = s.core + 25e-3,
+            .takes_chips_out = false};
 }
 
 }  // namespace kerf::test

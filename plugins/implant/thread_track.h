@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "kerf/plugin.hpp"
+#include "screw_thread.h"
+
+namespace kerf::implant {
+
+/// The thread in bone that a tool turns in: one that is there, or the one that it cuts itself. z of the thread's frame
+/// points into the bone.
+class ThreadTrack {
+public:
+    /// Looks for the thread that the tool is in. Returns none where there is none: of another lead, beside the tool or
+    /// askew to it is another thread.
+    [[nodiscard]] static ThreadTrack found(const BoneQuery& bone, const ScrewThread& tool) noexcept;
+    /// One that begins where the tool stands, in a body of the bone.
+    [[nodiscard]] static ThreadTrack begun(const ScrewThread& tool, std::int32_t body) noexcept;
+
+    [[nodiscard]] bool is_there() const noexcept { return is_there_; }
+    /// A thread of another lead runs where the tool is.
+    [[nodiscard]] bool is_crossed() const noexcept { return is_crossed_; }
+    [[nodiscard]] kerf_thread& thread() noexcept { return thread_; }
+    [[nodiscard]] const kerf_thread& thread() const noexcept { return thread_; }
+
+    /// [m] of z of a place of the tool.
+    [[nodiscard]] double depth_of(Vec3 place_in_tool) const noexcept { return (thread_from_tool_ * place_in_tool).z; }
+    /// Whether a crest there runs in a groove.
+    [[nodiscard]] bool is_cut_at(double z) const noexcept {
+        return is_there_ && z <= std::max(thread_.to, thread_.tapped_to);
+    }
+    /// How much of a thread's depth a tap has taken out there [–].
+    [[nodiscard]] double share_tapped(double z, double outer_radius, double core_radius) const noexcept;
+    /// By which bone has given way there [m].
+    [[nodiscard]] double slip_at(double z) const noexcept { return thread_.slip[bin_of(z)]; }
+    void add_slip(double from, double to, double slip) noexcept;  ///< between two depths
+
+    /// How far the tool's axis is beside the thread's at `z` of the tool [m].
+    [[nodiscard]] Vec3 beside(double z) const noexcept;
+    /// By what the tool is turned from the thread's axis [rad], about its x and y.
+    [[nodiscard]] Vec3 askew() const noexcept { return {axis_.y, -axis_.x, 0.0}; }
+    /// The bone gives way: the thread's axis moves by `beside` at `z` of the tool [m], and turns by `askew` [rad].
+    void give_way(Vec3 beside, Vec3 askew, double z) noexcept;
+
+private:
+    explicit ThreadTrack(const kerf_thread& thread) noexcept;
+    ThreadTrack() = default;
+    [[nodiscard]] std::size_t bin_of(double z) const noexcept;
+
+    kerf_thread thread_{};
+    Pose thread_from_tool_ = identity_pose();
+    Vec3 axis_{0, 0, 1};  ///< of the thread, tool frame
+    bool is_there_ = false, is_crossed_ = false;
+};
+
+}  // namespace kerf::implant

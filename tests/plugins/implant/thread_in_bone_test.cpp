@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// A thread stays in bone when the tool that cut it leaves: what a tap, a screw and another screw find there.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/plugins/implant/screw_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using test::at_depth;
+using Parameters = std::map<std::string, double>;
+
+constexpr double fast = 4.0 * pi;  // [rad/s]
+
+Tool tool(const char* id, const Parameters& set) {
+    const ToolSetup setup = test::threaded(id, set);
+    return {setup, test::outline(setup)};
+}
+
+/// Tools in turn at one hole, along its axis.
+class Hole {
+public:
+    Hole(double density, double radius, std::vector<Tool> tools)
+        : body_(test::drilled_block(density, 45.0_mm, radius)),
+          simulation_(body_, std::move(tools), test::gains(), at_depth(-0.5_mm)) {
+        begin();
+    }
+    void take(std::size_t tool) {
+        simulation_.take_tool(tool);
+        begin();
+    }
+    /// Turns by so many turns, along the thread. Returns the largest torque.
+    double turn(double turns) {
+        const ToolOutline& outline = simulation_.outline();
+        const double advance = outline.thread_lead / (2.0 * pi);
+        const int ticks = static_cast<int>(std::ceil(std::abs(turns) * 2.0 * pi / (fast * Simulation::dt)));
+        double most = 0.0;
+        for (int i = 0; i < ticks; ++i) {
+            const double by = 2.0 * pi * turns / ticks;
+            angle_ += by;
+            depth_ += advance * by;
+            Pose pose = at_depth(depth_);
+            pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
+            const TickResult tick = simulation_.tick_direct({pose});
+            for (std::size_t e = 0; e < tick.event_count; ++e) events_.emplace_back(tick.events[e]);
+            most = std::max(most, signals().torque);
+        }
+        return most;
+    }
+    /// Pulls straight, by so much.
+    void pull(double by) {
+        for (double pulled = 0.0; pulled < by; pulled += 10e-6) {
+            depth_ -= 10e-6;
+            Pose pose = at_depth(depth_);
+            pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
+            const TickResult tick = simulation_.tick_direct({pose});
+            for (std::size_t e = 0; e < tick.event_count; ++e) events_.emplace_back(tick.events[e]);
+        }
+    }
+    [[nodiscard]] implant::ScrewInsertion::Signals signals() const {
+        return signals_of<implant::ScrewInsertion>(simulation_.signals());
+    }
+    [[nodiscard]] const BodyThreads& threads() const { return simulation_.threads(); }
+    [[nodiscard]] Simulation& simulation() { return simulation_; }
+    [[nodiscard]] const std::vector<std::string>& events() const { return events_; }
+
+private:
+    /// Puts the tip in, until the first crest is at the face.
+    void begin() {
+        angle_ = 0.0;
+        depth_ = simulation_.setup().tool_parameters[3];  // the tip's cone is as long as its core is wide
+        for (double depth = -0.5_mm; depth < depth_; depth += 20e-6)
+            static_cast<void>(simulation_.tick_direct({at_depth(depth)}));
+    }
+
+    Body body_;
+    Simulation simulation_;
+    double depth_ = 0.0, angle_ = 0.0;
+    std::vector<std::string> events_;
+};
+
+/// The screw of [kuklo-2003], and its taps: cores as wide as the hole.
+const Parameters thoracic = {{"outer_diameter", 5.0_mm},
+                             {"core_diameter", 3.2_mm},
+                             {"tip_core_diameter", 3.2_mm},
+                             {"pitch", 2.5_mm},
+                             {"thread_length", 30.0_mm}};
+
+double torque_after_tap(double tap_diameter) {
+    Parameters tap = thoracic;
+    if (tap_diameter > 0.0) tap["outer_diameter"] = tap_diameter;
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic), tool("tap", tap)});
+    if (tap_diameter > 0.0) {
+        hole.take(1);
+        hole.turn(9.0);
+        hole.turn(-9.5);
+        hole.take(0);
+    }
+    return hole.turn(8.0);
+}
+
+// Kuklo 2003: 0.295 N·m after a tap 1 mm too thin, 0.153 N·m after one as wide as the screw.
+TEST(TappedHole, TakesLessTorqueTheWiderTheTap) {
+    const double none = torque_after_tap(0.0), thin = torque_after_tap(4.0_mm), thick = torque_after_tap(5.0_mm);
+    EXPECT_LT(thin, none);
+    EXPECT_LT(thick, thin);
+    EXPECT_NEAR(thin / thick, 1.93, 0.25);
+}
+
+TEST(TappedHole, IsOneThreadThatTheScrewGoesOnWith) {
+    Parameters tap = thoracic;
+    tap["outer_diameter"] = 4.0_mm;
+    Hole hole(250.0, 1.6_mm, {tool("tap", tap), tool("pedicle_screw", thoracic)});
+    hole.turn(4.0);
+    ASSERT_EQ(hole.threads().count(), 1u);
+    const kerf_thread tapped = hole.threads().thread(0);
+    EXPECT_NEAR(tapped.to - tapped.from, 4.0 * 2.5_mm, 0.2_mm);
+    EXPECT_EQ(tapped.tapped_to, tapped.to);
+    EXPECT_DOUBLE_EQ(tapped.tapped_radius, 2.0_mm);
+    hole.turn(-4.5);
+    hole.take(1);
+    hole.turn(6.0);
+    ASSERT_EQ(hole.threads().count(), 1u) << "no other thread";
+    const kerf_thread& screwed = hole.threads().thread(0);
+    EXPECT_NEAR(screwed.to - screwed.from, 6.0 * 2.5_mm, 0.2_mm);
+    EXPECT_NEAR(screwed.tapped_to, tapped.tapped_to, 1e-9) << "as far as the tap went";
+    EXPECT_DOUBLE_EQ(screwed.radius, 2.5_mm);
+}
+
+// The groove is a triangle, one for each turn: its area × the helix' length.
+TEST(ThreadInBone, CountsTheGrooveApart) {
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
+    hole.turn(6.0);
+    const double depth = 0.9_mm, area = depth * depth * std::tan(15.0_deg), around = 2.0 * pi * 2.05_mm;
+    const double wanted = 6.0 * std::hypot(around, 2.5_mm) * area;
+    EXPECT_NEAR(hole.threads().volume() / wanted, 1.0, 0.05);
+    const double removed = hole.simulation().present().removed();
+    EXPECT_LT(removed, 0.2 * wanted) << "the core runs in its hole, and the field knows of no groove";
+}
+
+TEST(ThreadInBone, PulledStraightStripsAndItsBoneIsCut) {
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
+    hole.turn(6.0);
+    const double before = hole.simulation().present().removed(), strength = hole.signals().pull_out;
+    EXPECT_GT(strength, 50.0);
+    hole.pull(0.4_mm);
+    EXPECT_GT(hole.signals().pull_out, 0.9 * strength) << "it yields, and holds";
+    hole.pull(3.0_mm);
+    EXPECT_EQ(hole.events().back(), "implant.stripped");
+    EXPECT_EQ(hole.signals().pull_out, 0.0);
+    const double ring = pi * (2.5_mm * 2.5_mm - 1.6_mm * 1.6_mm);
+    EXPECT_GT(hole.simulation().present().removed() - before, 0.8 * ring * 12.0_mm) << "what was between the crests";
+}
+
+// The slip is the bone's: another screw in the same hole finds what the first one left.
+TEST(ThreadInBone, HoldsAnotherScrewAsLittleAsTheFirst) {
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic), tool("pedicle_screw", thoracic)});
+    hole.turn(6.0);
+    const double whole = hole.signals().pull_out;
+    hole.pull(1.1_mm);
+    const double left = hole.signals().pull_out / whole;
+    EXPECT_LT(left, 0.8);
+    EXPECT_GT(left, 0.3);
+    hole.turn(-7.0);
+    hole.take(1);
+    hole.turn(6.0);
+    EXPECT_NEAR(hole.signals().pull_out / whole, left, 0.12);
+}
+
+TEST(ThreadInBone, IsCrossedByOneOfAnotherLead) {
+    Parameters tap = thoracic;
+    tap["outer_diameter"] = 4.0_mm;
+    tap["pitch"] = 1.75_mm;
+    Hole hole(250.0, 1.6_mm, {tool("tap", tap), tool("pedicle_screw", thoracic)});
+    hole.turn(6.0);
+    hole.turn(-6.5);
+    hole.take(1);
+    hole.turn(3.0);
+    EXPECT_EQ(std::count(hole.events().begin(), hole.events().end(), "implant.cross_threaded"), 1);
+}
+
+TEST(ThreadInBone, IsNoneWhereAScrewIsOnlyPushed) {
+    Parameters wide = thoracic;
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", wide)});
+    hole.pull(-1.0_mm);
+    for (int i = 0; i < 100; ++i) hole.pull(-0.01_mm);
+    EXPECT_EQ(hole.threads().count(), 0u);
+    EXPECT_EQ(hole.signals().pull_out, 0.0) << "nothing holds it back";
+}
+
+/// How far a screw that is started 6° askew is from the hole's axis after some turns [rad].
+double drift(bool is_tapped) {
+    const Parameters set = {{"outer_diameter", 5.0_mm},
+                            {"core_diameter", 2.8_mm},
+                            {"tip_core_diameter", 2.6_mm},
+                            {"pitch", 2.5_mm},
+                            {"thread_length", 30.0_mm}};
+    Parameters tap = set;
+    tap["outer_diameter"] = 4.5_mm;
+    const Body body = test::drilled_block(250.0, 45.0_mm, 1.6_mm);
+    Simulation simulation(body, {tool("tap", tap), tool("pedicle_screw", set)}, in_hands(test::gains()),
+                          at_depth(-1.0_mm));
+    double depth = -1.0_mm;
+    const auto go = [&](double turns, double tilt) {
+        const int ticks = static_cast<int>(std::abs(turns) * 500.0);
+        for (int i = 1; i <= ticks; ++i) {
+            const double angle = 2.0 * pi * turns * i / ticks;
+            depth += 2.5_mm * turns / ticks;
+            Pose pose = at_depth(depth, tilt);
+            pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle, 2.0 * pi)});
+            static_cast<void>(simulation.tick({pose}));
+        }
+    };
+    // A loose hand: it turns the driver where that stands, and goes with it.
+    const auto follow = [&](double turns) {
+        const int ticks = static_cast<int>(turns * 500.0);
+        const Pose step{{0, 0, 2.5_mm * turns / ticks}, quat_from_rotation_vector({0, 0, 2.0 * pi * turns / ticks})};
+        for (int i = 0; i < ticks; ++i) static_cast<void>(simulation.tick({simulation.world_from_tool() * step}));
+    };
+    const auto push = [&](double to, double tilt) {
+        for (; depth < to; depth += 4e-6) static_cast<void>(simulation.tick({at_depth(depth, tilt)}));
+    };
+    if (is_tapped) {
+        push(2.4_mm, 0.0);
+        go(5.0, 0.0);
+        go(-6.5, 0.0);
+        for (; depth > -2.0_mm; depth -= 10e-6) static_cast<void>(simulation.tick({at_depth(depth)}));
+    }
+    simulation.take_tool(1);
+    depth = -2.0_mm;
+    constexpr double askew = 6.0 * pi / 180.0;
+    push(2.4_mm, askew);
+    follow(4.0);
+    const Vec3 along = rotate(simulation.world_from_tool().rotation, {0, 0, 1});
+    return std::acos(-along.z);
+}
+
+TEST(ThreadInBone, LeadsAScrewThatIsStartedAskewBetterOnceItIsTapped) {
+    const double untapped = drift(false), tapped = drift(true);
+    EXPECT_GT(untapped, 1.0_deg) << untapped / 1.0_deg;
+    EXPECT_LT(tapped, 0.7 * untapped) << tapped / 1.0_deg << " of " << untapped / 1.0_deg;
+}
+
+}  // namespace
+}  // namespace kerf
