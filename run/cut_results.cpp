@@ -2,8 +2,11 @@
 #include "run/cut_results.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "run/screw_grade.h"
 
 namespace kerf {
 
@@ -19,7 +22,9 @@ public:
         up_ = cross(to_side_, frame.along);
         if (up_.z < 0.0) up_ = -up_;
     }
-    [[nodiscard]] Breach of(double radius) const { return breach_of(*body_, *plan_, *hole_, radius, to_side_, up_); }
+    [[nodiscard]] Breach of(double radius, DepthRange range = {}) const {
+        return breach_of(*body_, *plan_, *hole_, radius, to_side_, up_, range);
+    }
 
 private:
     const Body* body_;
@@ -31,6 +36,23 @@ private:
 void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& result) {
     for (const Limit& limit : step.limits)
         if (limit.quantity == "breach") result.breaches.emplace_back(limit.diameter, along.of(0.5 * limit.diameter));
+}
+
+/// Where a screw of this radius leaves the bone.
+BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, double radius, bool is_tip_out) {
+    const Breach pedicle = along.of(radius, {0.0, axis.waist_end}), body = along.of(radius, {axis.waist_end, HUGE_VAL});
+    enum { medial, lateral, cranial, caudal };
+    return {.lateral_of_pedicle = pedicle.towards[lateral] > 0.0 || pedicle.towards[cranial] > 0.0,
+            .medial_of_pedicle = pedicle.towards[medial] > 0.0 || pedicle.towards[caudal] > 0.0,
+            .of_body = is_tip_out || body.worst() > 0.0,
+            .in_zone = false};
+}
+
+/// Distance of a screw's core to the nearest zone of its body [m]; negative inside.
+double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const Anatomy& anatomy) {
+    double least = HUGE_VAL;
+    for (const Zone& zone : anatomy.zones) least = std::min(least, clearance(core, world_from_screw, zone));
+    return least;
 }
 
 }  // namespace
@@ -101,6 +123,15 @@ std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulat
                                  .breach = along.of(radius),
                                  .least = along.of(radius - unsure).worst(),
                                  .most = along.of(radius + unsure).worst()};
+    if (frame.medial == Vec3{}) return result;  // its sides have no names
+    const double tip = uncut_distance(body, locate(body, screw.position)),
+                 zone = clearance_of(outline.cutting, screw, scene.anatomy);
+    const auto places = [&](double by) {
+        BreachPlaces found = places_of(along, *result.hole, radius + by, tip + by >= 0.0);
+        found.in_zone = zone - by < 0.0;
+        return found;
+    };
+    result.screw->by_place = heary(places(-unsure), places(unsure));
     return result;
 }
 

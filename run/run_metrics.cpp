@@ -169,6 +169,9 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
                 "How far the screw's thread, " + quantity_text(screw.diameter, "mm") +
                     " wide, leaves the bone, and its grade by it.");
     add_sides(name, screw.breach, frame, rows);
+    if (!screw.by_place.empty())
+        rows.length("heary", screw.breach.worst(), rows.half_voxel(), "grade " + screw.by_place,
+                    "The same, and its grade by where it leaves the bone.");
 }
 
 void add_hole(const HoleResult& result, const AxisFrame& frame, double width, StepRows& rows) {
@@ -202,7 +205,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         add_clearances(state, rows);
         if (state.drilled)
             add_hole(*state.drilled, scene.frames[s], 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
-        const bool is_screw = scene.tool(s).outline.stays();  // it goes on in the hole that was drilled for it
+        const bool is_screw = scene.tool(s).outline.is_implant();  // it goes on in the hole that was drilled for it
         if (state.step->has_depth() && state.has_cut_bone() && !is_screw) add_advance(state.advance, rows);
         if (state.is_done() && scene.frames[s].across != Vec3{}) add_wall(state, rows);
         rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
@@ -227,17 +230,19 @@ std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, s
         added.help = std::move(help);
     };
     double after = summary.removed + crumb_volume;
-    row("bone.pieces", "run", static_cast<double>(summary.pieces.size()), "", 1.0,
-        "Pieces of bone at the end, without crumbs.");
+    row("bone.pieces", "run",
+        static_cast<double>(std::count_if(summary.pieces.begin(), summary.pieces.end(),
+                                          [](const PieceRow& piece) { return !piece.is_metal; })),
+        "", 1.0, "Pieces of bone at the end, without crumbs.");
     for (const PieceRow& piece : summary.pieces) {
         after += piece.volume;
-        row("bone.piece-" + std::to_string(piece.body), "run", piece.volume, "mm3", 1e-9,
-            "Volume of this piece, in " + piece.file + ".");
+        row((piece.is_metal ? "implant-" : "bone.piece-") + std::to_string(piece.body), "run", piece.volume, "mm3",
+            1e-9, std::string("Volume of this ") + (piece.is_metal ? "implant" : "piece") + ", in " + piece.file + ".");
     }
     row("bone.crumbs", "run", static_cast<double>(crumbs), "", 1.0, "Pieces under 10 mm3: they are washed away.");
     row("bone.crumb-volume", "run", crumb_volume, "mm3", 1e-9, "Bone in them.");
     row("bone.balance", simulation_scope, before > 0.0 ? (after - before) / before : 0.0, "%", 0.01,
-        "Pieces, removed bone and crumbs together, over the bone before, less one.");
+        "Pieces, implants, removed bone and crumbs together, over the bone and the implants before, less one.");
     return rows;
 }
 

@@ -138,6 +138,17 @@ std::optional<double> waist_of(const std::vector<Section>& sections, double radi
     return found != nullptr ? std::optional(found->depth) : std::nullopt;
 }
 
+/// Where the bone behind its waist at `depth` is half as wide again. Nothing where it is not.
+std::optional<double> end_of_waist(const std::vector<Section>& sections, double depth) noexcept {
+    constexpr double wider = 1.5;  // [–] [judgement]
+    const auto behind = [&](const Section& s) { return s.depth >= depth; };
+    const auto waist = std::find_if(sections.begin(), sections.end(), behind);
+    if (waist == sections.end() || waist->narrowness <= 0.0) return std::nullopt;
+    const auto end = std::find_if(waist, sections.end(),
+                                  [&](const Section& s) { return s.narrowness >= wider * waist->narrowness; });
+    return end != sections.end() ? std::optional(end->depth) : std::nullopt;
+}
+
 const Section& nearest_to(const std::vector<Section>& whole, double depth) noexcept {
     return *std::min_element(whole.begin(), whole.end(), [&](const Section& a, const Section& b) {
         return std::abs(a.depth - depth) < std::abs(b.depth - depth);
@@ -203,6 +214,7 @@ std::optional<DrilledHole> measure_hole(const Body& body, const HolePlan& plan, 
     hole.narrowest_depth = std::max(waist_of(sections, radius).value_or(hole.entry_depth), hole.entry_depth);
     if (hole.end_depth >= hole.narrowest_depth)
         hole.narrowest_offset = offset_of(nearest_to(whole, hole.narrowest_depth));
+    hole.waist_end = end_of_waist(sections, hole.narrowest_depth).value_or(hole.end_depth);
 
     const Line line = line_through(whole);
     hole.at = plan.entry + line.depth * plan.along + line.x * plane[0] + line.y * plane[1];
@@ -228,6 +240,7 @@ std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Ve
     for (double depth = 0.0; depth < hole.end_depth; depth += section_distance)
         sections.push_back({.depth = depth, .narrowness = narrowness(body, plan.entry + depth * plan.along, plane)});
     hole.narrowest_depth = waist_of(sections, plan.cutting.largest_radius()).value_or(0.0);
+    hole.waist_end = end_of_waist(sections, hole.narrowest_depth).value_or(hole.end_depth);
     hole.entry_offset = offset_at(0.0);
     hole.narrowest_offset = offset_at(hole.narrowest_depth);
     hole.end_offset = offset_at(hole.end_depth);
@@ -237,7 +250,8 @@ std::optional<DrilledHole> hole_along(const Body& body, const HolePlan& plan, Ve
 
 double Breach::worst() const noexcept { return *std::max_element(towards.begin(), towards.end()); }
 
-Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a, Vec3 b) {
+Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a, Vec3 b,
+                 DepthRange range) {
     const std::array<Vec3, 2> plane = across(plan.along);
     Breach breach;
     bool is_inside = false;
@@ -245,7 +259,7 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
         // A plan that never is in bone all around, as a screw wider than its pedicle, counts from its width on.
         is_inside =
             is_inside || depth >= 2.0 * radius || narrowness(body, plan.entry + depth * plan.along, plane) >= radius;
-        if (!is_inside) continue;
+        if (!is_inside || depth < range.from || depth > range.to) continue;
         const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
         const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
         const std::array<Vec3, 2> around = across(hole.direction);

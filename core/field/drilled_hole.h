@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -31,6 +32,8 @@ struct DrilledHole {
     std::optional<double> entry_offset{};  ///< [m] of the hole's middle from the axis there; nothing: it ends before
     double narrowest_depth = 0.0;  ///< [m] of the waist of the bone around the planned axis; without a waist, the entry
     std::optional<double> narrowest_offset{};  ///< [m] of the hole's middle there; nothing: it ends before
+    double waist_end = 0.0;                    ///< [m] where the bone behind the waist is half as wide again: of a
+                                               ///< pedicle its end; without a waist, the end of the hole
     double end_depth = 0.0;                    ///< [m] of the last whole circle
     double end_offset = 0.0;                   ///< [m] of the hole's middle there
     std::optional<double> angle{};             ///< [rad] between hole and axis; nothing for a hole under two diameters
@@ -56,11 +59,15 @@ struct Breach {
     [[nodiscard]] double worst() const noexcept;
 };
 
+/// Depths along the planned axis [m].
+struct DepthRange {
+    double from = 0.0, to = HUGE_VAL;
+};
 /// Looks along rays from the hole's line for the border of the bone before any cut: a cylinder of `radius` breaches by
 /// what it reaches beyond it [gertzbein-robbins-1990]. Looked at is the stretch from where the planned cylinder is
-/// first all in bone to where the hole ends.   [worker] pure.
+/// first all in bone to where the hole ends, as far as it lies in `range`.   [worker] pure.
 /// @param a,b   unit, across the axis and each other: which sides are told apart
 [[nodiscard]] Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole, double radius, Vec3 a,
-                               Vec3 b);
+                               Vec3 b, DepthRange range = {});
 
 }  // namespace kerf

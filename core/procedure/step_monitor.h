@@ -71,6 +71,7 @@ struct InsertedScrew {
     double diameter = 0.0;           ///< [m] over its thread
     Breach breach{};                 ///< of its thread
     double least = 0.0, most = 0.0;  ///< [m] between which the breach lies
+    std::string by_place{};          ///< its grade by where it breaches [heary-2004]; two where half a voxel decides
 };
 
 /// What a step that drills, or inserts a screw, has left.
