@@ -14,7 +14,8 @@ namespace kerf {
 namespace {
 
 constexpr const char* hint_of_run =
-    "Writes session.db, summary.json, report.html and bone.stl; bone-1.stl … if it came apart.\n"
+    "Writes session.db, summary.json, report.html and bone.stl; bone-1.stl … if it came apart,\n"
+    "implant-1.stl … of what stays in it.\n"
     "Exit code: 0 pass, 1 fail, incomplete or invalid, 2 bad input, 3 fault or interrupted.\n"
     "A replay: 1 too where nothing could be compared, 3 where it differs or its recording was changed.";
 

@@ -16,6 +16,7 @@
 #include "run/bone_memory.h"
 #include "run/run_checks.h"
 #include "run/shipped.h"
+#include "run/thread_checks.h"
 
 namespace kerf {
 
@@ -109,6 +110,9 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
         check_guide(procedure, *instrument, tool.outline.whole, diagnostics);
         check_width_of_cut(procedure, instrument->id, tool.outline.cutting, diagnostics);
     }
+    std::vector<const ToolOutline*> outlines;
+    for (const std::size_t tool : documents.tool_of_step) outlines.push_back(&documents.tools[tool].outline);
+    if (!has_error(diagnostics)) check_threads(procedure, outlines, diagnostics);
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
         if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty())
             check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);

@@ -45,7 +45,7 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
         case HandInput::Kind::fuse:
             return simulation.fuse();
         case HandInput::Kind::release:
-            return scene.tools[simulation.tool()].outline.stays() ? "" : "the tool in hand is no implant";
+            return scene.tools[simulation.tool()].outline.is_implant() ? "" : "the tool in hand is no implant";
         case HandInput::Kind::undo:
             return simulation.undo();
         case HandInput::Kind::redo:

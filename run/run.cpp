@@ -37,10 +37,12 @@ std::string text_of(const Separation& separation) {
 
 /// By bone. What a thread pulls in is not pushed back.
 bool is_resisted(const TickResult& result, const Tool& tool) {
-    return (result.thrust > 0.0 || (tool.outline.stays() && result.is_cutting)) && !result.is_at_metal;
+    return (result.thrust > 0.0 || (tool.outline.has_thread() && result.is_cutting)) && !result.is_at_metal;
 }
 
-std::string surface_file(std::size_t body) { return body == 0 ? "bone.stl" : "bone-" + std::to_string(body) + ".stl"; }
+std::string surface_file(std::size_t body, bool is_metal) {
+    return body == 0 ? "bone.stl" : (is_metal ? "implant-" : "bone-") + std::to_string(body) + ".stl";
+}
 
 /// What is known of a run before its first tick.
 RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
@@ -160,8 +162,9 @@ bool Run::tick(const DeviceSample& reported) {
 
 void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
-    if (tool == simulation_.tool()) return;
-    simulation_.take_tool(tool);
+    if (tool == simulation_.tool() && !is_tool_left_) return;
+    is_tool_left_ = false;
+    simulation_.take_another(tool);
     pass_cuts_on();
     take_separations(simulation_.ticks());
     add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
@@ -211,14 +214,27 @@ void Run::judge_step(std::size_t step, double now) {
     monitor_.judge_cut(step, wall_of(*scene_, simulation_, before_, monitor_, step), removed_ - removed_before_step_,
                        now);
     add_news();
-    if (auto hole = scene_->tool(step).outline.stays() ? screw_of(*scene_, simulation_, monitor_, step)
-                                                       : hole_of(*scene_, simulation_, before_, monitor_, step)) {
+    if (auto hole = scene_->tool(step).outline.is_implant() ? screw_of(*scene_, simulation_, monitor_, step)
+                                                            : hole_of(*scene_, simulation_, before_, monitor_, step)) {
         monitor_.judge_hole(step, std::move(*hole), now);
         add_news();
     }
+    leave_implant(step);
     removed_before_step_ = removed_;
     before_.begin(simulation_.present());
     if (monitor_.current() < scene_->procedure.steps.size()) lead();
+}
+
+/// The driver leaves what it has set.
+void Run::leave_implant(std::size_t step) {
+    const std::size_t tool = scene_->tool_of_step[step];
+    if (!scene_->tools[tool].outline.is_implant()) return;
+    is_tool_left_ = true;
+    const std::string& instrument = scene_->procedure.steps[step].instrument;
+    const std::optional<Body>& implant = scene_->staying[tool];
+    const std::string why_not =
+        implant ? simulation_.insert(*implant, simulation_.world_from_tool(), false, monitor_.owners().step[step]) : "";
+    add_event("tool.left", why_not.empty() ? instrument : instrument + ", unseen: " + why_not);
 }
 
 std::optional<RunEnd> Run::end_after_tick() {
@@ -318,7 +334,9 @@ void Run::measure() {
     summary.metrics = metrics_of(monitor_, *scene_);
     summary.metrics.push_back(port_energy_row(simulation_.passivity()));
     for (std::size_t body = 0; body < bone.count(); ++body)
-        summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)), surface_file(body)});
+        summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),
+                                  surface_file(body, !simulation_.bodies()[body]->is_cuttable),
+                                  !simulation_.bodies()[body]->is_cuttable});
     for (MetricRow& row : piece_metrics(summary, bone_volume(scene_->body, CutField(scene_->body, 0)) + bone.added(),
                                         bone.crumbs(), bone.crumb_volume()))
         summary.metrics.push_back(std::move(row));

@@ -68,6 +68,7 @@ private:
     void take_hand_inputs();
     void observe(const Pose& handle, double now);
     void judge_step(std::size_t step, double now);
+    void leave_implant(std::size_t step);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
     void measure();
 
@@ -92,6 +93,7 @@ private:
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
+    bool is_tool_left_ = false;                         ///< with the implant that it set: a step takes another one
 };
 
 }  // namespace kerf

@@ -11,7 +11,9 @@
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/make_body.h"
+#include "run/implant_body.h"
 #include "run/run_checks.h"
+#include "run/thread_checks.h"
 
 namespace kerf {
 
@@ -44,6 +46,15 @@ std::optional<Body> implant_body(const Implant& implant, const Procedure& proced
     return body;
 }
 
+/// Of a tool that some step uses.
+const Instrument& instrument_of(const Scene& scene, std::size_t tool) {
+    const auto step =
+        std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool) - scene.tool_of_step.begin();
+    const std::string& id = scene.procedure.steps[static_cast<std::size_t>(step)].instrument;
+    return *std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
+                         [&](const Instrument& i) { return i.id == id; });
+}
+
 /// The sleeve of a step's instrument, on the step's axis.
 std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, const AxisFrame& frame) {
     const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
@@ -61,7 +72,7 @@ std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, cons
 double hardest_of_steps(const Scene& scene) {
     double hardest = 0.0;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
-        if (!scene.tool(s).outline.stays())  // a screw is turned in, and not fed
+        if (!scene.tool(s).outline.is_implant())  // a screw is turned in, and not fed
             hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
     return hardest;
 }
@@ -73,7 +84,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     double depth = 0.0;
     for (const Goal& goal : asked.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
-    if (depth <= 0.0 || scene.tool(step).outline.stays()) return {};
+    if (depth <= 0.0 || scene.tool(step).outline.is_implant()) return {};
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];
@@ -117,10 +128,14 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
-        const auto user = std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool);
-        check_blade_fits(scene.procedure,
-                         scene.procedure.steps[static_cast<std::size_t>(user - scene.tool_of_step.begin())].instrument,
-                         scene.tools[tool].outline.cutting, scene.body.region, diagnostics);
+        check_blade_fits(scene.procedure, instrument_of(scene, tool).id, scene.tools[tool].outline.cutting,
+                         scene.body.region, diagnostics);
+    }
+    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
+        const Instrument& instrument = instrument_of(scene, tool);
+        scene.staying.emplace_back();
+        if (instrument.is_inserted && scene.tools[tool].outline.is_implant())
+            scene.staying.back() = implant_body(scene.tools[tool].outline, instrument.id, scene.procedure.spacing);
     }
     for (const Implant& implant : scene.procedure.implants) {
         auto metal = implant_body(implant, scene.procedure, diagnostics, import);
@@ -141,6 +156,10 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
         scene.share_in_bone.push_back(found.share);
         scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));
+        const std::size_t index = scene.frames.size() - 1;
+        if (found.entry >= 0.0)
+            check_length_in_bone(scene.procedure, index, scene.tool(index).outline, scene.frames.back(), scene.body,
+                                 diagnostics);
     }
     if (has_error(diagnostics)) return std::nullopt;
     std::vector<const ToolSolid*> cutting;

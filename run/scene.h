@@ -32,6 +32,8 @@ struct Scene {
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
     std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve through which its instrument works
     std::vector<Body> implants;                ///< that a hand may bring in, in the tool's frame
+    /// For each tool: what of it stays as a body when its driver leaves, in its frame; nothing: it stays unseen.
+    std::vector<std::optional<Body>> staying;
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;         ///< [N] the scale was made for

@@ -41,6 +41,7 @@ struct Instrument {
     std::vector<EventInfo> damages{};      ///< events of the force that spoil the tool
     int hands = 0;                         ///< 1 or 2; 0: as many as the tool asks for
     std::optional<Sleeve> guide{};
+    bool is_inserted = false;  ///< `remeshing: insert`: an implant that is released joins the scene as a body
 };
 
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.

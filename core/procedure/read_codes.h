@@ -79,6 +79,11 @@ enum class Code {
     needs_plane = 508,     ///< something is measured in the plane of a step that names none
     needs_piece = 509,     ///< a step takes a piece that no step before it parts from the bone
     needs_hole = 510,      ///< something is measured on the hole of a tool that makes none
+    no_hole = 511,         ///< a thread has no hole to go into
+    core_too_wide = 512,   ///< a screw's core is wider than its hole
+    other_lead = 513,      ///< a tap goes farther in a turn than its screw, or less
+    screw_too_long = 514,  ///< its tip would leave the bone
+    seats_too_soon = 515,  ///< its head seats before its goal is reached
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,

@@ -84,11 +84,12 @@ struct SignalColumn {
     double per_unit = 1.0;
 };
 
-/// Bone that hangs together, at the end of a run.
+/// Bone that hangs together at the end of a run, or metal in it.
 struct PieceRow {
     std::size_t body = 0;  ///< 0 is what it began with, or the largest part of that
     double volume = 0.0;   ///< [m³]
     std::string file;      ///< its surface, beside the session
+    bool is_metal = false;
 };
 
 enum class Verdict { pass, fail, incomplete, invalid };

@@ -70,8 +70,10 @@ std::string summary_json(const RunSummary& summary) {
     for (const MetricRow& metric : summary.metrics) metrics.push_back(to_json(metric));
     Json pieces = Json::array();
     for (const PieceRow& piece : summary.pieces)
-        pieces.push_back(
-            {{"body", piece.body}, {"volume_mm3", plain_number(piece.volume * 1e9)}, {"file", piece.file}});
+        pieces.push_back({{"body", piece.body},
+                          {"material", piece.is_metal ? "metal" : "bone"},
+                          {"volume_mm3", plain_number(piece.volume * 1e9)},
+                          {"file", piece.file}});
     Json versions = Json::object();
     for (const auto& [part, version] : summary.versions) versions[part] = version;
 

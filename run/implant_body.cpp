@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/implant_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/field/tool_solid.h"
+#include "kerf/exact_math.hpp"
+#include "kerf/units.hpp"
+
+namespace kerf {
+
+namespace {
+
+using namespace literals;
+
+/// The crests of a thread, as wide as they look.
+class Ridge {
+public:
+    Ridge(const ToolOutline& implant, double spacing)
+        : flank_(sin_cos_exact(25.0_deg)),
+          outer_(implant.thread_radius),
+          lead_(implant.thread_lead),
+          from_(implant.profile[implant.cutting_count > 2 ? 1 : 0].z),
+          to_(implant.profile[implant.cutting_count - 1].z),
+          overlap_(spacing) {
+        core_ = outer_;
+        for (std::uint32_t i = 1; i < implant.cutting_count; ++i)
+            if (implant.profile[i].radius > 0.0) core_ = std::min(core_, implant.profile[i].radius);
+    }
+    /// [m] from its surface, negative inside; far from it less than that.
+    [[nodiscard]] double distance(Vec3 p) const {
+        const double r = std::sqrt(p.x * p.x + p.y * p.y);
+        const double along = p.z - lead_ * std::atan2(p.y, p.x) / (2.0 * pi);
+        const double beside = std::abs(along - lead_ * std::round(along / lead_));
+        const double half = std::min(0.45 * lead_, crest + std::max(0.0, outer_ - r) * flank_.sin / flank_.cos);
+        return std::max({flank_.cos * (beside - half), r - outer_, core_ - overlap_ - r, p.z - from_, to_ - p.z});
+    }
+
+private:
+    static constexpr double crest = 0.1_mm;  // half of its width
+    SinCos flank_;
+    double outer_, core_ = 0.0, lead_, from_, to_, overlap_;
+};
+
+}  // namespace
+
+Body implant_body(const ToolOutline& implant, const std::string& id, double spacing) {
+    const ToolSolid core({implant.profile.begin(), implant.profile.begin() + implant.stay_count});
+    const Ridge ridge(implant, spacing);
+    const double radius = std::max(core.largest_radius(), implant.thread_radius), margin = 6.0 * spacing;
+    const Vec3 low{-radius - margin, -radius - margin, implant.profile[implant.stay_count - 1].z - margin},
+        high{radius + margin, radius + margin, implant.profile.front().z + margin};
+    Body body;
+    body.id = id;
+    body.surface = LevelSet::build(Grid::covering(low, high, spacing),
+                                   [&](Vec3 p) { return std::min(core.distance(p), ridge.distance(p)); });
+    body.materials.push_back({.id = "metal", .density = 0.0, .border = {}});
+    return body;
+}
+
+}  // namespace kerf
