@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/field/removed_volume.h"
@@ -230,6 +231,9 @@ void Run::leave_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
     if (!scene_->tools[tool].outline.is_implant()) return;
     is_tool_left_ = true;
+    for (MetricRow& row : implant_metrics(scene_->procedure.steps[step].id, *scene_->tools[tool].setup.force->force,
+                                          simulation_.signals()))
+        left_.push_back(std::move(row));
     const std::string& instrument = scene_->procedure.steps[step].instrument;
     const std::optional<Body>& implant = scene_->staying[tool];
     const std::string why_not =
@@ -332,6 +336,8 @@ void Run::measure() {
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);
+    std::move(left_.begin(), left_.end(), std::back_inserter(summary.metrics));
+    if (simulation_.threads().count() > 0) summary.metrics.push_back(groove_row(simulation_.threads().volume()));
     summary.metrics.push_back(port_energy_row(simulation_.passivity()));
     for (std::size_t body = 0; body < bone.count(); ++body)
         summary.pieces.push_back({body, bone_volume(*bone.piece(body).bone, bone.cut(body)),

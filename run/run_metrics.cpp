@@ -186,6 +186,19 @@ void add_hole(const HoleResult& result, const AxisFrame& frame, double width, St
 
 }  // namespace
 
+namespace {
+
+/// Whether a step before has drilled along the same axis: then the tip has no bone in front of it for long.
+bool is_in_a_hole(const Scene& scene, std::size_t step) {
+    for (std::size_t before = 0; before < step; ++before)
+        if (scene.procedure.steps[before].axis == scene.procedure.steps[step].axis &&
+            !scene.tool(before).outline.cutting.is_prism() && scene.procedure.steps[before].cuts())
+            return true;
+    return false;
+}
+
+}  // namespace
+
 std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene) {
     std::vector<MetricRow> all;
     for (std::size_t s = 0; s < monitor.steps().size(); ++s) {
@@ -205,13 +218,43 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         add_clearances(state, rows);
         if (state.drilled)
             add_hole(*state.drilled, scene.frames[s], 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
-        const bool is_screw = scene.tool(s).outline.is_implant();  // it goes on in the hole that was drilled for it
-        if (state.step->has_depth() && state.has_cut_bone() && !is_screw) add_advance(state.advance, rows);
+        if (state.step->has_depth() && state.has_cut_bone() && !is_in_a_hole(scene, s))
+            add_advance(state.advance, rows);
         if (state.is_done() && scene.frames[s].across != Vec3{}) add_wall(state, rows);
         rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
                  "Share of the planned axis behind its entry that lies in bone.");
     }
     return all;
+}
+
+std::vector<MetricRow> implant_metrics(const std::string& step, const kerf_force& law, const double* signals) {
+    std::vector<MetricRow> rows;
+    for (std::uint32_t i = 0; i < law.signal_count; ++i) {
+        const kerf_signal& signal = law.signals[i];
+        std::string name = signal.id;
+        std::replace(name.begin(), name.end(), '_', '-');
+        MetricRow& row = rows.emplace_back();
+        row.id = step + ".left." + name;
+        row.scope = step;
+        row.value = signals[i];
+        row.unit = signal.display_unit;
+        row.per_unit = parse_unit(row.unit).value_or(Unit{}).factor;
+        row.status = "info";
+        row.help = "When the driver left: " + std::string(signal.help);
+    }
+    return rows;
+}
+
+MetricRow groove_row(double volume) {
+    MetricRow row;
+    row.id = "bone.grooves";
+    row.scope = "run";
+    row.value = volume;
+    row.unit = "mm3";
+    row.per_unit = 1e-9;
+    row.status = "info";
+    row.help = "Bone that the grooves of threads have taken. It is not counted as removed.";
+    return row;
 }
 
 std::vector<MetricRow> piece_metrics(const RunSummary& summary, double before, std::size_t crumbs,

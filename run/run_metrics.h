@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "core/session/recording.h"
@@ -12,6 +13,13 @@ namespace kerf {
 
 /// The metric rows of the steps: depth, clearance to each limited zone, cut or hole, time in air.   [any] pure.
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
+
+/// What the law of an implant said when its driver left it: a row for each of its signals.   [any] pure.
+/// @param signals   SI, declared order
+[[nodiscard]] std::vector<MetricRow> implant_metrics(const std::string& step, const kerf_force& law,
+                                                     const double* signals);
+/// The bone that the grooves of threads have taken, which is not part of what was removed [m³].   [any] pure.
+[[nodiscard]] MetricRow groove_row(double volume);
 
 /// What came of the bone, if it came apart: pieces and crumbs; and, as a check of the simulation, the balance with the
 /// bone `before` [m³].   [any] pure.

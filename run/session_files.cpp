@@ -35,7 +35,8 @@ Mesh all_surfaces(const Simulation& simulation, int stride) {
     for (std::size_t body = 0; body < simulation.bodies().size(); ++body) {
         const LiveBody& live = *simulation.bodies()[body];
         if (!live.is_present) continue;
-        Mesh one = bone_surface(*live.bone, simulation.exact(body), stride);
+        Mesh one = bone_surface(*live.bone, simulation.exact(body), live.is_cuttable ? stride : 1);
+        if (!live.is_cuttable) one.tissue.assign(one.vertices.size(), drawn_metal);
         for (Vec3& p : one.vertices) p = live.world_from_body * p;
         for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
         append(one, all);

@@ -23,6 +23,9 @@ struct DrawnSurface {
     friend bool operator==(const DrawnSurface&, const DrawnSurface&) = default;
 };
 
+/// The tissue of what is no bone: the page draws it grey.
+inline constexpr std::uint8_t drawn_metal = 15;
+
 /// Positions become 16-bit steps from the middle of the box around them: 3 µm in a bone of 20 cm. Normals are made
 /// where there are none; triangles with vertices that do not exist are left out.   [any]
 [[nodiscard]] DrawnSurface drawn_surface(const Mesh& mesh);

@@ -23,6 +23,7 @@ constexpr double first_slip = 0.02_mm;  // from there on a thread yields [judgem
 constexpr double stripped_at = 0.3;     // [–] of its strength left, at which a thread counts as stripped
 constexpr double bitten = 0.05;         // [rad] of a turn in bone after which a crest has begun its groove [judgement]
 constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw is backing out
+constexpr double left_bone = 0.2_mm;    // without bone, after which a thread has left it [judgement]
 constexpr double catching_up = 2.0;     // [–] by which crests that were pushed in cut faster than the helix
 constexpr double flute_scale = 10.0_mm;
 constexpr double tilt_arm = 10.0_mm;    // of a channel that turns [m]
@@ -183,10 +184,13 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
 void ScrewInsertion::change_phase(const Noted<Notes>& advance, State& state, Actions& actions) const noexcept {
     const Notes& notes = advance.notes;
     const bool is_back = state.angle < state.front - turned_back;
+    // A first crest that was pushed through is no stripped thread.
+    const bool is_stripped = state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at &&
+                             notes.engaged > state.prepared.thread.lead();
     const Phase before = state.phase;
     switch (state.phase) {
         case Phase::in_air:
-            if (notes.engaged > 0.0) state.phase = Phase::going_in;
+            if (state.angle > bitten) state.phase = Phase::going_in;
             break;
         case Phase::going_in:
             if (state.seat_force > seated_force) {
@@ -198,13 +202,13 @@ void ScrewInsertion::change_phase(const Noted<Notes>& advance, State& state, Act
             if (state.slip > first_slip) state.phase = Phase::slipping;
             [[fallthrough]];
         case Phase::slipping:
-            if (state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at)
+            if (is_stripped)
                 state.phase = Phase::stripped;
             else if (is_back)
                 state.phase = Phase::backing_out;
             break;
         case Phase::backing_out:
-            if (state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at)
+            if (is_stripped)
                 state.phase = Phase::stripped;
             else if (!is_back)
                 state.phase = state.slip > first_slip ? Phase::slipping : Phase::going_in;
@@ -212,7 +216,7 @@ void ScrewInsertion::change_phase(const Noted<Notes>& advance, State& state, Act
         case Phase::stripped:
             break;
     }
-    if (notes.engaged <= 0.0 && state.phase != Phase::stripped) {
+    if (state.away > left_bone && state.phase != Phase::stripped) {
         state.phase = Phase::in_air;
         state.angle = state.front = state.slip = 0.0;
     }
@@ -232,6 +236,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     state.grip_force = advance.carried_by_id(id_helix);
     state.seat_force = std::max(0.0, advance.carried_by_id(ScrewContact::id_seat));
     if (notes.engaged > 0.0) {
+        state.away = 0.0;
         state.angle += turn;
         state.front = std::max(state.front, state.angle);
         ThreadTrack track = ThreadTrack::found(bone, thread);
@@ -239,7 +244,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         state.is_crossed = track.is_crossed();
         if (!track.is_there() && turn > 0.0 && state.angle > bitten) track = ThreadTrack::begun(thread, notes.body);
         if (track.is_there()) {
-            const bool was_whole = notes.left > 0.0f;
+            const bool was_whole = notes.left > 0.0f && notes.engaged > thread.lead();
             turn_in(advance, dt, track, state);
             if (was_whole && strength_left(track.slip_at(track.depth_of({0, 0, notes.middle})), yield_share, yield_slip,
                                            strip_slip) <= 0.0)
@@ -250,6 +255,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         }
     } else {
         state.stretch = 0.0;
+        state.away += std::abs(advance.rate[2]) * dt;
     }
     change_phase(advance, state, actions);
 

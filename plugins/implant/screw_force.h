@@ -34,6 +34,7 @@ struct ScrewInsertion : ScrewParameters {
         double seated_at = 0.0;   ///< [rad] the angle at which the head seated
         double stretch = 0.0;     ///< [m] elastic, of the thread against bone along the shaft
         double slip = 0.0;        ///< [m] plastic, of this tool, either way
+        double away = 0.0;        ///< [m] moved along the shaft since the thread was in bone
         double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
         Phase phase = Phase::in_air;
         bool is_crossed = false;  ///< said already
