@@ -45,6 +45,13 @@ std::string surface_file(std::size_t body, bool is_metal) {
     return body == 0 ? "bone.stl" : (is_metal ? "implant-" : "bone-") + std::to_string(body) + ".stl";
 }
 
+/// Of the bone on the tool, across its shaft [N].
+double lateral_force(const TickResult& result) {
+    const Vec3 force = linear(result.bone_on_tool), shaft = rotate(result.world_from_tool.rotation, {0, 0, 1});
+    return length(force - dot(force, shaft) * shaft);
+}
+
+
 /// What is known of a run before its first tick.
 RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                       const Rehearsal& rehearsal, const SignalTable& signals) {
@@ -202,7 +209,11 @@ void Run::observe(const Pose& handle, double now) {
                       .held = simulation_.held(),
                       .is_bone_ahead = tissue >= 0,
                       .tip_inside = tip_inside(simulation_, monitor_, tip),
-                      .handle = handle.position},
+                      .handle = handle.position,
+                      .torque = result_.torque,
+                      .lateral_force = lateral_force(result_),
+                      .removed = removed_ - removed_before_step_,
+                      .signals = {simulation_.signals(), simulation_.setup().force->force->signal_count}},
                      simulation_.outline().cutting);
     row_ = row_of(result_, *scene_, simulation_, monitor_, signals_, handle, tissue, removed_);
     add_tick(hash_, row_);

@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/plugin/unit.h"
 #include "core/procedure/quantity.h"
 #include "kerf/units.hpp"
 #include "run/screw_grade.h"
@@ -70,6 +72,76 @@ void add_clearances(const StepState& state, StepRows& rows) {
         if (limit.limit->quantity == "thrust" && limit.is_seen)
             rows.row("thrust", limit.worst, "N", 1.0, limit.broken_at ? "broken" : "ok",
                      "Greatest thrust of the running tool.");
+}
+
+/// Of the limits on a quantity that `is_asked` picks; "info" without one.
+template <class IsAsked>
+const char* status_of_limits(const StepState& state, IsAsked&& is_asked) {
+    const char* status = "info";
+    for (const LimitState& limit : state.limits)
+        if (is_asked(*limit.limit) && (limit.broken_at || status == std::string_view("info")))
+            status = limit.broken_at ? "broken" : "ok";
+    return status;
+}
+
+/// The limits on one number of each tick. Several on the same number saw the same values.
+void add_loads(const StepState& state, StepRows& rows) {
+    struct Load {
+        const char *quantity, *name, *unit;
+        double per_unit;
+        const char* help;
+    };
+    constexpr Load loads[] = {
+        {"torque", "torque", "N m", 1.0, "Greatest torque of the bone on the tool about its shaft, either way."},
+        {"lateral_force", "lateral-force", "N", 1.0, "Greatest force of the bone on the tool across its shaft."},
+        {"speed", "speed", "mm/s", 1e-3, "Greatest speed of the tip while the tool ran in bone, averaged over 20 ms."},
+        {"duration", "duration", "s", 1.0, "Time from the start of the step to its end, or to the end of the run."},
+    };
+    for (const Load& load : loads) {
+        const auto is_on_it = [&](const Limit& limit) { return limit.quantity == load.quantity; };
+        const auto first = std::find_if(state.limits.begin(), state.limits.end(), [&](const LimitState& limit) {
+            return is_on_it(*limit.limit) && limit.is_seen;
+        });
+        if (first != state.limits.end())
+            rows.row(load.name, first->worst, load.unit, load.per_unit, status_of_limits(state, is_on_it), load.help);
+    }
+}
+
+void add_removed_volume(const StepState& state, StepRows& rows) {
+    const auto is_on_it = [](const auto& asked) { return asked.quantity == "removed_volume"; };
+    if (std::any_of(state.step->goals.begin(), state.step->goals.end(), is_on_it) ||
+        std::any_of(state.step->limits.begin(), state.step->limits.end(), is_on_it))
+        rows.row("removed-volume", state.removed, "mm3", 1e-9, status_of_limits(state, is_on_it),
+                 "Bone removed in this step; while the step lasts, counted every 50 ms.");
+}
+
+/// The greatest value of a signal where a goal has to reach it or a limit is above it; the least for the opposite.
+void add_signals(const StepState& state, StepRows& rows) {
+    for (const SignalState& signal : state.signals) {
+        if (!signal.is_seen) continue;
+        const NamedSignal& named = *signal.signal;
+        const auto add = [&](double value, std::optional<double> Bound::*goal_end,
+                             std::optional<double> Bound::*limit_end, const char* suffix, const char* help) {
+            const auto is_limit = [&](const Limit& limit) {
+                return limit.signal.id == named.id && limit.bound.*limit_end;
+            };
+            const bool is_goal = std::any_of(state.step->goals.begin(), state.step->goals.end(), [&](const Goal& goal) {
+                return goal.signal.id == named.id && goal.bound.*goal_end;
+            });
+            if (is_goal || std::any_of(state.step->limits.begin(), state.step->limits.end(), is_limit))
+                rows.row("signal." + named.id + suffix, value, named.unit.c_str(),
+                         parse_unit(named.unit).value_or(Unit{}).factor, status_of_limits(state, is_limit), help);
+        };
+        add(signal.greatest, &Bound::at_least, &Bound::at_most, "", "Greatest value of this signal in the step.");
+        add(signal.least, &Bound::at_most, &Bound::at_least, ".least", "Least value of this signal in the step.");
+    }
+}
+
+/// What is reported only where a goal or limit asks for it.
+void add_asked(const StepState& state, StepRows& rows) {
+    add_loads(state, rows);
+    add_removed_volume(state, rows);
+    add_signals(state, rows);
 }
 
 void add_wall(const StepState& state, StepRows& rows) {
@@ -208,6 +280,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         if (!state.step->cuts()) {
             rows.length("moved", state.moved, rows.half_voxel(), "info",
                         "How far the piece was from where it had been, at the step's entry.");
+            add_asked(state, rows);
             continue;
         }
         rows.length("depth", std::max(0.0, state.deepest), rows.half_voxel(), "info",
@@ -216,6 +289,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             rows.length("offset", state.farthest_offset, rows.half_voxel(), "info",
                         "Largest distance of the tip from the planned axis while it cut bone: how far it wandered.");
         add_clearances(state, rows);
+        add_asked(state, rows);
         if (state.drilled)
             add_hole(*state.drilled, scene.frames[s], 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
         if (state.step->has_depth() && state.has_cut_bone() && !is_in_a_hole(scene, s))

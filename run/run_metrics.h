@@ -11,7 +11,8 @@
 /// What a run measured, as rows: of the operation, and of the simulation itself.
 namespace kerf {
 
-/// The metric rows of the steps: depth, clearance to each limited zone, cut or hole, time in air.   [any] pure.
+/// The metric rows of the steps: depth, clearance to each limited zone, cut or hole, time in air, and what other goals
+/// and limits are on.   [any] pure.
 [[nodiscard]] std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene);
 
 /// What the law of an implant said when its driver left it: a row for each of its signals.   [any] pure.

@@ -2,6 +2,7 @@
 #include "run/run_result.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/plugin/unit.h"
 #include "core/procedure/quantity.h"
 #include "kerf/units.hpp"
 
@@ -28,6 +30,23 @@ std::string millimetres(double metres) {
 
 std::string in_degrees(double angle) { return quantity_text(std::round(angle / 0.1_deg) * 0.1_deg, "deg"); }
 
+/// A value in its unit, four digits.
+std::string rounded(double value, const std::string& unit) {
+    const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
+    char text[40];
+    const auto end = std::to_chars(text, text + sizeof text, value / per_unit, std::chars_format::general, 4).ptr;
+    return std::string(text, end) + (unit.empty() ? "" : " ") + unit;
+}
+
+/// ", must be at least 100 N, at most 200 N".
+std::string bounds_text(const Bound& bound, const std::string& unit) {
+    std::string text = ", must be ";
+    if (bound.at_least) text += "at least " + rounded(*bound.at_least, unit);
+    if (bound.at_least && bound.at_most) text += " and ";
+    if (bound.at_most) text += "at most " + rounded(*bound.at_most, unit);
+    return text;
+}
+
 /// What a limit was broken with, after its own sentence.
 std::string how_far(const LimitState& limit) {
     const std::string& quantity = limit.limit->quantity;
@@ -38,6 +57,13 @@ std::string how_far(const LimitState& limit) {
     if (quantity == "excess_removal")
         return " Beyond the planned hole: " + quantity_text(std::round(limit.worst * 100.0) * 0.01, "%") + ".";
     if (quantity == "time_in_air") return " In air: " + quantity_text(std::round(limit.worst * 10.0) * 0.1, "s") + ".";
+    if (quantity == "torque") return " Torque: " + rounded(limit.worst, "N m") + ".";
+    if (quantity == "lateral_force") return " Across the shaft: " + rounded(limit.worst, "N") + ".";
+    if (quantity == "speed") return " Speed: " + rounded(limit.worst, "mm/s") + ".";
+    if (quantity == "removed_volume") return " Removed: " + rounded(limit.worst, "mm3") + ".";
+    if (quantity == "duration") return " Duration: " + rounded(limit.worst, "s") + ".";
+    if (quantity == "signal")
+        return " `" + limit.limit->signal.id + "`: " + rounded(limit.worst, limit.limit->signal.unit) + ".";
     if (quantity == "damage") return "";
     const char* what = quantity == "flatness" ? " Uneven by: "
                        : quantity == "plunge" ? " Plunged: "
@@ -55,6 +81,17 @@ std::string what_was_missed(const Goal& goal, const StepState& state) {
     if (goal.quantity == "moved")
         return "the piece was moved " + millimetres(state.moved) + ", must be at least " +
                millimetres(*goal.bound.at_least);
+    if (goal.quantity == "removed_volume")
+        return "removed " + rounded(state.removed, "mm3") + bounds_text(goal.bound, "mm3");
+    if (goal.quantity == "signal") {
+        const auto signal = std::find_if(state.signals.begin(), state.signals.end(),
+                                         [&](const SignalState& s) { return s.signal->id == goal.signal.id; });
+        const std::string name = "the signal `" + goal.signal.id + "`";
+        if (signal == state.signals.end() || !signal->is_seen) return name + " was never reported";
+        const std::string& unit = goal.signal.unit;
+        return name + " was between " + rounded(signal->least, unit) + " and " + rounded(signal->greatest, unit) +
+               bounds_text(goal.bound, unit);
+    }
     std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
     if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
     if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);

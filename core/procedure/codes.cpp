@@ -223,6 +223,11 @@ constexpr CodeEntry entries[] = {
      .meaning = "A step allows an event that its instrument does not report as damage.",
      .why = "The line would change nothing, and whoever wrote it would believe that it does.",
      .write = "Write one of the events that the message lists; `kerf describe` shows which events fail a step."},
+    {.number = 317,
+     .name = "unknown signal",
+     .meaning = "A goal or limit is on a signal that the force law of the step's instrument does not declare.",
+     .why = "Kerf can only check values that the law reports in each tick.",
+     .write = "Write one of the signals that the message lists; `kerf describe` shows what each of them is."},
     // ---- its numbers
     {.number = 401,
      .name = "not a number",

@@ -56,28 +56,43 @@ struct Implant {
     MeshSource mesh;
 };
 
+/// A signal of a step's force law, as a goal or limit of the step names it.
+struct NamedSignal {
+    std::string id{};       ///< empty: none
+    std::size_t index = 0;  ///< among the signals of the law
+    std::string unit{};     ///< for people; "" for a plain number
+};
+
 struct Goal {
     /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]), "separated" (the bone
-    /// has come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to) or
-    /// "moved" (how far that body's bone has been moved, at the entry [m]).
-    std::string quantity;
-    Bound bound;  ///< of "depth" and "moved"
-    SourcePlace place;
+    /// has come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to),
+    /// "moved" (how far that body's bone has been moved, at the entry [m]), "removed_volume" (in the step [m³]) or
+    /// "signal" (of the step's law [SI], in any tick of the step).
+    std::string quantity{};
+    Bound bound{};  ///< of "depth", "moved", "removed_volume" and "signal"
+    SourcePlace place{};
+    NamedSignal signal{};  ///< for "signal"
+
+    /// How results call it.
+    [[nodiscard]] const std::string& name() const noexcept { return !signal.id.empty() ? signal.id : quantity; }
 };
 
 struct Limit {
     /// While the step lasts: "depth" [m], "clearance" (of the cutting region to `zone` [m], negative inside), "thrust"
-    /// [N], "plunge" [m] past a far face, "time_in_air" [s] or "damage" (an event that spoils the tool).
+    /// [N], "torque" about the shaft [N·m], "lateral_force" across the shaft [N], "speed" of the tip in bone [m/s],
+    /// "removed_volume" [m³], "duration" [s], "signal" (of the step's law [SI]), "plunge" [m] past a far face,
+    /// "time_in_air" [s] or "damage" (an event that spoils the tool). Forces are the bone's, unscaled.
     /// When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m]; of the
     /// hole it left: "hole_angle" [rad], "entry_offset", "narrowest_offset", "end_offset", "breach" [m] or
     /// "excess_removal" [–].
-    std::string quantity;
-    std::string zone;  ///< for "clearance"
-    Bound bound;
-    std::string reason;  ///< the sentence a trainee reads when it is broken
-    SourcePlace place;
+    std::string quantity{};
+    std::string zone{};  ///< for "clearance"
+    Bound bound{};
+    std::string reason{};  ///< the sentence a trainee reads when it is broken
+    SourcePlace place{};
     std::string event{};    ///< for "damage"
     double diameter = 0.0;  ///< [m] for "breach": of the cylinder that is to lie in the hole
+    NamedSignal signal{};   ///< for "signal"
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {
@@ -90,7 +105,7 @@ struct Limit {
     }
     /// How rehearsals and results call it.
     [[nodiscard]] const std::string& name() const noexcept {
-        return !zone.empty() ? zone : !event.empty() ? event : quantity;
+        return !zone.empty() ? zone : !event.empty() ? event : !signal.id.empty() ? signal.id : quantity;
     }
 };
 
@@ -107,10 +122,13 @@ struct Step {
     std::vector<std::string> allowed{};  ///< events that spoil the tool and do not fail this step
     double feed = default_feed;          ///< [m/s] at which the tool is meant to work
 
-    /// Whether anything is to be reached in bone, and not only with a piece of it.
+    /// Whether anything is to be reached in bone, and not only with a piece of it. A signal belongs to either.
     [[nodiscard]] bool cuts() const noexcept {
-        return std::any_of(goals.begin(), goals.end(),
-                           [](const Goal& goal) { return goal.quantity != "held" && goal.quantity != "moved"; });
+        const auto is_of_piece = [](const Goal& goal) { return goal.quantity == "held" || goal.quantity == "moved"; };
+        const bool has_piece = std::any_of(goals.begin(), goals.end(), is_of_piece);
+        return std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
+            return !is_of_piece(goal) && (goal.quantity != "signal" || !has_piece);
+        });
     }
     /// Whether a depth is to be reached in bone.
     [[nodiscard]] bool has_depth() const noexcept {

@@ -18,6 +18,7 @@
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
+#include "core/procedure/signal_need.h"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -315,13 +316,19 @@ private:
 
 // ---- steps -------------------------------------------------------------------------------------------------------
 
-/// `{at_least: …, at_most: …}`, whichever the shape has; of both, one or both.
-void read_bound_values(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
+/// `{at_least: …, at_most: …}`, whichever the shape has; of both, one or both. `need_of` gives what the value under a
+/// key must be; nothing if that is unknown.
+template <class NeedOf>
+void read_bound_values(MapReader& map, const Shape& shape, const std::string& name, NeedOf&& need_of, Bound& bound,
+                       Report& report) {
     bool is_bounded = shape.find("at_least") == nullptr || shape.find("at_most") == nullptr;
     const auto read_end = [&](const char* key, std::optional<double>& value) {
-        const Node* node = shape.find(key) != nullptr ? map.find(key) : nullptr;
-        if (node) value = read_quantity(*node, map.name_of(key), map.need_of(key), report);
-        is_bounded |= node != nullptr;
+        const KeyShape* end = shape.find(key);
+        const Node* node = end != nullptr ? map.find(key) : nullptr;
+        if (node)
+            if (const std::optional<QuantityNeed> need = need_of(key))
+                value = read_quantity(*node, name + "." + key, *need, report);
+        is_bounded |= node != nullptr || (end != nullptr && end->presence == Presence::required);
     };
     read_end("at_least", bound.at_least);
     read_end("at_most", bound.at_most);
@@ -332,7 +339,54 @@ void read_bound_values(MapReader& map, const Shape& shape, const std::string& na
                      name + " has `at_least` above `at_most`, so no value fits. Exchange the two.");
 }
 
-Goal read_goal(const Node& item, const Document& document, Report& report) {
+/// The same with the units and ranges of the shape.
+void read_own_bound(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
+    read_bound_values(
+        map, shape, name, [&](const char* key) { return std::optional(map.need_of(key)); }, bound, report);
+}
+
+/// The force law of an instrument; null if it is unknown, which is reported where the instrument is.
+const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+    const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
+        return c.kind == KERF_KIND_FORCE && c.plugin == instrument.force_plugin && c.id == instrument.force;
+    });
+    return found != catalog.end() ? &*found : nullptr;
+}
+
+/// The signal that `node` names; null and reported if the law declares none of this name.
+const SignalInfo* find_signal(const Node& node, const std::string& id, const ComponentInfo& law, Report& report) {
+    std::vector<std::string> known;
+    for (const SignalInfo& signal : law.signals) {
+        if (signal.id == id) return &signal;
+        known.push_back(signal.id);
+    }
+    const std::string meant = closest(straightened(id), known, report);
+    report.error(Code::unknown_signal, node.span,
+                 "The signal " + quoted_id(excerpt(id, 40)) + " is unknown: " +
+                     (known.empty() ? "the law " + quoted_id(law.id) + " declares none. Use another quantity."
+                                    : "expected " + listed(known) + " of " + law.id + "." + or_choose(meant)),
+                 meant);
+    return nullptr;
+}
+
+/// `{id: clamp, at_least: 100 N}`. Without a known signal its bounds have no unit, and are not read.
+void read_signal(MapReader& map, const ComponentInfo* law, NamedSignal& signal, Bound& bound, Report& report) {
+    const SignalInfo* declared = nullptr;
+    if (const Node* node = map.find("id")) {
+        const std::string id = read_id(*node, "signal.id", report).value_or("");
+        if (!id.empty() && law) declared = find_signal(*node, id, *law, report);
+        if (declared || !law) signal.id = id;
+    }
+    if (declared) {
+        signal.index = static_cast<std::size_t>(declared - law->signals.data());
+        signal.unit = declared->display_unit;
+    }
+    read_bound_values(
+        map, shapes::signal_bound, signal.id.empty() ? "signal" : signal.id,
+        [&](const char*) { return declared ? std::optional(need_of(*declared)) : std::nullopt; }, bound, report);
+}
+
+Goal read_goal(const Node& item, const ComponentInfo* law, const Document& document, Report& report) {
     MapReader map(item, shapes::goal, "goal", report);
     Goal goal;
     if (const Node* quantity = map.one_of()) {
@@ -340,7 +394,10 @@ Goal read_goal(const Node& item, const Document& document, Report& report) {
         goal.place = document.place(quantity->key_span);
         const Shape& shape = *shapes::goal.find(quantity->key)->value.shape;
         MapReader bound(*quantity, shape, quantity->key, report);
-        if (!shape.keys.empty()) read_bound_values(bound, shape, quantity->key, goal.bound, report);
+        if (goal.quantity == "signal")
+            read_signal(bound, law, goal.signal, goal.bound, report);
+        else if (!shape.keys.empty())
+            read_own_bound(bound, shape, quantity->key, goal.bound, report);
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
             report.error(Code::empty_bound, quantity->find("at_most")->span,
                          "No depth fits this goal: got at most " + quantity->find("at_most")->text +
@@ -385,7 +442,8 @@ void refuse_instrument(const Node& name, const std::vector<std::string>& instrum
         meant, report.because(place->key_span, "the instruments are here."));
 }
 
-Limit read_limit(const Node& item, const Procedure& procedure, const Document& document, Report& report) {
+Limit read_limit(const Node& item, const ComponentInfo* law, const Procedure& procedure, const Document& document,
+                 Report& report) {
     MapReader map(item, shapes::limit, "limit", report);
     Limit limit;
     if (const Node* quantity = map.one_of()) {
@@ -400,7 +458,10 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
                 refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
         if (quantity->key == "breach") limit.diameter = bound.quantity("diameter");
-        read_bound_values(bound, shape, quantity->key, limit.bound, report);
+        if (limit.quantity == "signal")
+            read_signal(bound, law, limit.signal, limit.bound, report);
+        else
+            read_own_bound(bound, shape, quantity->key, limit.bound, report);
         bound.finish();
     }
     limit.reason = map.text("reason");
@@ -412,7 +473,7 @@ Limit read_limit(const Node& item, const Procedure& procedure, const Document& d
 struct PlacedBound {
     const Bound* bound = nullptr;
     const Node* node = nullptr;
-    std::string name;
+    std::string quantity, name;
     bool is_goal = false;
 };
 
@@ -421,8 +482,7 @@ void place_bounds(const std::vector<T>& things, const Node* list, bool is_goal, 
     for (std::size_t i = 0; list && i < things.size() && i < list->children.size(); ++i) {
         const Node* node = list->children[i].find(things[i].quantity);
         if (!node) continue;
-        bounds.push_back({&things[i].bound, node, things[i].quantity, is_goal});
-        if constexpr (std::is_same_v<T, Limit>) bounds.back().name = things[i].name();
+        bounds.push_back({&things[i].bound, node, things[i].quantity, things[i].name(), is_goal});
     }
 }
 
@@ -469,7 +529,7 @@ void refuse_contradictions(const Step& step, const Node& item, Report& report) {
         const PlacedBound& limit = bounds[l];
         for (std::size_t b = 0; b < bounds.size() && !limit.is_goal; ++b) {
             const PlacedBound& one = bounds[b];
-            if (one.name != limit.name || (!one.is_goal && b <= l)) continue;
+            if (one.quantity != limit.quantity || one.name != limit.name || (!one.is_goal && b <= l)) continue;
             if (one.bound->at_least && limit.bound->at_most && *one.bound->at_least > *limit.bound->at_most)
                 refuse(one, "at_least", limit, "at_most");
             if (one.bound->at_most && limit.bound->at_least && *one.bound->at_most < *limit.bound->at_least)
@@ -510,7 +570,7 @@ void add_damage_limits(const Instrument& instrument, SourcePlace place, Step& st
 }
 
 Step read_step(const Node& item, const Procedure& procedure, const std::vector<std::string>& instrument_ids,
-               const Document& document, Report& report) {
+               const ComponentCatalog& catalog, const Document& document, Report& report) {
     MapReader map(item, shapes::step, item_name(item, "step"), report);
     Step step;
     step.id = map.id("id");
@@ -533,16 +593,17 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
                               report);
     }
     map.quantity("feed", step.feed);
-    if (const Node* goals = map.find("goals"))
-        for (const Node& goal : read_list(*goals, "goals", report))
-            step.goals.push_back(read_goal(goal, document, report));
-    if (const Node* limits = map.find("limits"))
-        for (const Node& limit : read_list(*limits, "limits", report))
-            step.limits.push_back(read_limit(limit, procedure, document, report));
-    refuse_contradictions(step, item, report);
-    const Node* allow = map.find("allow");
     const auto used = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
                                    [&](const Instrument& i) { return i.id == step.instrument; });
+    const ComponentInfo* law = used != procedure.instruments.end() ? law_of(*used, catalog) : nullptr;
+    if (const Node* goals = map.find("goals"))
+        for (const Node& goal : read_list(*goals, "goals", report))
+            step.goals.push_back(read_goal(goal, law, document, report));
+    if (const Node* limits = map.find("limits"))
+        for (const Node& limit : read_list(*limits, "limits", report))
+            step.limits.push_back(read_limit(limit, law, procedure, document, report));
+    refuse_contradictions(step, item, report);
+    const Node* allow = map.find("allow");
     if (used != procedure.instruments.end()) {
         if (allow) step.allowed = read_allowed(*allow, *used, report);
         const Node* written = item.find("instrument");
@@ -554,7 +615,7 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
 
 // ---- rehearsals --------------------------------------------------------------------------------------------------
 
-/// The names by which a rehearsal can expect a limit to break: the zone, or else the quantity.
+/// The names by which a rehearsal can expect a limit to break: the zone, the signal, or else the quantity.
 struct LimitNames {
     std::vector<std::string> known;
     std::set<std::string> refused;  ///< of limits that are reported already
@@ -567,6 +628,7 @@ LimitNames limit_names(const Procedure& procedure, const Document& document) {
     for (const Step& step : procedure.steps)
         for (const Limit& limit : step.limits) {
             const bool is_sound = !limit.quantity.empty() && (limit.quantity != "clearance" || !limit.zone.empty()) &&
+                                  (limit.quantity != "signal" || !limit.signal.id.empty()) &&
                                   (limit.zone.empty() || contains(procedure.needs_zones, limit.zone));
             if (is_sound && !names.has(limit.name())) names.known.push_back(limit.name());
         }
@@ -575,8 +637,10 @@ LimitNames limit_names(const Procedure& procedure, const Document& document) {
         if (const Node* limits = step.find("limits"))
             for (const Node& limit : limits->children)
                 for (const Node& quantity : limit.children) {
-                    const Node* zone = quantity.find("zone");
-                    names.refused.insert(zone != nullptr ? zone->text : quantity.key);
+                    const Node *zone = quantity.find("zone"), *signal = quantity.find("id");
+                    names.refused.insert(zone != nullptr     ? zone->text
+                                         : signal != nullptr ? signal->text
+                                                             : quantity.key);
                 }
     return names;
 }
@@ -868,8 +932,8 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
     UniqueIds step_ids, rehearsal_ids;
     if (steps)
         for (const Node& item : read_list(*steps, "steps", report))
-            add_unique(read_step(item, procedure, instrument_ids, document, report), item, step_ids, procedure.steps,
-                       report);
+            add_unique(read_step(item, procedure, instrument_ids, catalog, document, report), item, step_ids,
+                       procedure.steps, report);
     if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
     if (const Node* node = map.find("rehearsals")) {
         const LimitNames limits = limit_names(procedure, document);

@@ -8,6 +8,7 @@
 
 #include "core/procedure/quantity.h"
 #include "core/procedure/shapes.h"
+#include "core/procedure/signal_need.h"
 
 namespace kerf {
 namespace {
@@ -48,7 +49,7 @@ Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
     const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed &&
                            kind != Kind::parameters && kind != Kind::drives && kind != Kind::patch &&
-                           !key.example.starts_with('{');
+                           kind != Kind::of_signal && !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
     const bool is_plain = kind == Kind::quantity && key.value.need.unit.empty();
@@ -99,6 +100,7 @@ private:
                     {"additionalProperties", false}};
         if (!required.empty()) schema["required"] = std::move(required);
         if (&shape == &shapes::instrument) add_components(schema["properties"], groups);
+        if (&shape == &shapes::signal_bound) add_signals(schema["properties"], groups);
         if (!groups.empty()) schema["allOf"] = std::move(groups);
         return schema;
     }
@@ -157,6 +159,8 @@ private:
                         {"additionalProperties", {{"type", scalar_types}, {"pattern", id_pattern}}}};
             case Kind::drives:
                 return any_drives();
+            case Kind::of_signal:
+                return {{"type", {"number", "string"}}};  // `add_signals` adds the units
             case Kind::parameters:
             case Kind::patch:
                 break;
@@ -197,6 +201,22 @@ private:
         }
         if (properties.empty()) return {{"type", "object"}};
         return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+    }
+
+    /// Of each signal the units of the laws that have one of this name.
+    void add_signals(Json& properties, Json& rules) const {
+        Json units = Json::object();
+        for (const ComponentInfo& force : catalog_)
+            for (const SignalInfo& signal : force.signals) {
+                if (!units.contains(signal.id)) units[signal.id] = {{"anyOf", Json::array()}};
+                add_once(units[signal.id]["anyOf"], quantity_schema(need_of(signal)));
+            }
+        if (units.empty()) return;
+        properties["id"].erase("examples");
+        for (const auto& [id, value] : units.items()) {
+            properties["id"]["enum"].push_back(id);
+            rules.push_back(when({{"id", id}}, {{"at_least", value}, {"at_most", value}}));
+        }
     }
 
     static Json when(Json values, Json then) {

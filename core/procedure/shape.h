@@ -32,6 +32,7 @@ struct ValueShape {
         parameters,  ///< of the instrument's tool and force: their plugin says which there are
         drives,      ///< of the instrument's tool, likewise
         patch,       ///< of the procedure itself: the paths of values, and what they are instead
+        of_signal,   ///< a number in the unit of a signal: the step's law declares it
     };
     Kind kind = Kind::text;
     QuantityNeed need{};

@@ -39,6 +39,7 @@ ValueShape length(double min, double max) { return quantity(dimension::length, "
 ValueShape density(double min, double max) { return quantity(dimension::density, "g/cm3", min, max); }
 ValueShape speed() { return quantity(dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s); }
 ValueShape depth() { return length(-300.0_mm, 300.0_mm); }
+ValueShape removed_volume() { return quantity(dimension::volume, "mm3", 1e-10, 1e-3); }
 ValueShape extent() { return length(0.1_mm, 2.0_m); }
 ValueShape tolerance() { return length(0.0_mm, 20.0_mm); }
 ValueShape vector(kerf_dimension dimension, const char* unit, double min, double max) {
@@ -235,6 +236,56 @@ const Shape air_bound{
         {required, "at_most", quantity(dimension::time, "s", 0.01_s, 600.0_s), "No longer than this.", "1 s"},
     }};
 
+const Shape torque_bound{
+    "torque_bound",
+    "The magnitude of the torque of the bone on the tool, about its shaft. The force scale does not change it.",
+    {
+        {required, "at_most", quantity(dimension::torque, "N m", 1.0_Nmm, 1e6_Nmm), "No more than this.", "3 N m"},
+    }};
+
+const Shape lateral_force_bound{
+    "lateral_force_bound",
+    "The force of the bone on the tool across its shaft. The force scale does not change it.",
+    {
+        {required, "at_most", quantity(dimension::force, "N", 0.1_N, 1000.0_N), "No more than this.", "20 N"},
+    }};
+
+const Shape removed_goal{"removed_goal",
+                         "The volume of bone that the step has removed.",
+                         {
+                             {required, "at_least", removed_volume(), "As much as this.", "100 mm3"},
+                             {optional, "at_most", removed_volume(), "No more than this.", "500 mm3"},
+                         }};
+
+const Shape removed_bound{"removed_bound",
+                          "The volume of bone that the step has removed.",
+                          {
+                              {required, "at_most", removed_volume(), "No more than this.", "500 mm3"},
+                          }};
+
+const Shape speed_bound{
+    "speed_bound",
+    "The speed of the tip, along the shaft and across, while the tool runs in bone: averaged over 20 ms.",
+    {
+        {required, "at_most", speed(), "No faster than this.", "5 mm/s"},
+    }};
+
+const Shape duration_bound{
+    "duration_bound",
+    "The time since the step began.",
+    {
+        {required, "at_most", quantity(dimension::time, "s", 0.1_s, 3600.0_s), "No longer than this.", "60 s"},
+    }};
+
+const Shape signal_bound{
+    "signal_bound",
+    "A signal of the step's force law, in any tick of the step.",
+    {
+        {required, "id", id(), "One of the law's signals; `kerf describe` lists them.", "drive_power"},
+        {any_of, "at_least", of_kind(Kind::of_signal), "As much as this, in the signal's unit.", "1 W"},
+        {any_of, "at_most", of_kind(Kind::of_signal), "No more than this, in the signal's unit.", "30 W"},
+    }};
+
 const Shape goal{"goal",
                  "What must be reached; goals are met in their order.",
                  {
@@ -243,6 +294,10 @@ const Shape goal{"goal",
                      {one_of, "separated", map(separated_goal), "The bone has come apart.", "{}"},
                      {one_of, "held", map(held_goal), "The tool holds the piece.", "{}"},
                      {one_of, "moved", map(moved_bound), "The piece has been moved.", "{at_least: 60 mm}"},
+                     {one_of, "removed_volume", map(removed_goal), "The step has removed as much bone as this.",
+                      "{at_least: 100 mm3}"},
+                     {one_of, "signal", map(signal_bound), "A signal of the law has been within this.",
+                      "{id: drive_power, at_least: 1 W}"},
                  }};
 
 const Shape limit{
@@ -253,6 +308,13 @@ const Shape limit{
          "{zone: canal, at_least: 0 mm}"},
         {one_of, "depth", map(depth_bound), "The depth of the tip.", "{at_most: 38 mm}"},
         {one_of, "thrust", map(thrust_bound), "The thrust of the bone on the running tool.", "{at_most: 60 N}"},
+        {one_of, "torque", map(torque_bound), "The torque of the bone about the shaft.", "{at_most: 3 N m}"},
+        {one_of, "lateral_force", map(lateral_force_bound), "The force of the bone across the shaft.",
+         "{at_most: 20 N}"},
+        {one_of, "speed", map(speed_bound), "The speed of the tip in bone.", "{at_most: 5 mm/s}"},
+        {one_of, "removed_volume", map(removed_bound), "The bone removed in the step.", "{at_most: 500 mm3}"},
+        {one_of, "duration", map(duration_bound), "The time that the step takes.", "{at_most: 60 s}"},
+        {one_of, "signal", map(signal_bound), "A signal of the law.", "{id: drive_power, at_most: 30 W}"},
         {one_of, "plane_angle", map(angle_bound),
          "The angle between the cut's wall and the step's plane, measured when the step has ended.",
          "{at_most: 3 deg}"},
@@ -306,7 +368,8 @@ const Shape expectation{
     "expectation",
     "The expected failure.",
     {
-        {required, "fail", id(), "The one limit that breaks: its zone, its event, or else its quantity.", "canal"},
+        {required, "fail", id(), "The one limit that breaks: its zone, its event, its signal, or else its quantity.",
+         "canal"},
         {optional, "step", id(), "The one step in which it breaks; any step if not given.", "drill"},
         {optional, "others", yes_no(), "Other limits may break as well, and goals be missed.", "true", "false"},
     }};

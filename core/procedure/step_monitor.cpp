@@ -84,6 +84,44 @@ namespace {
 Pose body_from_world(std::size_t owner, const Observation& now) noexcept {
     return owner < now.world_from_body.size() ? inverse(now.world_from_body[owner]) : identity_pose();
 }
+bool is_within(const Bound& bound, double value) noexcept {
+    return bound.at_least.value_or(-HUGE_VAL) <= value && value <= bound.at_most.value_or(HUGE_VAL);
+}
+
+/// How far a value is beyond its bound; negative within.
+double excess_of(const Bound& bound, double value) noexcept {
+    return std::max(bound.at_least ? *bound.at_least - value : -HUGE_VAL,
+                    bound.at_most ? value - *bound.at_most : -HUGE_VAL);
+}
+
+/// Adds a signal that a goal or limit names, once.
+void add_signal(const NamedSignal& signal, std::vector<SignalState>& signals) {
+    if (signal.id.empty()) return;
+    if (std::none_of(signals.begin(), signals.end(), [&](const SignalState& s) { return s.signal->id == signal.id; }))
+        signals.push_back({.signal = &signal});
+}
+
+/// What the law reports of a signal; nothing for a value that is no number.
+std::optional<double> value_of(const NamedSignal& signal, const Observation& now) noexcept {
+    if (signal.index >= now.signals.size() || !std::isfinite(now.signals[signal.index])) return {};
+    return now.signals[signal.index];
+}
+
+void take_signals(const Observation& now, StepState& state) noexcept {
+    for (SignalState& s : state.signals)
+        if (const auto value = value_of(*s.signal, now)) {
+            s.least = s.is_seen ? std::min(s.least, *value) : *value;
+            s.greatest = s.is_seen ? std::max(s.greatest, *value) : *value;
+            s.is_seen = true;
+        }
+    for (std::size_t g = 0; g < state.was_there.size(); ++g) {
+        const Goal& goal = state.step->goals[g];
+        if (goal.quantity != "signal") continue;
+        if (const auto value = value_of(goal.signal, now); value && is_within(goal.bound, *value))
+            state.was_there[g] = true;
+    }
+}
+
 /// The tool as the body `owner` sees it.
 Pose seen_from(std::size_t owner, const Observation& now) noexcept {
     if (owner >= now.world_from_body.size()) return now.world_from_tool;
@@ -91,6 +129,15 @@ Pose seen_from(std::size_t owner, const Observation& now) noexcept {
 }
 
 }  // namespace
+
+void TipSpeed::show(Vec3 tip, bool is_in_bone, double dt) noexcept {
+    moved_[next_] = is_in_bone && before_ ? tip - *before_ : Vec3{};
+    next_ = (next_ + 1) % ticks;
+    before_ = tip;
+    Vec3 sum{};
+    for (const Vec3 moved : moved_) sum = sum + moved;
+    value_ = dt > 0.0 ? length(sum) / (static_cast<double>(ticks) * dt) : 0.0;
+}
 
 StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames)
     : anatomy_(&anatomy), frames_(std::move(frames)) {
@@ -100,9 +147,12 @@ StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std
         StepState state;
         state.step = &step;
         state.goal_done.assign(step.goals.size(), false);
+        state.was_there.assign(step.goals.size(), false);
+        for (const auto& goal : step.goals) add_signal(goal.signal, state.signals);
         for (const auto& limit : step.limits) {
             state.limits.emplace_back();
             state.limits.back().limit = &limit;
+            add_signal(limit.signal, state.signals);
         }
         steps_.push_back(std::move(state));
     }
@@ -137,37 +187,19 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     if (is_running && state.has_cut_bone())
         follow(now, depth, frame.depth_of(body_from_world(owners_.step[current_], now) * now.handle), time - before_,
                state);
+    state.tip_speed.show(tool.position, is_in_bone, time - before_);
     before_ = time;
+    state.removed = now.removed;
+    take_signals(now, state);
 
-    for (auto& limit : state.limits) {
-        if (!is_running) continue;  // a still tool harms nothing
-        if (limit.limit->is_of_wall() || limit.limit->is_of_hole() || limit.limit->quantity == "damage")
-            continue;  // judged when it is there
-        if (limit.limit->quantity == "depth" && !state.has_cut_bone())
-            continue;  // beside the bone there is no hole that could be too deep
-        double value = limit.limit->quantity == "thrust"        ? now.thrust
-                       : limit.limit->quantity == "plunge"      ? state.advance.plunge
-                       : limit.limit->quantity == "time_in_air" ? state.advance.in_air
-                                                                : depth;
-        if (limit.limit->quantity == "clearance") {
-            const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
-                                           [&](const Zone& z) { return z.id == limit.limit->zone; });
-            if (zone == anatomy_->zones.end()) continue;
-            const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
-            // Distances are 1-Lipschitz: far from the zone the tip alone shows that nothing new can be learnt.
-            const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
-            if (limit.is_seen && distance_to_any(zone->solids, seen.position) - reach > limit.worst) continue;
-            value = clearance(cutting, seen, *zone);
-        }
-        hold(limit, value, time);
-    }
+    for (auto& limit : state.limits)
+        if (const auto value = measured(limit, state, now, depth, cutting)) hold(limit, *value, time);
 
     for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
         if (state.goal_done[g]) continue;
-        const Goal& goal = state.step->goals[g];
-        if (!is_reached(goal, state, now)) break;  // goals are reached in order
+        if (!is_reached(g, state, now)) break;  // goals are reached in order
         state.goal_done[g] = true;
-        news_.emplace_back("goal_reached", state.step->id + ": " + goal.quantity);
+        news_.emplace_back("goal_reached", state.step->id + ": " + state.step->goals[g].name());
     }
 
     // The step ends when its goals are reached and the tool is back outside, with nothing in it, or stays.
@@ -179,13 +211,48 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     }
 }
 
-bool StepMonitor::is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept {
+std::optional<double> StepMonitor::measured(const LimitState& limit, const StepState& state, const Observation& now,
+                                            double depth, const ToolSolid& cutting) const {
+    const Limit& asked = *limit.limit;
+    const std::string& quantity = asked.quantity;
+    // A screw that sticks is not running, and still twists.
+    if (quantity == "torque") return std::abs(now.torque);
+    if (quantity == "lateral_force") return now.lateral_force;
+    if (quantity == "removed_volume") return now.removed;
+    if (quantity == "duration") return now.time - *state.start;
+    if (quantity == "signal") return value_of(asked.signal, now);
+    if (!now.is_running) return {};                                                   // a still tool harms nothing
+    if (asked.is_of_wall() || asked.is_of_hole() || quantity == "damage") return {};  // judged when it is there
+    if (quantity == "clearance") return clearance_to(limit, now, cutting);
+    if (quantity == "thrust") return now.thrust;
+    if (quantity == "plunge") return state.advance.plunge;
+    if (quantity == "time_in_air") return state.advance.in_air;
+    if (quantity == "speed") return now.is_resisted ? std::optional(state.tip_speed.value()) : std::nullopt;
+    // Beside the bone there is no hole that could be too deep.
+    return state.has_cut_bone() ? std::optional(depth) : std::nullopt;
+}
+
+std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const Observation& now,
+                                                const ToolSolid& cutting) const {
+    const auto zone = std::find_if(anatomy_->zones.begin(), anatomy_->zones.end(),
+                                   [&](const Zone& z) { return z.id == limit.limit->zone; });
+    if (zone == anatomy_->zones.end()) return {};
+    const Pose seen = seen_from(owners_.zone[static_cast<std::size_t>(zone - anatomy_->zones.begin())], now);
+    // Distances are 1-Lipschitz: far from the zone the tip alone shows that nothing new can be learnt.
+    const double reach = cutting.tip_z() - cutting.end_z() + cutting.largest_radius();
+    if (limit.is_seen && distance_to_any(zone->solids, seen.position) - reach > limit.worst) return {};
+    return clearance(cutting, seen, *zone);
+}
+
+bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {
+    const Goal& goal = state.step->goals[index];
+    if (goal.quantity == "signal") return state.was_there[index];
+    if (goal.quantity == "removed_volume") return is_within(goal.bound, state.removed);
     if (goal.quantity == "entry") return state.has_cut_bone();
     if (goal.quantity == "separated") return now.world_from_body.size() > 1;
     if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
     if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
-    return state.has_cut_bone() && goal.bound.at_least.value_or(-HUGE_VAL) <= state.deepest &&
-           state.deepest <= goal.bound.at_most.value_or(HUGE_VAL);
+    return state.has_cut_bone() && is_within(goal.bound, state.deepest);
 }
 
 void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time) {
@@ -193,9 +260,10 @@ void StepMonitor::judge_cut(std::size_t step, const std::optional<CutWall>& wall
     StepState& state = steps_[step];
     state.wall = wall;
     state.removed = removed;
-    if (!wall) return;
     for (auto& limit : state.limits) {
         const std::string& quantity = limit.limit->quantity;
+        if (quantity == "removed_volume") hold(limit, removed, time);
+        if (!wall) continue;
         if (quantity == "plane_angle") hold(limit, wall->angle, time);
         if (quantity == "plane_offset") hold(limit, wall->offset, time);
         if (quantity == "flatness") hold(limit, wall->flatness, time);
@@ -269,8 +337,10 @@ void StepMonitor::follow(const Observation& now, double depth, double hand, doub
 void StepMonitor::hold(LimitState& limit, double value, double time) {
     const Bound& bound = limit.limit->bound;
     const bool is_broken = (bound.at_least && value < *bound.at_least) || (bound.at_most && value > *bound.at_most);
-    const bool is_low_bad = bound.at_least.has_value();
-    if (!limit.is_seen || (is_low_bad ? value < limit.worst : value > limit.worst)) limit.worst = value;
+    const bool is_worse = bound.at_least && bound.at_most ? excess_of(bound, value) > excess_of(bound, limit.worst)
+                          : bound.at_least                ? value < limit.worst
+                                                          : value > limit.worst;
+    if (!limit.is_seen || is_worse) limit.worst = value;
     limit.is_seen = true;
     if (!is_broken || limit.broken_at) return;
     limit.broken_at = time;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -52,6 +53,10 @@ struct Observation {
     bool is_bone_ahead = true;                ///< present bone in front of the tip
     double tip_inside = 0.0;                  ///< [m] of the tip below the surface of the bone before any cut
     Vec3 handle{};                            ///< [m] the place that the device reported, world frame
+    double torque = 0.0;                      ///< [N·m] of the bone on the tool about its shaft, with its sign
+    double lateral_force = 0.0;               ///< [N] of the bone on the tool, across its shaft
+    double removed = 0.0;                     ///< [m³] in this step so far, as of the last count
+    std::span<const double> signals{};        ///< of the tool's law, SI, in declared order
 };
 
 /// How the tip went on where there was no bone to stop it.
@@ -64,6 +69,24 @@ struct TipProgress {
 
     bool is_inside = false;                       ///< it has been within the bone since the last face
     std::optional<double> left_at, hand_left_at;  ///< [m] along the axis, where it left the bone last
+};
+
+/// The speed of the tip in bone. A tip that breaks through or chatters jumps within single ticks, so the speed is how
+/// far the tip went in bone in the last 20 ticks.
+class TipSpeed {
+public:
+    static constexpr std::size_t ticks = 20;
+
+    /// Takes in a tick of `dt` [s]. `tip`: where it is now, as the bone sees it [m].
+    void show(Vec3 tip, bool is_in_bone, double dt) noexcept;
+    /// [m/s]
+    [[nodiscard]] double value() const noexcept { return value_; }
+
+private:
+    std::array<Vec3, ticks> moved_{};  ///< [m] in each tick; zero in air
+    std::size_t next_ = 0;
+    std::optional<Vec3> before_;
+    double value_ = 0.0;
 };
 
 /// A screw that a step has left in the bone.
@@ -81,6 +104,13 @@ struct HoleResult {
     std::vector<std::pair<double, Breach>> breaches;  ///< diameter [m] of each cylinder that a limit names
 };
 
+/// How far a signal went that a goal or limit of the step names.
+struct SignalState {
+    const NamedSignal* signal = nullptr;
+    double least = 0.0, greatest = 0.0;  ///< SI, in the ticks of the step
+    bool is_seen = false;
+};
+
 struct LimitState {
     const Limit* limit = nullptr;
     double worst = 0.0;  ///< the value farthest towards the wrong side
@@ -92,14 +122,17 @@ struct StepState {
     const Step* step = nullptr;
     std::vector<bool> goal_done;
     std::vector<LimitState> limits;
-    std::optional<double> start, end;   ///< [s]
-    double deepest = -1.0;              ///< [m] of the tip in bone; negative until it has cut some
-    double farthest_offset = 0.0;       ///< [m] of the tip from the axis while it cut bone
-    bool has_met_bone_still = false;    ///< it stood on bone without running
-    TipProgress advance;                ///< while it cut
+    std::optional<double> start, end;  ///< [s]
+    double deepest = -1.0;             ///< [m] of the tip in bone; negative until it has cut some
+    double farthest_offset = 0.0;      ///< [m] of the tip from the axis while it cut bone
+    bool has_met_bone_still = false;   ///< it stood on bone without running
+    TipProgress advance;               ///< while it cut
+    TipSpeed tip_speed;
     std::optional<CutWall> wall;        ///< that its cut left, measured when it had ended
     std::optional<HoleResult> drilled;  ///< the hole that it left, likewise
     double removed = 0.0;               ///< [m³] in this step
+    std::vector<SignalState> signals;   ///< each that the step names, once
+    std::vector<bool> was_there;        ///< for each goal on a signal: the signal was within its bound in some tick
 
     double moved = 0.0;  ///< [m] the farthest that the bone at the entry was from where it had been
 
@@ -138,9 +171,14 @@ public:
     [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& news() const noexcept { return news_; }
 
 private:
-    [[nodiscard]] bool is_reached(const Goal& goal, const StepState& state, const Observation& now) const noexcept;
+    [[nodiscard]] bool is_reached(std::size_t goal, const StepState& state, const Observation& now) const noexcept;
+    /// What a limit bounds, in this tick; nothing where the tick does not show it.
+    [[nodiscard]] std::optional<double> measured(const LimitState& limit, const StepState& state,
+                                                 const Observation& now, double depth, const ToolSolid& cutting) const;
+    [[nodiscard]] std::optional<double> clearance_to(const LimitState& limit, const Observation& now,
+                                                     const ToolSolid& cutting) const;
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
-    /// Holds a measured value against its limit.
+    /// Compares a measured value with its limit.
     void hold(LimitState& limit, double value, double time);
 
     const Anatomy* anatomy_;

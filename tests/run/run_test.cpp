@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,16 +26,19 @@ namespace {
 using namespace literals;
 
 /// The shipped procedure on a coarse grid, over after fifteen seconds: the drill has met bone.
+Scene scene_with(const std::vector<std::string>& settings) {
+    Diagnostics diagnostics;
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
+    request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s"};
+    request.changes.settings.insert(request.changes.settings.end(), settings.begin(), settings.end());
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    if (!made) throw std::runtime_error(to_text(diagnostics));
+    return std::move(*made);
+}
+
 const Scene& short_scene() {
-    static const Scene scene = [] {
-        Diagnostics diagnostics;
-        DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
-        request.changes.settings = {"accuracy.spacing=0.5 mm", "time_limit=15 s"};
-        auto documents = check_documents(request, test::plugins(), diagnostics);
-        auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-        if (!made) throw std::runtime_error(to_text(diagnostics));
-        return std::move(*made);
-    }();
+    static const Scene scene = scene_with({});
     return scene;
 }
 
@@ -68,6 +73,81 @@ TEST(Run, ADeviceThatReportsTheSamePosesFeelsTheSame) {
         ASSERT_EQ(goes_on, &row != &whole.ticks.back()) << row.tick;
     }
     EXPECT_EQ(run->finish().summary.hash, whole.summary.hash);
+}
+
+// ---- what a step may ask of each tick
+
+const MetricRow* metric_of(const RunSummary& summary, const std::string& id) {
+    for (const MetricRow& row : summary.metrics)
+        if (row.id == id) return &row;
+    return nullptr;
+}
+
+RunRequest pushed_hard() {
+    RunRequest request;
+    request.rehearsal = "medial-breach";
+    return request;
+}
+
+TEST(Run, MeasuresWhatLimitsOfAStepAreOn) {
+    // Given a limit on every quantity that the ticks show, two of them too low
+    const Scene scene =
+        scene_with({"steps.pilot-hole.limits=[{torque: {at_most: 3 N m}, reason: A.}, "
+                    "{lateral_force: {at_most: 0.5 N}, reason: Levered.}, {speed: {at_most: 500 mm/s}, reason: A.}, "
+                    "{removed_volume: {at_most: 1e5 mm3}, reason: A.}, {duration: {at_most: 10 s}, reason: Slow.}, "
+                    "{signal: {id: drive_power, at_most: 500 W}, reason: A.}]"});
+
+    // When the drill is pushed hard for fifteen seconds
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), pushed_hard());
+
+    // Then each metric is the greatest of what the session has of it, in newtons of the bone
+    double torque = 0.0, across = 0.0, power = 0.0;
+    const auto column = std::find_if(run.summary.signals.begin(), run.summary.signals.end(),
+                                     [](const SignalColumn& c) { return c.id == "drive_power"; });
+    ASSERT_NE(column, run.summary.signals.end());
+    for (const TickRow& row : run.ticks) {
+        const Vec3 shaft = rotate(row.world_from_tool.rotation, {0, 0, 1});
+        torque = std::max(torque, std::abs(row.torque));
+        across = std::max(across, length(linear(row.modelled) - dot(linear(row.modelled), shaft) * shaft));
+        power = std::max(power, row.signals[static_cast<std::size_t>(column - run.summary.signals.begin())]);
+    }
+    const auto value_of = [&](const char* id) {
+        const MetricRow* row = metric_of(run.summary, std::string("pilot-hole.") + id);
+        return row != nullptr ? row->value : -1.0;
+    };
+    EXPECT_GT(torque, 1e-3);
+    EXPECT_GT(power, 1.0);
+    EXPECT_EQ(value_of("torque"), torque);
+    EXPECT_EQ(value_of("lateral-force"), across);
+    EXPECT_EQ(value_of("signal.drive_power"), power);
+    EXPECT_NEAR(value_of("duration"), 14.999, 1e-9 /* from the first tick to the last */);
+    EXPECT_GT(value_of("speed"), 0.0);
+    EXPECT_LT(value_of("speed"), 0.5);
+    EXPECT_NEAR(value_of("removed-volume"), run.summary.removed, 0.05 * run.summary.removed /* of the last count */);
+
+    // And the two limits are broken, each with its sentence and its value
+    EXPECT_EQ(run.summary.verdict, Verdict::fail);
+    EXPECT_EQ(run.summary.steps.at(0).broken_limits, (std::vector<std::string>{"lateral_force", "duration"}));
+    EXPECT_TRUE(run.summary.reasons.at(0).starts_with("Step `pilot-hole`: Levered. Across the shaft: "));
+    EXPECT_EQ(run.summary.reasons.at(1), "Step `pilot-hole`: Slow. Duration: 15 s.");
+    EXPECT_EQ(metric_of(run.summary, "pilot-hole.lateral-force")->status, "broken");
+    EXPECT_EQ(metric_of(run.summary, "pilot-hole.signal.drive_power")->status, "ok");
+}
+
+TEST(Run, ReachesGoalsOnSignalsAndRemovedBone) {
+    const Scene scene = scene_with({"steps.pilot-hole.goals=[{entry: {}}, {signal: {id: drive_power, at_least: 1 W}}, "
+                                    "{removed_volume: {at_least: 1 mm3}}, "
+                                    "{signal: {id: spindle_speed, at_least: 2000 rpm}}]"});
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), pushed_hard());
+    std::vector<std::string> reached;
+    for (const EventRow& event : run.events)
+        if (event.id == "goal_reached") reached.push_back(event.detail);
+    EXPECT_EQ(reached,
+              (std::vector<std::string>{"pilot-hole: entry", "pilot-hole: drive_power", "pilot-hole: removed_volume"}));
+    ASSERT_FALSE(run.summary.reasons.empty());
+    EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
+    EXPECT_TRUE(run.summary.reasons.at(0).ends_with("must be at least 2000 rpm.")) << run.summary.reasons.at(0);
+    EXPECT_NE(metric_of(run.summary, "pilot-hole.signal.spindle_speed"), nullptr);
 }
 
 TEST(Run, ADeviceMayGoAnotherWay) {

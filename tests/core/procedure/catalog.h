@@ -21,6 +21,9 @@ inline ComponentCatalog drilling_catalog() {
     force.id = "drill_cutting";
     force.kind = KERF_KIND_FORCE;
     force.parameters = {{"wear", "", dimension::none, "", 0.0, 1.0, 0.25, ""}};
+    force.signals = {{"spindle_speed", "", dimension::frequency, "rpm"},
+                     {"drive_power", "", dimension::power, "W"},
+                     {"engagement", "", dimension::none, ""}};
     force.events = {{"drilling.bit_overbent", "The bit was bent.", true},
                     {"drilling.stalled", "The spindle was held fast.", false}};
     return {tool, force};
@@ -40,6 +43,7 @@ inline ComponentCatalog spine_catalog() {
     force.plugin = tool.plugin;
     force.id = "screw_insertion";
     force.kind = KERF_KIND_FORCE;
+    force.signals = {{"torque", "", dimension::torque, "N m"}, {"clamp", "", dimension::force, "N"}};
     catalog.push_back(tool);
     catalog.push_back(force);
     return catalog;

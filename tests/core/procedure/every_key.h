@@ -12,7 +12,7 @@
 namespace kerf {
 
 struct EveryKey {
-    static constexpr std::size_t choices = 42;
+    static constexpr std::size_t choices = 60;
 
     std::size_t choice = 0;  ///< which of keys that exclude each other
     int depth = 9;           ///< how deep maps are spelled out; below that their example stands
@@ -53,10 +53,11 @@ private:
 
     std::string value(const Shape& shape, const KeyShape& key, int levels) const {
         if (shape.id + "/" + key.name == altered) return other;
-        // What a rehearsal breaks is the limit that is there, by its zone or else its quantity.
+        // What a rehearsal breaks is the limit that is there, by its zone, its signal or else its quantity.
         if (&shape == &shapes::expectation && key.name == std::string_view("fail") &&
             chosen_of(shapes::limit) != "clearance")
-            return chosen_of(shapes::limit);
+            return chosen_of(shapes::limit) == "signal" ? shapes::signal_bound.find("id")->example
+                                                        : chosen_of(shapes::limit);
         // The last tissue has no thickness, and no density of its own where the image gives it one.
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
         const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";

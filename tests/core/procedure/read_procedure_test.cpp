@@ -270,13 +270,160 @@ TEST(ReadProcedure, ReadsTheStepInWhichALimitBreaks) {
     expect_refused(Code::unknown_step, "{fail: canal}", "{fail: canal, step: «dril»}");
 }
 
+// ---- goals and limits on what each tick shows
+
+/// The step's limits in `faultless`, with one more.
+std::string with_limit(const std::string& limit) {
+    return replaced(
+        faultless, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
+        "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n      - {" + limit + ", reason: Because.}\n");
+}
+void expect_limit_refused(Code code, const std::string& limit) {
+    SCOPED_TRACE(limit);
+    const MarkedText marked(with_limit(limit));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(code, marked, diagnostics);
+}
+
+TEST(ReadProcedure, GivesLimitsOnLoadsInSi) {
+    struct Case {
+        const char *limit, *quantity;
+        double at_most;
+    };
+    for (const auto& [limit, quantity, at_most] : {Case{"torque: {at_most: 3 N m}", "torque", 3.0},
+                                                   {"torque: {at_most: 3000 N*mm}", "torque", 3.0},
+                                                   {"lateral_force: {at_most: 20 N}", "lateral_force", 20.0},
+                                                   {"speed: {at_most: 5 mm/s}", "speed", 5.0_mm_per_s},
+                                                   {"removed_volume: {at_most: 500 mm3}", "removed_volume", 5e-7},
+                                                   {"duration: {at_most: 1 min}", "duration", 60.0_s}}) {
+        Diagnostics diagnostics;
+        const auto procedure = read(with_limit(limit), diagnostics);
+        ASSERT_TRUE(procedure) << to_text(diagnostics);
+        const Limit& read_limit = procedure->steps.at(0).limits.at(2);
+        EXPECT_EQ(read_limit.quantity, quantity);
+        EXPECT_EQ(read_limit.name(), quantity);
+        EXPECT_NEAR(read_limit.bound.at_most.value(), at_most, 1e-12 * at_most /* rounding of the unit */);
+    }
+}
+
+TEST(ReadProcedure, RefusesLimitsOnLoadsInAnotherUnit) {
+    expect_limit_refused(Code::wrong_dimension, "torque: {at_most: «3 N»}");
+    expect_limit_refused(Code::wrong_dimension, "lateral_force: {at_most: «3 N m»}");
+    expect_limit_refused(Code::wrong_dimension, "speed: {at_most: «5 mm»}");
+    expect_limit_refused(Code::wrong_dimension, "removed_volume: {at_most: «500 mm»}");
+    expect_limit_refused(Code::missing_unit, "duration: {at_most: «60»}");
+    expect_limit_refused(Code::out_of_range, "duration: {at_most: «5000 s»}");
+}
+
+TEST(ReadProcedure, RefusesAtLeastWhereALimitKnowsOnlyAtMost) {
+    for (const char* limit :
+         {"torque: {at_most: 3 N m, «at_least»: 1 N m}", "lateral_force: {at_most: 3 N, «at_least»: 1 N}",
+          "speed: {at_most: 5 mm/s, «at_least»: 1 mm/s}", "removed_volume: {at_most: 5 mm3, «at_least»: 1 mm3}",
+          "duration: {at_most: 60 s, «at_least»: 1 s}"})
+        expect_limit_refused(Code::unknown_key, limit);
+    for (const char* limit :
+         {"«torque»: {}", "«lateral_force»: {}", "«speed»: {}", "«removed_volume»: {}", "«duration»: {}"})
+        expect_limit_refused(Code::missing_key, limit);
+}
+
+TEST(ReadProcedure, ReadsAGoalOnRemovedBone) {
+    Diagnostics diagnostics;
+    const auto procedure = read(
+        replaced(faultless, "{entry: {}},", "{removed_volume: {at_least: 100 mm3, at_most: 200 mm3}},"), diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_NEAR(procedure->steps.at(0).goals.at(0).bound.at_least.value(), 1e-7, 1e-19 /* rounding */);
+    EXPECT_TRUE(procedure->steps.at(0).cuts());
+    expect_refused(Code::missing_key, "{entry: {}},", "{«removed_volume»: {at_most: 200 mm3}},");
+    expect_refused(Code::empty_bound, "{entry: {}},", "{«removed_volume»: {at_least: 300 mm3, at_most: 200 mm3}},");
+}
+
+TEST(ReadProcedure, FindsTheSignalOfTheStepsLaw) {
+    Diagnostics diagnostics;
+    const auto procedure =
+        read(replaced(with_limit("signal: {id: drive_power, at_most: 30 W}"), "{entry: {}},",
+                      "{signal: {id: spindle_speed, at_least: 600 rpm}}, {signal: {id: engagement, at_most: 0.5}},"),
+             diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    const Step& step = procedure->steps.at(0);
+    EXPECT_EQ(step.goals.at(0).name(), "spindle_speed");
+    EXPECT_EQ(step.goals.at(0).signal.index, 0u);
+    EXPECT_EQ(step.goals.at(0).bound.at_least, 10.0) << "revolutions a second";
+    EXPECT_EQ(step.goals.at(1).signal.index, 2u);
+    EXPECT_EQ(step.goals.at(1).bound.at_most, 0.5);
+    const Limit& limit = step.limits.at(2);
+    EXPECT_EQ(limit.name(), "drive_power");
+    EXPECT_EQ(limit.signal.index, 1u);
+    EXPECT_EQ(limit.signal.unit, "W");
+    EXPECT_EQ(limit.bound.at_most, 30.0);
+}
+
+TEST(ReadProcedure, RefusesWhatASignalIsNot) {
+    expect_limit_refused(Code::unknown_signal, "signal: {id: «drive_pwoer», at_most: 30 W}");
+    expect_limit_refused(Code::wrong_dimension, "signal: {id: drive_power, at_most: «30 N»}");
+    expect_limit_refused(Code::missing_unit, "signal: {id: drive_power, at_most: «30»}");
+    expect_limit_refused(Code::wrong_dimension, "signal: {id: engagement, at_most: «1 mm»}");
+    expect_limit_refused(Code::empty_bound, "«signal»: {id: drive_power}");
+    expect_limit_refused(Code::empty_bound, "«signal»: {id: drive_power, at_least: 2 W, at_most: 1 W}");
+    expect_limit_refused(Code::missing_key, "«signal»: {at_most: 30 W}");
+    expect_limit_refused(Code::malformed_word, "signal: {id: «drive power», at_most: 30 W}");
+}
+
+TEST(ReadProcedure, ListsTheSignalsThatThereAre) {
+    Diagnostics diagnostics;
+    read(with_limit("signal: {id: warmth, at_most: 30 W}"), diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[0].message,
+              "The signal `warmth` is unknown: expected `spindle_speed`, `drive_power` or `engagement` of "
+              "drill_cutting. Write one of these.");
+    diagnostics.clear();
+    read(with_limit("signal: {id: drive_pwoer, at_most: 30 W}"), diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u) << to_text(diagnostics);
+    EXPECT_EQ(diagnostics[0].write, "drive_power");
+}
+
+TEST(ReadProcedure, OfAnUnknownLawNoSignalIsRefused) {
+    const MarkedText marked(
+        replaced(with_limit("signal: {id: warmth, at_most: 30 W}"), "force: drill_cutting", "force: «drill_cuting»"));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(Code::unknown_force, marked, diagnostics);
+}
+
+TEST(ReadProcedure, ARehearsalNamesASignalByItsId) {
+    Diagnostics diagnostics;
+    const std::string text = with_limit("signal: {id: drive_power, at_most: 30 W}");
+    const auto procedure = read(replaced(text, "{fail: canal}", "{fail: drive_power, step: drill}"), diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    EXPECT_EQ(procedure->rehearsals.at(1).expect_limit, "drive_power");
+    EXPECT_FALSE(read(replaced(text, "{fail: canal}", "{fail: signal}"), diagnostics));
+    EXPECT_EQ(diagnostics.at(0).code, "E0309");
+    // A signal that is refused already is no unknown limit besides
+    const MarkedText marked(
+        replaced(with_limit("signal: {id: «drive_pwoer», at_most: 30 W}"), "{fail: canal}", "{fail: drive_pwoer}"));
+    diagnostics.clear();
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(Code::unknown_signal, marked, diagnostics);
+}
+
+TEST(ReadProcedure, AGoalOnASignalMustNotBreakALimitOnIt) {
+    const std::string limited = with_limit("signal: {id: drive_power, at_most: 30 W}");
+    const MarkedText marked(replaced(limited, "{entry: {}},", "{signal: {id: drive_power, at_least: «31 W»}},"));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(Code::contradiction, marked, diagnostics);
+    diagnostics.clear();
+    EXPECT_TRUE(read(replaced(limited, "{entry: {}},", "{signal: {id: engagement, at_least: 31}},"), diagnostics))
+        << "another signal: " << to_text(diagnostics);
+}
+
 TEST(ReadProcedure, ReportsALimitOnAnUnknownQuantityOnce) {
     expect_refused(Code::unknown_key, "{depth: {at_most: 38 mm}, reason: Too deep.}",
-                   "{«torque»: {at_most: 38 mm}, reason: Too deep.}");
+                   "{«warmth»: {at_most: 38 mm}, reason: Too deep.}");
     // The rehearsal that expects it says nothing new
     const MarkedText marked(replaced(replaced(faultless, "{depth: {at_most: 38 mm}, reason: Too deep.}",
-                                              "{«torque»: {at_most: 38 mm}, reason: Too deep.}"),
-                                     "{fail: canal}", "{fail: torque}"));
+                                              "{«warmth»: {at_most: 38 mm}, reason: Too deep.}"),
+                                     "{fail: canal}", "{fail: warmth}"));
     Diagnostics diagnostics;
     EXPECT_FALSE(read(marked.text, diagnostics));
     expect_only(Code::unknown_key, marked, diagnostics);

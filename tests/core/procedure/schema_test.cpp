@@ -94,6 +94,8 @@ std::vector<std::string> mistakes(const ValueShape& value) {
             return {"5", "{surely_unknown: 1 rpm}", "{spindle_speed: 1000}", "{spindle_speed: 5 mm}"};
         case Kind::patch:
             return {"5", "[a]"};
+        case Kind::of_signal:
+            return {"5", "5 furlong", "5 mm", "hard", "[5]"};
     }
     return {};
 }
@@ -218,6 +220,21 @@ TEST(Schema, NamesTheDefaultOfEveryKeyThatHasOne) {
     EXPECT_EQ(default_of(shapes::hand, "approach"), rehearsal.approach);
     EXPECT_EQ(default_of(shapes::hand, "push"), rehearsal.push);
     EXPECT_EQ(default_of(shapes::hand, "reaction"), rehearsal.reaction);
+}
+
+TEST(Schema, GivesEachSignalItsUnit) {
+    const auto is_taken = [](const std::string& limit) {
+        const std::string whole =
+            EveryKey{.altered = "step/limits", .other = "[{" + limit + ", reason: Because.}]"}.document(
+                shapes::procedure);
+        return procedure_schema().breach(as_json(whole)).empty();
+    };
+    EXPECT_TRUE(is_taken("signal: {id: drive_power, at_most: 30 W}"));
+    EXPECT_TRUE(is_taken("signal: {id: drive_power, at_most: 30 N*m/s}"));
+    EXPECT_TRUE(is_taken("signal: {id: engagement, at_least: 0.5}"));
+    EXPECT_FALSE(is_taken("signal: {id: drive_power, at_most: 30 rpm}"));
+    EXPECT_FALSE(is_taken("signal: {id: drive_power}"));
+    EXPECT_FALSE(is_taken("signal: {id: warmth, at_most: 30 W}"));
 }
 
 TEST(Schema, TellsOfEveryParameterWithItsRangeAndDefault) {

@@ -418,6 +418,13 @@ TEST(StepMonitor, KeepsTheWorstOfEachSide) {
     EXPECT_EQ(lower.after({cutting_at(0.0, 99.0)}).worst, 99.0);
 }
 
+TEST(StepMonitor, KeepsTheValueFarthestBeyondEitherEnd) {
+    const OneLimit both({"thrust", "", {10.0, 60.0}, "", {}});
+    EXPECT_EQ(both.after({cutting_at(0.0, 50.0), cutting_at(0.0, 70.0), cutting_at(0.0, 5.0)}).worst, 70.0);
+    EXPECT_EQ(both.after({cutting_at(0.0, 50.0), cutting_at(0.0, 61.0), cutting_at(0.0, 5.0)}).worst, 5.0);
+    EXPECT_EQ(both.after({cutting_at(0.0, 30.0), cutting_at(0.0, 59.0)}).worst, 59.0) << "the nearest to an end";
+}
+
 TEST(StepMonitor, ALimitIsBrokenOnceAtItsFirstTime) {
     OneLimit limit({"thrust", "", {{}, 60.0}, "", {}});
     StepMonitor monitor(limit.scene.procedure, limit.scene.anatomy, limit.scene.frames);
@@ -544,6 +551,175 @@ TEST(StepMonitor, TakesStepTimesFromFirstAndLastTick) {
     EXPECT_EQ(monitor.steps()[0].end, 4.0);
     EXPECT_EQ(monitor.steps()[1].start, 5.0);
     EXPECT_EQ(monitor.steps()[0].deepest, 0.5) << "the deepest, not the last";
+}
+
+// ---- loads, pace and signals -------------------------------------------------------------------------------------
+
+TEST(StepMonitor, ATorqueCountsEitherWayAndAlsoAtAStandstill) {
+    const OneLimit limit({"torque", "", {{}, 3.0}, "", {}});
+    const auto after = [&](double torque, bool is_running) {
+        Observation now = cutting_at(0.25);
+        now.is_running = is_running;
+        now.torque = torque;
+        return limit.after({now});
+    };
+    EXPECT_FALSE(after(3.0, true).broken_at);
+    EXPECT_TRUE(after(std::nextafter(3.0, 4.0), true).broken_at);
+    EXPECT_TRUE(after(-4.0, false).broken_at);
+    EXPECT_EQ(after(-4.0, false).worst, 4.0);
+}
+
+TEST(StepMonitor, ALateralForceCountsAlsoAtAStandstill) {
+    const OneLimit limit({"lateral_force", "", {{}, 20.0}, "", {}});
+    Observation now = cutting_at(0.25);
+    now.is_running = false;
+    now.lateral_force = 20.0;
+    EXPECT_FALSE(limit.after({now}).broken_at);
+    now.lateral_force = 21.0;
+    EXPECT_TRUE(limit.after({now}).broken_at);
+}
+
+TEST(StepMonitor, ASpeedCountsWhileTheToolRunsInBone) {
+    const OneLimit limit({"speed", "", {{}, 5.0_mm_per_s}, "", {}});
+    const auto after = [&](Vec3 velocity, bool is_running, bool is_resisted) {
+        std::vector<Observation> shown;
+        for (int tick = 0; tick < 50; ++tick)
+            shown.push_back({.time = 1e-3 * tick,
+                             .world_from_tool = {1e-3 * tick * velocity, {1, 0, 0, 0}},
+                             .is_running = is_running,
+                             .is_resisted = is_resisted});
+        return limit.after(shown);
+    };
+    EXPECT_NEAR(after({0, 0, 4.9_mm_per_s}, true, true).worst, 4.9_mm_per_s, 1e-9 /* rounding of the path */);
+    EXPECT_FALSE(after({0, 0, 4.9_mm_per_s}, true, true).broken_at);
+    EXPECT_TRUE(after({3.5_mm_per_s, 0, 4.0_mm_per_s}, true, true).broken_at) << "along and across";
+    EXPECT_FALSE(after({0, 0, 9.0_mm_per_s}, false, true).broken_at) << "it stands";
+    EXPECT_FALSE(after({0, 0, 9.0_mm_per_s}, true, false).is_seen) << "in air";
+}
+
+TEST(TipSpeed, AveragesOverTwentyTicksInBone) {
+    TipSpeed speed;
+    double tip = 0.0;
+    const auto show = [&](double moved, bool is_in_bone) {
+        speed.show({0, 0, tip += moved}, is_in_bone, 1e-3);
+        return speed.value();
+    };
+    show(1.0, false);  // the approach through air is not its speed in bone
+    EXPECT_NEAR(show(0.1_mm, true), 5.0_mm_per_s, 1e-9) << "a tenth of a millimetre in 20 ms";
+    EXPECT_NEAR(show(-0.1_mm, true), 0.0, 1e-9) << "a tip that chatters goes nowhere";
+    for (int tick = 0; tick < 20; ++tick) show(0.002_mm, true);
+    EXPECT_NEAR(speed.value(), 2.0_mm_per_s, 1e-9);
+}
+
+TEST(StepMonitor, ADurationBeginsWithItsStep) {
+    Case scene;
+    for (Step& step : scene.procedure.steps) {
+        step.goals = {{"entry", {}, {}}};
+        step.limits = {{"duration", "", {{}, 2.0}, "", {}}};
+    }
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const auto show = [&](double time, double depth) {
+        Observation now = cutting_at(depth);
+        now.time = time;
+        now.is_resisted = depth > 0.0;
+        monitor.observe(now, scene.drill);
+    };
+    show(1.0, 0.5);
+    show(3.0, -0.5);
+    ASSERT_EQ(monitor.current(), 1u);
+    EXPECT_FALSE(monitor.steps()[0].limits[0].broken_at) << "two seconds are allowed";
+    show(3.5, -0.5);
+    show(5.5, -0.5);
+    EXPECT_FALSE(monitor.steps()[1].limits[0].broken_at);
+    show(5.75, -0.5);
+    EXPECT_EQ(monitor.steps()[1].limits[0].broken_at, 5.75);
+    EXPECT_EQ(monitor.steps()[1].limits[0].worst, 2.25);
+}
+
+TEST(StepMonitor, RemovedBoneIsLimitedDuringTheStepAndAtItsEnd) {
+    Case scene;
+    scene.procedure.steps[0].limits = {{"removed_volume", "", {{}, 2e-7}, "", {}}};
+    const auto after = [&](double counted, double at_end) {
+        StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+        Observation now = cutting_at(0.25);
+        now.removed = counted;
+        monitor.observe(now, scene.drill);
+        monitor.judge_cut(0, std::nullopt, at_end, 1.0);
+        return monitor.steps()[0].limits[0].broken_at;
+    };
+    EXPECT_FALSE(after(2e-7, 2e-7));
+    EXPECT_EQ(after(3e-7, 2e-7), 0.25) << "while it lasted";
+    EXPECT_EQ(after(1e-7, 3e-7), 1.0) << "after the last count";
+}
+
+TEST(StepMonitor, AGoalOnRemovedBoneHasTwoBounds) {
+    const OneGoal goal({"removed_volume", {1e-7, 2e-7}, {}});
+    const auto after = [&](double removed) {
+        Observation now = cutting_at(0.25);
+        now.removed = removed;
+        return goal.is_reached_after({now});
+    };
+    EXPECT_FALSE(after(0.5e-7));
+    EXPECT_TRUE(after(1e-7));
+    EXPECT_TRUE(after(2e-7));
+    EXPECT_FALSE(after(3e-7));
+}
+
+/// A tick of a still tool in air whose law reports these.
+Observation reporting(const std::vector<double>& signals) {
+    return {.time = 0.5, .world_from_tool = {{0, 0, -1.0}, {1, 0, 0, 0}}, .signals = signals};
+}
+
+TEST(StepMonitor, ASignalIsLimitedInEveryTick) {
+    const Limit clamp{.quantity = "signal", .bound = {{}, 100.0}, .signal = {"clamp", 1, "N"}};
+    const OneLimit limit(clamp);
+    const std::vector<double> low{500.0, 100.0}, high{0.0, 100.5};
+    EXPECT_FALSE(limit.after({reporting(low)}).broken_at);
+    EXPECT_EQ(limit.after({reporting(low), reporting(high), reporting(low)}).worst, 100.5);
+    EXPECT_TRUE(limit.after({reporting(high)}).broken_at);
+    const std::vector<double> none;
+    EXPECT_FALSE(limit.after({reporting(none)}).is_seen) << "another law, which reports fewer";
+    const std::vector<double> unsound{0.0, std::nan("")};
+    EXPECT_EQ(limit.after({reporting(unsound), reporting(low)}).worst, 100.0) << "what is no number is passed over";
+}
+
+TEST(StepMonitor, ASignalGoalIsReachedOnceTheSignalWasThere) {
+    const OneGoal goal({.quantity = "signal", .bound = {100.0, 200.0}, .signal = {"clamp", 0, "N"}});
+    const std::vector<double> below{99.0}, within{150.0}, above{201.0};
+    EXPECT_FALSE(goal.is_reached_after({reporting(below), reporting(above)})) << "it jumped over the range";
+    EXPECT_TRUE(goal.is_reached_after({reporting(within)}));
+    EXPECT_TRUE(goal.is_reached_after({reporting(below), reporting(within), reporting(above)}));
+}
+
+TEST(StepMonitor, ASignalBeforeItsTurnCountsAsWell) {
+    Case scene;
+    scene.procedure.steps[0].goals = {{"entry", {}, {}},
+                                      {.quantity = "signal", .bound = {100.0, {}}, .signal = {"clamp", 0, "N"}}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    const std::vector<double> high{120.0}, low{0.0};
+    monitor.observe(reporting(high), scene.drill);
+    EXPECT_FALSE(monitor.steps()[0].goal_done[1]) << "goals are reached in order";
+    Observation entering = cutting_at(0.5);
+    entering.signals = low;
+    monitor.observe(entering, scene.drill);
+    EXPECT_TRUE(monitor.steps()[0].goal_done[1]);
+    EXPECT_EQ(monitor.news().back().second, "hole: clamp");
+}
+
+TEST(StepMonitor, KeepsTheRangeOfEachNamedSignalOnce) {
+    Case scene;
+    const NamedSignal clamp{"clamp", 0, "N"};
+    scene.procedure.steps[0].goals = {{.quantity = "signal", .bound = {1e3, {}}, .signal = clamp}};
+    scene.procedure.steps[0].limits = {{.quantity = "signal", .bound = {{}, 2e3}, .signal = clamp}};
+    StepMonitor monitor(scene.procedure, scene.anatomy, scene.frames);
+    for (const double value : {3.0, -2.0, 7.0}) {
+        const std::vector<double> signals{value};
+        monitor.observe(reporting(signals), scene.drill);
+    }
+    ASSERT_EQ(monitor.steps()[0].signals.size(), 1u);
+    EXPECT_EQ(monitor.steps()[0].signals[0].least, -2.0);
+    EXPECT_EQ(monitor.steps()[0].signals[0].greatest, 7.0);
+    EXPECT_TRUE(monitor.steps()[1].signals.empty());
 }
 
 TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
