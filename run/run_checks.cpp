@@ -13,6 +13,7 @@
 #include "core/procedure/quantity.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/read_procedure.h"
+#include "core/procedure/waypoint_nodes.h"
 
 namespace kerf {
 
@@ -31,12 +32,9 @@ TextSpan span_in(const Document& document, const char* list, std::size_t index, 
 /// A waypoint of a rehearsal, or the value that it has under `key`; null where the document has none.
 const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::size_t waypoint,
                         const char* key = nullptr) {
-    const Node* rehearsals = document.root.find("rehearsals");
-    const Node* path = rehearsals != nullptr && rehearsal < rehearsals->children.size()
-                           ? rehearsals->children[rehearsal].find("path")
-                           : nullptr;
-    if (path == nullptr || waypoint >= path->children.size()) return nullptr;
-    return key != nullptr ? path->children[waypoint].find(key) : &path->children[waypoint];
+    const std::vector<const Node*> nodes = waypoint_nodes(document, rehearsal);
+    if (waypoint >= nodes.size()) return nullptr;
+    return key != nullptr ? nodes[waypoint]->find(key) : nodes[waypoint];
 }
 
 void check_device(const Procedure& procedure, const Document& document, Report& report) {

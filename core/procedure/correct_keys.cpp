@@ -33,7 +33,10 @@ void correct_map(Node& map, const Shape& shape, Report& report) {
 
 void correct(Node& node, const ValueShape& shape, Report& report) {
     if (shape.shape != nullptr) {
-        correct_map(node, *shape.shape, report);
+        // A map with a single key is meant as the other shape if that is closer to its key.
+        const bool is_other = shape.other != nullptr && node.children.size() == 1 &&
+                              !closest(straightened(node.children[0].key), {shape.other->keys[0].name}).empty();
+        correct_map(node, is_other ? *shape.other : *shape.shape, report);
     } else if (!shape.item.empty()) {
         for (Node& child : node.children) correct(child, shape.item.front(), report);
     }

@@ -408,15 +408,25 @@ std::string Document::source_line(TextSpan span) const {
 
 void Report::error(Code code, TextSpan span, std::string message, std::string write, std::optional<Reason> reason) {
     ++errors_;
+    if (is_reported(code_text(code), span, message)) return;
     add(Diagnostic::Level::error, code, span, std::move(message), std::move(write), std::move(reason));
 }
 
 void Report::warning(Code code, TextSpan span, std::string message, std::string write) {
+    if (is_reported(code_text(code, 'W'), span, message)) return;
     add(Diagnostic::Level::warning, code, span, std::move(message), std::move(write), {});
 }
 
 Reason Report::because(TextSpan span, std::string message) const {
     return {document_.place(span), std::move(message), document_.source_line(span)};
+}
+
+bool Report::is_reported(const std::string& code, TextSpan span, const std::string& message) const {
+    return std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& d) {
+        if (d.message != message || d.code != code) return false;
+        const SourcePlace place = document_.place(span);
+        return d.place.file == place.file && d.place.line == place.line && d.place.column == place.column;
+    });
 }
 
 void Report::add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,

@@ -65,7 +65,8 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, TextSpan> replaced_;  ///< by source and begin
 };
 
-/// Collects what is wrong with one document. Shows at most 100 entries, then says that there are more.
+/// Collects what is wrong with one document. Shows at most 100 entries, then says that there are more. The same
+/// message at the same place is shown once: several rehearsals may follow one path.
 class Report {
 public:
     Report(const Document& document, Diagnostics& diagnostics) : document_(document), diagnostics_(diagnostics) {}
@@ -81,6 +82,7 @@ public:
 private:
     static constexpr int most_shown = 100;
 
+    [[nodiscard]] bool is_reported(const std::string& code, TextSpan span, const std::string& message) const;
     void add(Diagnostic::Level level, Code code, TextSpan span, std::string message, std::string write,
              std::optional<Reason> reason);
 

@@ -55,6 +55,8 @@ enum class Code {
     unknown_step = 312,     ///< a waypoint is seen from a step that there is not
     unknown_implant = 313,  ///< a waypoint brings in what there is not
     unknown_event = 314,    ///< a step allows what its instrument does not report as damage
+    unknown_path = 315,     ///< a rehearsal follows a path that `paths` has not
+    unused_path = 316,      ///< warning
     unknown_signal = 317,   ///< a goal or limit is on a signal that the step's law does not declare
 
     // Its numbers

@@ -19,6 +19,7 @@
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
 #include "core/procedure/signal_need.h"
+#include "core/procedure/waypoint_nodes.h"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -773,8 +774,103 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     return at;
 }
 
+/// The waypoints of rehearsals, and of the paths that they follow.
+class PathReader {
+public:
+    PathReader(const Procedure& procedure, const Document& document, InstrumentReader& instruments, Report& report)
+        : procedure_(procedure), document_(document), instruments_(instruments), report_(report) {}
+
+    /// Reads `paths` by themselves: each error is reported, even in a path that no rehearsal follows.
+    void read_paths(const Node& paths) {
+        if (!is_kind(paths, Node::Kind::map, "paths", report_)) return;
+        for (const Node& path : paths.children) {
+            Node key;
+            key.text = path.key;
+            key.span = path.key_span;
+            if (read_id(key, "A path's name", report_)) names_.push_back(path.key);
+            // The step before is that of whoever follows; without one, no drive is checked here.
+            std::size_t step = procedure_.steps.size();
+            for (const Node& point : read_list(path, path.key, report_)) {
+                if (const Node* name = point.find("follow"))
+                    report_.error(Code::unknown_key, name->key_span,
+                                  "The path " + quoted_id(excerpt(path.key, 40)) +
+                                      " follows another, expected waypoints. Write them here, or follow both paths in "
+                                      "the rehearsal.");
+                else
+                    step = read_waypoint(point, step, procedure_, document_, instruments_, report_).step;
+            }
+        }
+        place_ = &paths;
+    }
+
+    std::vector<Waypoint> read(const Node& path) {
+        std::size_t own = 0;
+        bool is_known = true;
+        for (const Node& item : read_list(path, "path", report_))
+            if (item.find("follow") != nullptr)
+                is_known &= check_name(item);
+            else
+                ++own;
+        std::vector<Waypoint> waypoints;
+        if (followed_ >= most_followed) return waypoints;  // reported already
+        const std::vector<const Node*> nodes = waypoint_nodes(document_, &path);
+        followed_ += nodes.size() - own;
+        if (followed_ >= most_followed) {
+            report_.error(Code::out_of_range, path.key_span,
+                          "The rehearsals follow too many waypoints: got " + std::to_string(most_followed) +
+                              " or more up to here, expected fewer. Write shorter paths, or follow them less often.");
+            return waypoints;
+        }
+        for (const Node* node : nodes)
+            waypoints.push_back(read_waypoint(*node, waypoints.empty() ? 0 : waypoints.back().step, procedure_,
+                                              document_, instruments_, report_));
+        if (!is_known) waypoints.clear();  // what is left of it leads elsewhere: nothing more is said of it
+        return waypoints;
+    }
+
+    void warn_of_unused() {
+        if (!std::all_of(used_.begin(), used_.end(), [&](const std::string& id) { return contains(names_, id); }))
+            return;  // one of these may be meant
+        for (const Node& path : place_ != nullptr ? place_->children : std::vector<Node>{})
+            if (contains(names_, path.key) && !used_.contains(path.key))
+                report_.warning(Code::unused_path, path.key_span,
+                                "The path " + quoted_id(excerpt(path.key, 40)) +
+                                    " is not followed by any rehearsal. Remove it, or follow it in one.");
+    }
+
+private:
+    /// `{follow: NAME}`. Returns whether there is such a path.
+    bool check_name(const Node& item) {
+        MapReader map(item, shapes::follow, "waypoint", report_);
+        const Node* name = map.find("follow");
+        const std::string id = read_id(*name, "waypoint.follow", report_).value_or("");
+        map.finish();
+        used_.insert(id);
+        const Node* paths = document_.root.find("paths");
+        if (contains(names_, id)) return true;
+        if (id.empty() || (paths != nullptr && place_ == nullptr)) return false;
+        const std::string meant = closest(straightened(id), names_, report_);
+        report_.error(Code::unknown_path, name->span,
+                      "The path " + quoted_id(id) + " is unknown: " +
+                          (names_.empty() ? "the procedure has none. Add it under `paths:`."
+                                          : "expected " + listed(names_) + "." + or_choose(meant)),
+                      meant,
+                      place_ ? std::optional(report_.because(place_->key_span, "the paths are here.")) : std::nullopt);
+        return false;
+    }
+
+    const Procedure& procedure_;
+    const Document& document_;
+    InstrumentReader& instruments_;
+    Report& report_;
+    const Node* place_ = nullptr;  ///< of `paths`; null: there are none
+    std::vector<std::string> names_;
+    std::set<std::string> used_;
+    std::size_t followed_ = 0;  ///< waypoints of `paths`, in all rehearsals
+};
+
 Rehearsal read_rehearsal(const Node& item, const LimitNames& limits, const Procedure& procedure,
-                         const Document& document, InstrumentReader& instruments, Report& report) {
+                         const Document& document, PathReader& paths, Report& report) {
     MapReader map(item, shapes::rehearsal, item_name(item, "rehearsal"), report);
     Rehearsal rehearsal;
     rehearsal.id = map.id("id");
@@ -789,10 +885,7 @@ Rehearsal read_rehearsal(const Node& item, const LimitNames& limits, const Proce
         hand.quantity("reaction", rehearsal.reaction);
         hand.finish();
     }
-    if (const Node* path = map.find("path"))
-        for (const Node& point : read_list(*path, "path", report))
-            rehearsal.path.push_back(read_waypoint(point, rehearsal.path.empty() ? 0 : rehearsal.path.back().step,
-                                                   procedure, document, instruments, report));
+    if (const Node* path = map.find("path")) rehearsal.path = paths.read(*path);
     map.finish();
     return rehearsal;
 }
@@ -935,12 +1028,15 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
             add_unique(read_step(item, procedure, instrument_ids, catalog, document, report), item, step_ids,
                        procedure.steps, report);
     if (instruments && !procedure.steps.empty()) warn_of_unused(*instruments, procedure.steps, report);
+    PathReader paths(procedure, document, reader, report);
+    if (const Node* node = map.find("paths")) paths.read_paths(*node);
     if (const Node* node = map.find("rehearsals")) {
         const LimitNames limits = limit_names(procedure, document);
         for (const Node& item : read_list(*node, "rehearsals", report))
-            add_unique(read_rehearsal(item, limits, procedure, document, reader, report), item, rehearsal_ids,
+            add_unique(read_rehearsal(item, limits, procedure, document, paths, report), item, rehearsal_ids,
                        procedure.rehearsals, report);
     }
+    paths.warn_of_unused();
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
 }
@@ -957,10 +1053,6 @@ TextSpan span_of_text(const Node* list, const std::string& text) {
     for (const Node& item : list != nullptr ? list->children : std::vector<Node>{})
         if (item.text == text) return item.span;
     return {};
-}
-
-TextSpan span_of_item(const Node* list, std::size_t index) {
-    return list && index < list->children.size() ? list->children[index].span : TextSpan{};
 }
 
 void check_list(const std::vector<std::string>& needed, const std::vector<std::string>& present, const Node* list,
@@ -1023,7 +1115,6 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
         return list && i < list->children.size() ? &list->children[i] : nullptr;
     };
     const Node* steps = document.root.find("steps");
-    const Node* rehearsals = document.root.find("rehearsals");
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
         const Node* step = item(steps, s);
         const Node* limits = step ? step->find("limits") : nullptr;
@@ -1036,11 +1127,10 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
         }
     }
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
-        const Node* rehearsal = item(rehearsals, r);
-        const Node* path = rehearsal ? rehearsal->find("path") : nullptr;
+        const std::vector<const Node*> nodes = waypoint_nodes(document, r);
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const std::size_t s = procedure.rehearsals[r].path[w].step;
-            const Node* waypoint = item(path, w);
+            const Node* waypoint = w < nodes.size() ? nodes[w] : nullptr;
             if (!waypoint || s >= procedure.steps.size() || !procedure.steps[s].plane.empty()) continue;
             if (const Node* step = item(steps, s); step != nullptr && step->find("plane") != nullptr) continue;
             for (const char* key : {"aside", "tilt"})
@@ -1198,16 +1288,15 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     check_pieces(procedure, document, report);
 
     if (contains(points, midline)) return;
-    const Node* rehearsals = document.root.find("rehearsals");
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {
         const std::vector<Waypoint>& path = procedure.rehearsals[i].path;
         const auto shifted = std::find_if(path.begin(), path.end(),
                                           [](const Waypoint& w) { return w.medial != 0.0 || w.medial_angle != 0.0; });
         if (shifted == path.end()) continue;
-        const Node* node =
-            rehearsals && i < rehearsals->children.size() ? rehearsals->children[i].find("path") : nullptr;
+        const std::vector<const Node*> nodes = waypoint_nodes(document, i);
+        const auto index = static_cast<std::size_t>(shifted - path.begin());
         report.error(
-            Code::missing_midline, span_of_item(node, static_cast<std::size_t>(shifted - path.begin())),
+            Code::missing_midline, index < nodes.size() ? nodes[index]->span : TextSpan{},
             "The anatomy has no point `midline`, which the rehearsal moves towards. Add it there, or remove `" +
                 std::string(shifted->medial != 0.0 ? "medial" : "medial_angle") + "`.",
             {}, in_anatomy(anatomy, {"landmarks", "points"}, "its landmarks are here."));

@@ -147,7 +147,8 @@ private:
             case Kind::vector:
                 return vector_schema(value.need);
             case Kind::map:
-                return reference(*value.shape);
+                return value.other ? Json{{"anyOf", {reference(*value.shape), reference(*value.other)}}}
+                                   : reference(*value.shape);
             case Kind::list:
                 return {{"type", "array"}, {"items", of_value(value.item.front())}, {"minItems", 1}};
             case Kind::named:

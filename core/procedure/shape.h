@@ -38,6 +38,7 @@ struct ValueShape {
     QuantityNeed need{};
     std::vector<std::string> words{};
     const Shape* shape = nullptr;
+    const Shape* other = nullptr;    ///< of a map: one of this shape, which has a single key, may take its place
     std::vector<ValueShape> item{};  ///< one, where `kind` has items
 };
 

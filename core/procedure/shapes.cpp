@@ -26,6 +26,9 @@ ValueShape word_or(std::vector<std::string> words, const Shape& shape) {
     return {.kind = Kind::word, .words = std::move(words), .shape = &shape};
 }
 ValueShape map(const Shape& shape) { return {.kind = Kind::map, .shape = &shape}; }
+ValueShape map_or(const Shape& shape, const Shape& other) {
+    return {.kind = Kind::map, .shape = &shape, .other = &other};
+}
 ValueShape list(ValueShape item) { return {.kind = Kind::list, .item = {std::move(item)}}; }
 ValueShape named(ValueShape item) { return {.kind = Kind::named, .item = {std::move(item)}}; }
 
@@ -437,6 +440,12 @@ const Shape waypoint{
          "undo"},
     }};
 
+const Shape follow{"follow",
+                   "The waypoints of a path, at this place.",
+                   {
+                       {required, "follow", id(), "One of `paths`.", "approach"},
+                   }};
+
 const Shape rehearsal{
     "rehearsal",
     "The path of a simulated hand, and its expected result.",
@@ -446,7 +455,9 @@ const Shape rehearsal{
         {required, "expect", word_or({"pass", "incomplete"}, expectation),
          "`pass`, `incomplete` for goals that are not reached, or the limit that breaks.", "{fail: canal}"},
         {optional, "hand", map(hand), "The properties of the simulated hand.", "{feed: 1 mm/s, push: 60 N}"},
-        {required, "path", list(map(waypoint)), "The waypoints, at least two.", "[{depth: -5 mm}, {depth: 32 mm}]"},
+        {required, "path", list(map_or(waypoint, follow)),
+         "The waypoints, at least two; `{follow: NAME}` has the waypoints of one of `paths`.",
+         "[{depth: -5 mm}, {depth: 32 mm}]"},
     }};
 
 const Shape variant{"variant",
@@ -487,6 +498,8 @@ const Shape procedure{
          "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
         {required, "steps", list(map(step)), "What to do, in this order.",
          "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
+        {optional, "paths", named(list(map(waypoint))), "Waypoints that several rehearsals follow.",
+         "{approach: [{depth: -5 mm}, {depth: 5 mm}]}"},
         {optional, "rehearsals", list(map(rehearsal)), "Simulated hands, and their expected results.",
          "[{id: expert, expect: pass, path: [{depth: -5 mm}, {depth: 32 mm}]}]"},
         {optional, "variants", named(map(variant)), "The same with a few values changed, for `--variant`.",

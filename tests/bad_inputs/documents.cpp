@@ -204,6 +204,15 @@ std::vector<Input> document_inputs() {
         {"document, aliases that grow a billion times", Way::document, "p.yaml",
          file("p.yaml", "a: &a [x, x]\nb: &b [*a, *a, *a]\nc: &c [*b, *b, *b]\nd: [*c, *c, *c]\n"), "E0109 E0203 E0204",
          "*a"},
+        {"document, a path that is followed half a million times", Way::document, "p.yaml",
+         file("p.yaml", "apiVersion: kerf/v1\nkind: Procedure\npaths: {a: [" + repeated("{depth: 1 mm}, ", 700) +
+                            "{depth: 2 mm}]}\nrehearsals: [{id: r, expect: pass, path: [" +
+                            repeated("{follow: a}, ", 700) + "{depth: 2 mm}]}]\n"),
+         "E0204 E0412", "follow too many waypoints"},
+        {"document, paths that follow each other", Way::document, "p.yaml",
+         file("p.yaml", "apiVersion: kerf/v1\nkind: Procedure\npaths: {a: [{follow: b}], b: [{follow: a}]}\n"
+                        "rehearsals: [{id: r, expect: pass, path: [{follow: a}, {follow: b}]}]\n"),
+         "E0203 E0204", "follows another"},
         {"document, a tag", Way::document, "anatomy.yaml", changed("title: A block", "title: !!python/object x"),
          "E0110", "tag"},
         {"document, a tab", Way::document, "anatomy.yaml", changed("  points:", "\tpoints:"), "E0105", "tab"},

@@ -40,6 +40,23 @@ TEST(RunChecks, HasNothingAgainstARunThatCanBe) {
     EXPECT_TRUE(found.empty()) << to_text(found);
 }
 
+TEST(RunChecks, ReportsAShallowWaypointOnceInItsPath) {
+    Procedure p = procedure();
+    p.text = "paths:\n"
+             "  shallow: [{depth: -5 mm}, {depth: 5 mm}]\n"
+             "rehearsals:\n"
+             "  - {id: expert, path: [{follow: shallow}, {depth: -5 mm}]}\n"
+             "  - {id: again, path: [{follow: shallow}, {depth: -5 mm}]}\n";
+    p.steps[0].goals = {{"depth", {10e-3, {}}, {}}};
+    p.rehearsals.emplace_back();
+    p.rehearsals[0].expect = "pass";
+    for (const double depth : {-5e-3, 5e-3, -5e-3}) p.rehearsals[0].path.push_back({.depth = depth});
+    p.rehearsals.push_back(p.rehearsals[0]);
+    Diagnostics found;
+    check_run(p, found);
+    expect_one(found, "W0712", 2, 37);
+}
+
 TEST(RunChecks, NamesTheDeviceThatWasMeantWhereItStands) {
     Procedure p = procedure();
     p.device = "tuoch";

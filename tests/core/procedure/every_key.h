@@ -33,6 +33,7 @@ private:
 
     bool is_written(const Shape& shape, const KeyShape& key) const {
         if (shape.id + "/" + key.name == dropped) return false;
+        if (&shape == &shapes::procedure && key.name == "paths" && depth < 2) return false;  // no example follows one
         return key.presence != Presence::one_of || chosen_of(shape) == key.name;
     }
 
@@ -79,7 +80,10 @@ private:
             return way(2, false) == 0 ? map(*shape.shape, levels) : shape.words[0];
         if (!has_maps) return example;
         if (shape.kind == Kind::map) return map(*shape.shape, levels);
-        if (shape.kind == Kind::list) return "[" + value(shape.item[0], example, levels) + "]";
+        if (shape.kind == Kind::list) {
+            const Shape* another = shape.item[0].other;
+            return "[" + value(shape.item[0], example, levels) + (another ? ", " + map(*another, levels) : "") + "]";
+        }
         const std::string name = example.substr(1, example.find(':') - 1);
         return "{" + name + ": " + value(shape.item[0], example, levels) + "}";
     }
@@ -90,8 +94,9 @@ template <class Visit>
 void for_every_key(const Shape& shape, Visit&& visit) {
     std::vector<const Shape*> shapes{&shape};
     const auto add = [&](const ValueShape& value, const auto& again) -> void {
-        if (value.shape != nullptr && std::find(shapes.begin(), shapes.end(), value.shape) == shapes.end())
-            shapes.push_back(value.shape);
+        for (const Shape* found : {value.shape, value.other})
+            if (found != nullptr && std::find(shapes.begin(), shapes.end(), found) == shapes.end())
+                shapes.push_back(found);
         for (const ValueShape& item : value.item) again(item, again);
     };
     for (std::size_t i = 0; i < shapes.size(); ++i) {
