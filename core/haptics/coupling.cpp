@@ -15,6 +15,7 @@ constexpr double release_time = 0.15;  // [s] (R5)
 /// A damper rendered a tick late shakes a mass m from 0.8 m/T on; the hand's rate is later still (`kerf stability`).
 constexpr double sampled_damper = 0.22;
 constexpr double nominal_period = 1e-3;  // [s]
+constexpr double loose = 0.01;           // [–] of the damping about the shaft that loose fingers keep [assumed]
 /// What one count of the encoders may change the force by: more is heard and felt while a hand holds still (S-06).
 constexpr double felt_count = 0.08;  // [N]
 }  // namespace
@@ -29,6 +30,12 @@ CouplingGains gains_for(const DeviceRecord& device, double force_scale, int late
     // Without actuated torque the rotation is dragged through a slip coupling that carries next to nothing.
     gains.has_torque = device.peak_torque > 0.0;
     gains.torque_limit = gains.has_torque ? device.peak_torque : 0.01;
+    if (const TorqueAxis& axis = device.axis; axis.peak_torque > 0.0) {
+        KERF_ASSERT(axis.friction > 0.0 && axis.resolution > 0.0, "give the motor about the shaft both");
+        KERF_ASSERT(!gains.has_torque, "a device that makes all torques has no motor about the shaft alone");
+        const double stiffness = 0.5 * axis.friction / axis.resolution;
+        gains.shaft = {axis.peak_torque, stiffness, nominal_period * stiffness, axis.resolution};
+    }
     gains.resolution = device.resolution;
     gains.spare_damping = device.largest_damping - gains.damping;
     gains.force_scale = force_scale;
@@ -60,18 +67,21 @@ Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, doubl
         turn = gains.has_torque ? std::min(turn, held->turn_stiffness) : held->turn_stiffness;
         along = std::min(along, held->axial_stiffness);
     }
+    const ShaftGains& shaft = gains.shaft;
+    const double about = shaft.is_driven() ? std::min(turn, shaft.stiffness / gains.force_scale) : turn;
     const Compliance at_grip = Compliance{1.0 / k, 0.0, 1.0 / turn} + seen_ahead(bent(tip), grip_z);
     const CentredSpring across = centred(at_grip);
     Spring spring{.centre_z = grip_z + across.ahead,
                   .stiffness = {across.shift, along},
                   .damping = (b / k) * Split(across.shift, along),
-                  .turn_stiffness = {across.turn, turn},
-                  .turn_damping = (b / k) * Split(across.turn, turn)};
+                  .turn_stiffness = {across.turn, about},
+                  .turn_damping = (b / k) * Split(across.turn, about)};
     if (held) {
         constexpr double turning = handpiece_mass * handpiece_gyration * handpiece_gyration;
         spring.damping = {damped(*held, across.shift, handpiece_mass, b), b};  // along the shaft hands stiffen
         const double most = gains.has_torque ? arm2 * b : HUGE_VAL;
-        spring.turn_damping = {damped(*held, across.turn, turning, most), damped(*held, turn, turning, most)};
+        const double most_about = shaft.is_driven() ? shaft.damping / gains.force_scale : most;
+        spring.turn_damping = {damped(*held, across.turn, turning, most), damped(*held, about, turning, most_about)};
     }
     return spring;
 }
@@ -93,6 +103,10 @@ void Coupling::hold(const Pose& handle, const Vec6& hand_rate, const Pose& tool,
                  spring_.damping + dt * spring_.stiffness, most_force()};
     out.torque = {spring_.turn_stiffness * twisted + spring_.turn_damping * out.hand_turn,
                   spring_.turn_damping + dt * spring_.turn_stiffness, most_torque()};
+    if (is_loose_) {
+        out.torque.pull.z = 0.0;
+        out.torque.drag.along = loose * spring_.turn_damping.along;
+    }
     out.dt = dt;
     out.release_damping = 0.0;
     const double pull = out.force.pull.z;
@@ -108,7 +122,8 @@ void Coupling::slide(const Pose& handle, const Pose& tool) noexcept {
     slip_ = slip_ + rotate(tool.rotation, after - clamped(after, most_force() / spring_.stiffness));
     const Quat turn_after = twist(handle, tool);
     const Vec3 turn = small_rotation_vector(turn_after);
-    const Vec3 kept = clamped(turn, most_torque() / spring_.turn_stiffness);
+    Vec3 kept = clamped(turn, most_torque() / spring_.turn_stiffness);
+    if (is_loose_) kept.z = 0.0;
     if (!(kept == turn))
         rotation_slip_ = normalized(rotation_slip_ * conjugate(turn_after) * quat_from_rotation_vector(kept));
 }
@@ -139,6 +154,13 @@ double Coupling::stored(const Pose& handle, const Pose& tool) const noexcept {
         const Split most = torque_limit() / gains_.force_scale;
         const Vec3 turn = clamped(small_rotation_vector(twist(handle, tool)), most / spring_.turn_stiffness);
         energy += 0.5 * dot(turn, spring_.turn_stiffness * turn);
+    } else if (gains_.shaft.is_driven() && !is_loose_) {
+        // The motor's torque grows with the turn up to its limit, and then stays: the hand is given what is under it.
+        const double stiffness = spring_.turn_stiffness.along, most = shaft_limit() / gains_.force_scale;
+        const double turn =
+            std::min(std::abs(small_rotation_vector(twist(handle, tool)).z), most_torque().along / stiffness);
+        const double sprung = std::min(turn, most / stiffness);
+        energy += 0.5 * stiffness * sprung * sprung + most * (turn - sprung);
     }
     return gains_.force_scale * energy;
 }

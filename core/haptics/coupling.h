@@ -24,6 +24,17 @@ inline constexpr Hold one_hand{.turn_stiffness = 10.0, .axial_stiffness = 7.5e3,
 /// Of a saw: arms of 5 N/mm, 150 mm apart, and two wrists [assumed].
 inline constexpr Hold two_hands{.turn_stiffness = 60.0, .axial_stiffness = 7.5e3, .strength = 20.0, .twist = 20.0};
 
+/// Gains of a motor about the shaft, on the device's side. One count of its encoder changes its torque by no more than
+/// its friction, in halves for spring and damper, so a hand that holds still feels no count.
+struct ShaftGains {
+    double torque_limit = 0.0;  ///< [N·m]; 0: the device has no such motor
+    double stiffness = 0.0;     ///< [N·m/rad] at most
+    double damping = 0.0;       ///< [N·m·s/rad] at most, of the coupling and of the passivity controller each
+    double resolution = 0.0;    ///< [rad] of one count
+
+    [[nodiscard]] bool is_driven() const noexcept { return torque_limit > 0.0; }
+};
+
 /// Gains on the device's side; divided by the force scale they act on the bone's.
 struct CouplingGains {
     double stiffness = 0.0;        ///< K_c [N/m]
@@ -31,6 +42,7 @@ struct CouplingGains {
     double force_limit = 0.0;      ///< [N]
     double torque_limit = 0.0;     ///< [N·m]
     bool has_torque = false;       ///< the device makes torques: they count for what the hand is given
+    ShaftGains shaft{};            ///< of a device with a motor about the shaft alone
     double resolution = 0.0;       ///< [m] of one count of the device's encoders
     double spare_damping = 0.0;    ///< [N·s/m] the most the passivity controller may add
     double force_scale = 1.0;      ///< [–] device newtons per bone newton, one for force and torque
@@ -45,6 +57,7 @@ struct CouplingGains {
 ///     B_c = min(0.5 × its damping, T (0.08 N / Δ − K_c)), Δ one count of its encoders,
 ///     B_x = min(0.15 s × K_c, 0.22 m/T)
 ///
+/// and of a motor about the shaft with friction τ and counts of φ: at most τ/2φ of stiffness and T τ/2φ of damping.
 /// B_c and B_x are judgements; all are held against S-01, S-02, S-06, S-15 and S-19 (docs/design/tick.md).
 [[nodiscard]] CouplingGains gains_for(const DeviceRecord& device, double force_scale, int latency = 0) noexcept;
 
@@ -64,7 +77,8 @@ struct Spring {
     Split turn_stiffness, turn_damping;  ///< [N·m/rad], [N·m·s/rad]
 };
 /// Returns device, hands and shaft as one spring; without `held` the handle clamps the tool. A device that makes no
-/// torques leaves a turn to the wrist: turning its handle costs nothing. In hands every damper has a ratio of its own,
+/// torques leaves a turn to the wrist: turning its handle costs nothing. A motor about the shaft bounds the turn about
+/// it. In hands every damper has a ratio of its own,
 /// so the sum is exact at rest only.   [any] pure.
 ///
 /// Source: docs/design/tick.md, "One spring".
@@ -98,6 +112,11 @@ public:
     /// whether something is left.   [haptic, nonblocking]
     bool straighten(double share) noexcept;
 
+    /// Lets the tool go about its shaft, or takes hold of it again (false): meanwhile its anchor there follows the
+    /// handle and carries no torque. A damper of 1 % [assumed] is left, so that the solve has one answer. [haptic,
+    /// nonblocking]
+    void loosen_about_shaft(bool is_loose) noexcept { is_loose_ = is_loose; }
+
     /// What the stretch can give back to the hand [J], on the device's side: of a turn, as much as the device's own
     /// torques store.   [haptic, nonblocking]
     [[nodiscard]] double stored(const Pose& world_from_handle, const Pose& world_from_tool) const noexcept;
@@ -105,7 +124,10 @@ public:
     /// Of the device [N], [N·m].
     [[nodiscard]] double force_limit() const noexcept { return force_share_ * gains_.force_limit; }
     [[nodiscard]] double torque_limit() const noexcept { return torque_share_ * gains_.torque_limit; }
+    /// Of its motor about the shaft [N·m].
+    [[nodiscard]] double shaft_limit() const noexcept { return torque_share_ * gains_.shaft.torque_limit; }
     [[nodiscard]] Vec3 grip() const noexcept { return grip_; }  ///< tool frame [m]
+    [[nodiscard]] const Spring& spring() const noexcept { return spring_; }
 
 private:
     [[nodiscard]] Vec3 stretch(const Pose& handle, const Pose& tool) const noexcept {  ///< tool frame
@@ -118,8 +140,9 @@ private:
     /// On the tool [N], [N·m].
     [[nodiscard]] Split most_force() const noexcept { return force_limit() / gains_.force_scale; }
     [[nodiscard]] Split most_torque() const noexcept {
-        return held_ ? torque_share_ * Split(held_->strength, held_->twist)
-                     : Split(torque_limit() / gains_.force_scale);
+        if (held_) return torque_share_ * Split(held_->strength, held_->twist);
+        const double across = torque_limit() / gains_.force_scale;
+        return {across, gains_.shaft.is_driven() ? shaft_limit() / gains_.force_scale : across};
     }
 
     CouplingGains gains_;
@@ -127,7 +150,8 @@ private:
     Vec3 grip_;
     Spring spring_;
     double force_share_ = 1.0, torque_share_ = 1.0;
-    Vec3 slip_{};  ///< how far the anchor has slid, world frame [m]
+    bool is_loose_ = false;  ///< about the shaft
+    Vec3 slip_{};            ///< how far the anchor has slid, world frame [m]
     Quat rotation_slip_{1, 0, 0, 0};
 };
 

@@ -4,9 +4,13 @@
 #include <cstring>
 #include <iterator>
 
+#include "kerf/units.hpp"
+
 namespace kerf {
 
 namespace {
+using namespace literals;
+
 constexpr double unknown_share = 0.25;  // continuous force where no datasheet is known: a quarter of peak [assumed]
 
 // Limits: [chai3d]; masses, friction and resolution from memory of datasheets, to be checked on a unit.
@@ -59,6 +63,19 @@ constexpr DeviceRecord devices[] = {
      10e-6,
      {2630.0, 1230.0, 865.0},
      "[chai3d]; rest assumed"},
+    {"touch-driver",
+     3.3,
+     0.88,
+     0.0,
+     400.0,
+     4.0,
+     0.045,
+     0.1,
+     0.26,
+     55e-6,
+     {2860.0, 1370.0, 991.0},
+     "touch; motor about the stylus [assumed]",
+     {.peak_torque = 0.35, .resolution = 0.09_deg, .friction = 0.01}},
 };
 }  // namespace
 

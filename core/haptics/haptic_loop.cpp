@@ -54,7 +54,11 @@ HapticLoop::HapticLoop(const Body& body, std::vector<Tool> tools, const Coupling
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, outline().handling),
-      guard_(gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution) {
+      guard_({gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution},
+             {gains.shaft.damping,
+              gains.force_scale * coupling_.spring().turn_stiffness.along * gains.shaft.resolution *
+                  gains.shaft.resolution,
+              gains.shaft.resolution}) {
     bodies_.reserve(most_bodies);
     bodies_.push_back(
         std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, live_reserve), outline().cutting));
@@ -155,11 +159,14 @@ TickResult HapticLoop::tick(const DeviceSample& sample) noexcept {
     if (is_steady) {
         const Vec3 grip = coupling_.grip();
         const Quat turn = conjugate(last_handle.rotation) * hand_.pose().rotation;
-        const Vec3 turned_by =
-            coupling_.gains().has_torque ? rotate(last_handle.rotation, small_rotation_vector(turn)) : Vec3{};
+        const bool has_shaft = coupling_.gains().shaft.is_driven();
+        const Vec3 turned_by = coupling_.gains().has_torque || has_shaft
+                                   ? rotate(last_handle.rotation, small_rotation_vector(turn))
+                                   : Vec3{};
         guard_.observe(commanded_, make_vec6(hand_.pose() * grip - last_handle * grip, turned_by), supplied_,
                        coupling_.stored(hand_.pose(), world_from_tool_) +
-                           coupling_.gains().force_scale * kinetic_energy(outline().inertia, last_rate_));
+                           coupling_.gains().force_scale * kinetic_energy(outline().inertia, last_rate_),
+                       has_shaft ? small_rotation_vector(turn).z : 0.0);
     }
     supplied_ = 0.0;
 
@@ -338,6 +345,16 @@ void HapticLoop::report_bone(const Vec6& bone, double share, TickResult& result)
     add(turned(world_from_tool_.rotation, bone), share, result.bone_on_tool);
 }
 
+/// Returns what the device makes of a torque on the hand, device side, world frame: a motor about the shaft makes its
+/// part about it, about the handle's own z.
+Vec3 HapticLoop::commanded_torque(Vec3 on_hand) noexcept {
+    if (!coupling_.gains().shaft.is_driven()) return clamped(on_hand, coupling_.torque_limit());
+    const double limit = coupling_.shaft_limit();
+    const double about = dot(on_hand, rotate(world_from_tool_.rotation, {0, 0, 1}));
+    return std::clamp(about + guard_.shaft_correction(period_), -limit, limit) *
+           rotate(hand_.pose().rotation, {0, 0, 1});
+}
+
 void HapticLoop::command(TickResult& result) noexcept {
     const CouplingGains& gains = coupling_.gains();
     Vec6 wrench{};
@@ -348,8 +365,7 @@ void HapticLoop::command(TickResult& result) noexcept {
         const Vec3 correction = guard_.correction(period_);
         add(result.limited_on_hand, gains.force_scale, wrench);
         const Vec3 released = gains.force_scale * result.released_on_hand, force = linear(wrench);
-        wrench = make_vec6(clamped(force + correction, coupling_.force_limit()),
-                           clamped(angular(wrench), coupling_.torque_limit()));
+        wrench = make_vec6(clamped(force + correction, coupling_.force_limit()), commanded_torque(angular(wrench)));
         const Vec3 arm = rotate(world_from_tool_.rotation, coupling_.grip());
         const Vec3 tool_rate = rotate(world_from_tool_.rotation, linear(result.rate)) +
                                cross(rotate(world_from_tool_.rotation, angular(result.rate)), arm);
@@ -391,8 +407,14 @@ TickResult HapticLoop::tick_direct(const DeviceSample& sample) noexcept {
     report_bone(bone, 1.0, result);
     result.coupled_on_hand = result.bone_on_tool;
     const CouplingGains& gains = coupling_.gains();
-    result.limited_on_hand = make_vec6(clamped(linear(result.bone_on_tool), gains.force_limit / gains.force_scale),
-                                       clamped(angular(result.bone_on_tool), gains.torque_limit / gains.force_scale));
+    Vec3 torque = clamped(angular(result.bone_on_tool), gains.torque_limit / gains.force_scale);
+    if (gains.shaft.is_driven()) {
+        const Vec3 shaft = rotate(hand_.pose().rotation, {0, 0, 1});
+        const double most = gains.shaft.torque_limit / gains.force_scale;
+        torque = std::clamp(dot(angular(result.bone_on_tool), shaft), -most, most) * shaft;
+    }
+    result.limited_on_hand =
+        make_vec6(clamped(linear(result.bone_on_tool), gains.force_limit / gains.force_scale), torque);
     add(result.limited_on_hand, gains.force_scale, result.command.wrench);
     commanded_ = result.command.wrench;
     result.power_hand = -dot(bone, result.rate);

@@ -102,6 +102,11 @@ public:
     /// held at the end of it.   [haptic, nonblocking] between ticks
     void command_drive(std::size_t drive, double value) noexcept;
 
+    /// Lets the tool go about its shaft from the next tick on, or takes hold of it again (false): a hand that regrips,
+    /// a clutch of a live device. The tool's angle stays, and the handle turns without it. A tool that is taken up is
+    /// held. [haptic, nonblocking] between ticks
+    void loosen_about_shaft(bool is_loose) noexcept { coupling_.loosen_about_shaft(is_loose); }
+
     /// Takes up one of the tools anew, where the hand is, with its law as at the beginning; drawn back along its axis
     /// if it lies in bone there. What was held is let go. Pre: `close_stretches` was called and its records are
     /// applied. [main] between ticks
@@ -200,6 +205,7 @@ private:
     void commit(const Vec6& rate, const double* lambda, const Vec6& following, double step,
                 TickResult& result) noexcept;
     void command(TickResult& result) noexcept;
+    [[nodiscard]] Vec3 commanded_torque(Vec3 on_hand) noexcept;
 
     /// Whether any bone that can be felt comes within `margin` [m] of the tool.
     [[nodiscard]] bool is_bone_in_reach(double margin) const noexcept;

@@ -24,24 +24,37 @@ public:
     /// `unseen` [J]: what a spring gives and takes within one count of the encoders, K Δ². A hand that flickers between
     /// two counts is credited with it, or the balance would fall for ever under a hand that stands still.
     explicit PassivityGuard(double largest_damping, double unseen = 0.0, double count = 0.0)
-        : largest_damping_(largest_damping), unseen_(unseen), count_(count) {}
+        : PassivityGuard({largest_damping, unseen, count}, {}) {}
+    /// How a port is damped and measured: of forces, or of a motor about the shaft.
+    struct Port {
+        double largest_damping = 0.0;  ///< [N·s/m] or [N·m·s/rad]; 0: nothing is taken back there
+        double unseen = 0.0;           ///< [J] as above
+        double count = 0.0;            ///< [m] or [rad]
+    };
+    PassivityGuard(const Port& forces, const Port& shaft) : forces_(forces), shaft_(shaft) {}
 
     /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
     /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
-    void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored) noexcept;
+    /// `turned` [rad]: of that, about the shaft; for a port whose motor acts there.
+    void observe(const Vec6& wrench, const Vec6& moved, double supplied, double stored, double turned = 0.0) noexcept;
     /// The coupling is anchored anew: what a fault gave while it faded is not taken back from a hand that is not to
     /// blame. [haptic, nonblocking]
     void restart() noexcept { energy_ = 0.0; }
     /// The force on the hand that takes back what came out too much. [N]   [haptic, nonblocking]
     [[nodiscard]] Vec3 correction(double dt) noexcept;
+    /// The torque about the shaft on the hand that takes back what `correction` of the same tick leaves. [N·m]
+    /// [haptic, nonblocking]
+    [[nodiscard]] double shaft_correction(double dt) noexcept;
 
     [[nodiscard]] double energy() const noexcept { return energy_; }       ///< [J] W
     [[nodiscard]] double least_energy() const noexcept { return least_; }  ///< [J] the lowest W has been
     [[nodiscard]] std::uint64_t corrections() const noexcept { return corrections_; }
 
 private:
-    double largest_damping_, unseen_, count_;
+    Port forces_, shaft_;
     Vec3 moved_{};
+    double turned_ = 0.0;  ///< [rad] about the shaft
+    double left_ = 0.0;    ///< [J] of the excess, after the last `correction`
     double energy_ = 0.0, least_ = 0.0;
     std::uint64_t corrections_ = 0;
 };

@@ -90,6 +90,7 @@ public:
     using HapticLoop::law_fault;
     using HapticLoop::laws_over_budget;
     using HapticLoop::lead;
+    using HapticLoop::loosen_about_shaft;
     using HapticLoop::next_sequence;
     using HapticLoop::outline;
     using HapticLoop::passivity;

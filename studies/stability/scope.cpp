@@ -2,6 +2,9 @@
 // For training and research; not for diagnosis, planning or deciding treatment.
 #include "studies/stability/scope.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace kerf::stability {
 
 Scope Scope::of(bool is_quick) {
@@ -14,7 +17,9 @@ Scope Scope::of(bool is_quick) {
         scope.hands = {no_hand, test_hands[2]};
         scope.most_delay = 1;
     } else {
-        scope.devices.assign(all, all + count);
+        // What a motor about the shaft adds is tested by tests/core/haptics/torque_axis_test.cpp.
+        std::copy_if(all, all + count, std::back_inserter(scope.devices),
+                     [](const DeviceRecord& device) { return device.axis.peak_torque == 0.0; });
         scope.hands.assign(test_hands.begin(), test_hands.end());
     }
     return scope;

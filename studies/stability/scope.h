@@ -16,7 +16,7 @@ struct Scope {
     bool is_quick = false;
 
     /// Every device record, every hand, every delay; quick: one device, the bare one and the nominal hand, no delay
-    /// and one tick.
+    /// and one tick. Records with a motor about the shaft are left out: their forces are those of another record.
     [[nodiscard]] static Scope of(bool is_quick);
 };
 

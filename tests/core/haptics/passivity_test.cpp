@@ -94,7 +94,7 @@ TEST(Passivity, AWallTooStiffForTheLoopThrowsBackHarderAndTheControllerTakesItAw
 TEST(Passivity, ALeverCycleGivesNoNetWork) {
     const Body body = test::block({-5.0_mm, -5.0_mm, -8.0_mm}, {5.0_mm, 5.0_mm, 0}, 0.25_mm);
     const ToolSetup setup = test::probe(500.0_N_per_mm);
-    for (const char* device : {"touch", "premium-1.5-6dof"}) {
+    for (const char* device : {"touch", "premium-1.5-6dof", "touch-driver"}) {
         const CouplingGains gains = gains_for(*find_device(device), 1.0);
         const Vec3 grip{0, 0, -60.0_mm};
         // The tool lies over the edge of the face; the hand tilts it down into the bone, moves aside, tilts back.
@@ -112,7 +112,7 @@ TEST(Passivity, ALeverCycleGivesNoNetWork) {
                 const double phase = 2.0 * pi * i / 400.0;
                 const Pose now = pose(0.015 * (1.0 - std::cos(phase)), 1.0_mm * std::sin(phase));
                 work += dot(linear(wrench), now * grip - last * grip);
-                if (gains.has_torque)
+                if (gains.has_torque || gains.shaft.is_driven())
                     work += dot(angular(wrench),
                                 rotate(last.rotation, small_rotation_vector(conjugate(last.rotation) * now.rotation)));
                 last = now;
