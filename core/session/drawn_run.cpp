@@ -11,6 +11,10 @@ double lateral_force(const TickRow& row) noexcept {
     return length(force - dot(force, shaft) * shaft);
 }
 
+double sent_torque(const TickRow& row) noexcept {
+    return dot(angular(row.commanded), rotate(row.device_from_handle.rotation, {0, 0, 1}));
+}
+
 // ---- ticks -------------------------------------------------------------------------------------------------------
 
 Thinning::Thinning(std::uint64_t total, std::size_t most)

@@ -76,5 +76,7 @@ private:
 
 /// Force across the shaft [N]: the modelled force without its part along the tool's axis.   [any]
 [[nodiscard]] double lateral_force(const TickRow& row) noexcept;
+/// Returns the torque about the handle's z that the device was sent, on the hand [N·m], device side.   [any]
+[[nodiscard]] double sent_torque(const TickRow& row) noexcept;
 
 }  // namespace kerf

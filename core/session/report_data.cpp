@@ -47,6 +47,7 @@ Json rows_json(const std::vector<TickRow>& drawn) {
             {"time", packed_floats(drawn, [](const TickRow& row) { return row.time; })},
             {"thrust", packed_floats(drawn, [](const TickRow& row) { return row.thrust; })},
             {"torque", packed_floats(drawn, [](const TickRow& row) { return row.torque * 1e3; })},
+            {"sent", packed_floats(drawn, [](const TickRow& row) { return sent_torque(row) * 1e3; })},
             {"lateral", packed_floats(drawn, [](const TickRow& row) { return lateral_force(row); })},
             {"depth", packed_floats(drawn, [](const TickRow& row) { return row.depth * 1e3; })},
             {"tissue", base64(tissues)}};

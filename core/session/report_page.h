@@ -113,7 +113,7 @@ function roundTicks(low, high, count) {
 // ---- plots ----------------------------------------------------------------------------------------------------
 
 const rows = data.rows, count = rows.count;
-for (const name of ["time", "thrust", "torque", "lateral", "depth"]) rows[name] = decode(rows[name], Float32Array);
+for (const name of ["time", "thrust", "torque", "sent", "lateral", "depth"]) rows[name] = decode(rows[name], Float32Array);
 rows.tissue = decode(rows.tissue, Int8Array);
 for (const signal of data.signals) signal.values = decode(signal.values, Float32Array);
 
@@ -312,6 +312,7 @@ function drawReadout() {
     add("depth", sensible(rows.depth[i]) + " mm");
     add("thrust", sensible(rows.thrust[i]) + " N");
     add("torque", sensible(rows.torque[i]) + " N·mm");
+    if (rows.sent[i]) add("torque sent", sensible(rows.sent[i]) + " N·mm");
     add("lateral", sensible(rows.lateral[i]) + " N");
     add("tissue", rows.tissue[i] < 0 ? "none" : (data.tissues[rows.tissue[i]] || { name: "?" }).name);
     const [a, b] = timeAxis.view, near = data.events.find(e => Math.abs(e.time - rows.time[i]) < (b - a) * 0.006);

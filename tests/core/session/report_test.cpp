@@ -71,6 +71,13 @@ TEST(LateralForce, IsWhatActsAcrossTheShaft) {
     EXPECT_DOUBLE_EQ(lateral_force(row), 5.0);
 }
 
+TEST(SentTorque, IsAboutTheHandle) {
+    TickRow row;
+    row.device_from_handle.rotation = quat_between({0, 0, 1}, {1, 0, 0});  // its z along x
+    row.commanded = {0, 0, 0, -0.2, 0.05, 0.07};
+    EXPECT_NEAR(sent_torque(row), -0.2, 1e-15);
+}
+
 std::vector<TickRow> thinned(const std::vector<TickRow>& rows, std::size_t most, std::size_t expected) {
     Thinning thinning(expected, most);
     for (const TickRow& row : rows) thinning.add(row);
