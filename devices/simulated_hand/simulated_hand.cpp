@@ -20,6 +20,7 @@ constexpr double correcting = 1.0;        // [1/s] of a tip beside the leg [assu
 constexpr double farthest_beside = 3e-3;  // [m] that it aims beside the leg: 2 N on a drill in a hole [assumed]
 constexpr double unfelt = 0.02;  // of the device's friction: from such a pull on, all of it is made up for [assumed]
 constexpr double turning = 1.0;  // [rad/s] of the wrist [assumed]
+constexpr double turning_back = 2.0;  // [rad/s] of the wrist that has let the driver go [assumed]
 
 constexpr double arm_in_bone = 5e3, leaning_in_bone = 17e3;  // [N/m], [N/(m·s)] [assumed]
 constexpr double stiffest_arm = 600.0;                       // [N/m] at the device [assumed]
@@ -69,6 +70,10 @@ Plant in_bone(Plant plant, double force_scale) noexcept {
     return plant;
 }
 
+double Leg::least_regripping() const noexcept {
+    return regrip > 0.0 ? std::max(0.0, std::ceil(std::abs(turn) / regrip) - 1.0) * regrip / turning_back : 0.0;
+}
+
 SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pose& start, double dt)
     : plant_(plant),
       intent_(intent),
@@ -76,15 +81,18 @@ SimulatedHand::SimulatedHand(const Plant& plant, const Intent& intent, const Pos
       position_(start.position),
       rotation_(start.rotation),
       leg_start_(start.position),
+      driver_(start.rotation),
       seen_(static_cast<std::size_t>(std::max(1.0, std::floor(intent.reaction / dt))), start.position),
-      planned_(seen_.size(), 0.0) {
+      planned_(seen_.size(), 0.0),
+      felt_torque_(seen_.size(), 0.0),
+      felt_event_(seen_.size(), false) {
     begin(0, start.position, start.position);
 }
 
 Pose SimulatedHand::reported() const noexcept {
     const double r = plant_.resolution;
     return {{quantised(position_.x, r), quantised(position_.y, r), quantised(position_.z, r)},
-            turned_ == 0.0 ? rotation_ : rotation_ * turned_about_z(turned_)};
+            turned_ == 0.0 ? rotation_ : rotation_ * turned_about_z(quantised(turned_, plant_.turn_resolution))};
 }
 
 Vec3 SimulatedHand::along() const noexcept {
@@ -93,27 +101,61 @@ Vec3 SimulatedHand::along() const noexcept {
     return length(way) > 0.0 ? normalized(way) : Vec3{};
 }
 
-void SimulatedHand::think(Vec3 tip) {
+const std::string& SimulatedHand::awaited_event() const noexcept {
+    static const std::string none;
+    return is_done() ? none : intent_.legs[leg_].until_event;
+}
+
+bool SimulatedHand::turn(const Leg& leg, double felt_torque) {
+    if (is_regripping_) {
+        const double most = turning_back * dt_;
+        if (turned_ == grip_) {  // the wrist is back: it takes hold, and turns on in the next tick
+            is_regripping_ = false;
+            turn_end_ = turned_ + driver_end_ - driver_turned_;
+        }
+        turned_ += std::clamp(grip_ - turned_, -most, most);
+        return false;
+    }
+    double end = turn_end_;
+    if (leg.regrip > 0.0) end = std::clamp(end, grip_ - leg.regrip, grip_ + leg.regrip);
+    if (turned_ == end) {
+        is_regripping_ = end != turn_end_;
+        return !is_regripping_;
+    }
+    if (std::copysign(1.0, leg.turn) * felt_torque > leg.torque) return false;
+    const double most = leg.turning * dt_;
+    turned_ += std::clamp(end - turned_, -most, most);
+    return true;
+}
+
+void SimulatedHand::think(const Felt& felt) {
+    const Vec3 tip = felt.world_from_tool.position;
     const Vec3 seen = seen_[seen_at_] - leg_start_;
-    const double planned = planned_[seen_at_];
+    const double planned = planned_[seen_at_], felt_torque = felt_torque_[seen_at_];
+    const bool has_felt_event = felt_event_[seen_at_];
     seen_[seen_at_] = tip;
     planned_[seen_at_] = plan_;
+    felt_torque_[seen_at_] = felt.torque;
+    felt_event_[seen_at_] = felt.has_event;
     seen_at_ = (seen_at_ + 1) % seen_.size();
+    driver_turned_ += small_rotation_vector(conjugate(driver_) * felt.world_from_tool.rotation).z;
+    driver_ = felt.world_from_tool.rotation;
     if (is_done()) return;
 
     const Leg& leg = intent_.legs[leg_];
     rotation_ = turned_towards(rotation_, leg.target.rotation, turning * dt_);
-    const double most_turn = leg.turning * dt_;
-    turned_ += std::clamp(turn_end_ - turned_, -most_turn, most_turn);
+    const bool goes_on = turn(leg, felt_torque);
+    if (leg.turn != 0.0 && (has_felt_event || std::copysign(1.0, leg.turn) * felt_torque >= leg.until_torque))
+        is_turn_over_ = true;
     const double total = length(leg.target.position - leg_start_);
     const Vec3 along = this->along();
     const double seen_at = dot(seen, along), lag = planned - seen_at;
 
-    if (lag < patience) plan_ = std::min(total, plan_ + leg.speed * dt_);
+    if (lag < patience && goes_on) plan_ = std::min(total, plan_ + leg.speed * dt_);
     if (lag < -surprise) {
         lean_ -= letting_go * lean_ * dt_;
         if (lean_ < let_go) plan_ += letting_go * (std::min(total, seen_at) - plan_) * dt_;
-    } else {
+    } else if (goes_on) {
         lean_ =
             std::clamp(lean_ + plant_.leaning / plant_.arm_stiffness * lag * dt_, 0.0, leg.push / plant_.arm_stiffness);
     }
@@ -123,6 +165,8 @@ void SimulatedHand::think(Vec3 tip) {
     const std::size_t last = intent_.legs.size() - 1;
     if (leg.stop_aside > 0.0 && leg_ < last && length(seen - seen_at * along) > leg.stop_aside)
         begin(last, tip, tip);
+    else if (is_turn_over_ && !is_regripping_)
+        begin(leg_ + 1, leg_start_ + plan_ * along, tip);
     else if (are_same(rotation_, leg.target.rotation) && turned_ == turn_end_ &&
              (leg.turn != 0.0 || (turns_ ? plan_ >= total : dot(tip - leg_start_, along) >= total - arrived)))
         begin(leg_ + 1, leg.target.position, tip);
@@ -131,16 +175,23 @@ void SimulatedHand::think(Vec3 tip) {
 void SimulatedHand::begin(std::size_t leg, Vec3 from, Vec3 tip) {
     leg_ = leg;
     leg_start_ = from;
-    if (!is_done()) turn_end_ = turned_ + intent_.legs[leg_].turn;
+    grip_ = turned_;
+    is_regripping_ = is_turn_over_ = false;
+    if (!is_done()) {
+        turn_end_ = turned_ + intent_.legs[leg_].turn;
+        driver_end_ = driver_turned_ + intent_.legs[leg_].turn;
+    }
     turns_ = !is_done() && !are_same(rotation_, intent_.legs[leg_].target.rotation);
     plan_ = std::max(0.0, dot(tip - leg_start_, along()));
     lean_ = 0.0;
     std::fill(planned_.begin(), planned_.end(), plan_);
     std::fill(seen_.begin(), seen_.end(), tip);
+    std::fill(felt_torque_.begin(), felt_torque_.end(), 0.0);
+    std::fill(felt_event_.begin(), felt_event_.end(), false);
 }
 
-Pose SimulatedHand::step(const DeviceCommand& command, Vec3 tip) {
-    think(tip);
+Pose SimulatedHand::step(const DeviceCommand& command, const Felt& felt) {
+    think(felt);
     const Setpoint& spring = command.setpoint;
     const Vec3 aim = leg_start_ + (plan_ + lean_) * along() + beside_;
     const double most = is_done() ? HUGE_VAL : intent_.legs[leg_].push;

@@ -63,6 +63,159 @@ TEST(SimulatedHand, TurnsADriverManyTimesAtItsSpeedAndEndsThere) {
     }
 }
 
+// ---- a driver that resists ---------------------------------------------------------------------------------------
+
+/// A leg that turns in place.
+Intent turn_in_place(double by, double turning) {
+    return {.legs = {{.target = test::at_depth(0.0), .push = 0.5, .turn = by, .turning = turning}}};
+}
+
+/// A hand and a driver that its wrist of 10 N·m/rad turns: bone asks for a torque that depends on the driver's angle.
+struct Driving {
+    SimulatedHand hand;
+    double friction = 1.0;                            ///< [N·m] of the bone now
+    double handle = 0.0, driver = 0.0, anchor = 0.0;  ///< [rad], and by how much the handle is ahead when it is slack
+    double torque = 0.0;                              ///< [N·m] of the hand on the driver
+
+    explicit Driving(const Intent& intent, const Plant& plant = {}) : hand(plant, intent, test::at_depth(0.0), dt) {}
+    void step(bool has_event = false) {
+        const Quat before = hand.reported().rotation;
+        Pose tool = test::at_depth(0.0);
+        tool.rotation = tool.rotation * quat_from_rotation_vector({0, 0, std::remainder(driver, 4.0 * pi)});
+        const Pose now = hand.step({}, Felt{.world_from_tool = tool, .torque = torque, .has_event = has_event});
+        handle += ahead_about_z(before, now.rotation);
+        if (hand.is_regripping()) {
+            anchor = handle - driver;
+            torque = 0.0;
+            return;
+        }
+        torque = 10.0 * (handle - driver - anchor);
+        if (std::abs(torque) <= friction) return;
+        torque = std::copysign(friction, torque);
+        driver = handle - anchor - torque / 10.0;
+    }
+};
+
+TEST(SimulatedHand, StopsTurningWhileTheBoneAsksForMoreTorque) {
+    Intent intent = turn_in_place(1.0_turns, 1.0);
+    intent.legs[0].torque = 3.0;
+    Driving driving(intent);
+    for (int i = 0; i < 1000; ++i) driving.step();
+    EXPECT_NEAR(driving.handle, 1.0, 2e-3) << "1 N·m: it turns";
+
+    // When the bone holds the driver fast, the twist grows until the hand feels 3 N·m, and goes on for its reaction
+    driving.friction = 10.0;
+    for (int i = 0; i < 2000; ++i) driving.step();
+    const double stopped = driving.handle;
+    EXPECT_NEAR(driving.torque, 3.0 + 10.0 * 0.15, 0.03);
+    for (int i = 0; i < 1000; ++i) driving.step();
+    EXPECT_EQ(driving.handle, stopped);
+
+    // Then it goes on when the bone asks for less
+    driving.friction = 2.0;
+    for (int i = 0; i < 1150; ++i) driving.step();
+    EXPECT_NEAR(driving.handle, stopped + 1.0, 5e-3);
+    EXPECT_FALSE(driving.hand.is_done());
+}
+
+TEST(SimulatedHand, FeelsTheTorqueAgainstItsTurnEitherWay) {
+    for (const double sign : {1.0, -1.0}) {
+        Intent intent = turn_in_place(sign * 1.0_turns, 1.0);
+        intent.legs[0].torque = 0.5;
+        Driving driving(intent);
+        for (int i = 0; i < 3000; ++i) driving.step();
+        EXPECT_NEAR(sign * driving.handle, 0.05 + 0.15, 5e-3) << "0.5 N·m of twist, and one reaction";
+    }
+}
+
+TEST(SimulatedHand, EndsATurnAtItsTorque) {
+    Intent intent = turn_in_place(1.0_turns, 1.0);
+    intent.legs[0].until_torque = 2.0;
+    intent.legs.push_back({.target = test::at_depth(-5.0_mm), .speed = 10.0_mm_per_s, .push = 0.5});
+    Driving driving(intent);
+    for (int i = 0; i < 1000; ++i) driving.step();
+    EXPECT_EQ(driving.hand.leg(), 0u) << "1 N·m is less";
+    driving.friction = 10.0;
+    int ticks = 0;
+    for (; driving.hand.leg() == 0 && ticks < 3000; ++ticks) driving.step();
+    EXPECT_NEAR(ticks, 100 + 150, 2) << "0.1 rad to 2 N·m, and one reaction";
+    const double ended = driving.handle;
+    for (int i = 0; i < 200; ++i) driving.step();
+    EXPECT_EQ(driving.handle, ended);
+}
+
+TEST(SimulatedHand, EndsATurnWithItsEvent) {
+    Intent intent = turn_in_place(1.0_turns, 1.0);
+    intent.legs[0].until_event = "implant.head_contact";
+    intent.legs.push_back({.target = test::at_depth(0.0), .push = 0.5, .turn = 1.0, .turning = 1.0});
+    Driving driving(intent);
+    EXPECT_EQ(driving.hand.awaited_event(), "implant.head_contact");
+    for (int i = 0; i < 1000; ++i) driving.step(i == 700);
+    EXPECT_EQ(driving.hand.leg(), 1u);
+    EXPECT_EQ(driving.hand.awaited_event(), "");
+
+    Driving without(intent);
+    for (int i = 0; i < 6200; ++i) without.step();
+    EXPECT_EQ(without.hand.leg(), 0u) << "`by` is the most";
+    for (int i = 0; i < 200; ++i) without.step();
+    EXPECT_EQ(without.hand.leg(), 1u);
+}
+
+// Half a turn of the wrist at a time, each less the 0.1 rad by which the wrist gives way: the driver's angle is not
+// lost.
+TEST(SimulatedHand, RegripsAndLosesNoAngle) {
+    for (const double turns : {13.5, -3.0}) {
+        Intent intent = turn_in_place(turns * 1.0_turns, pi);
+        Driving straight(intent);
+        while (!straight.hand.is_done()) straight.step();
+        intent.legs[0].regrip = 180.0_deg;
+        Driving driving(intent);
+        int grips = 1, ticks = 0;
+        double least = 0.0, most = 0.0;
+        bool was_regripping = false;
+        for (; !driving.hand.is_done() && ticks < 100000; ++ticks) {
+            driving.step();
+            grips += was_regripping && !driving.hand.is_regripping();
+            was_regripping = driving.hand.is_regripping();
+            least = std::min(least, driving.handle);
+            most = std::max(most, driving.handle);
+        }
+        EXPECT_NEAR(driving.driver, straight.driver, 1e-6);
+        EXPECT_NEAR(driving.driver, turns * 1.0_turns - std::copysign(0.1, turns), 1e-6);
+        EXPECT_NEAR(most - least, pi, 1e-3) << "within the wrist";
+        EXPECT_EQ(grips, std::ceil(std::abs(turns) * 2.0 * pi / (pi - 0.1))) << turns;
+        EXPECT_NEAR(ticks * dt, std::abs(turns) * 2.0 + (grips - 1) * (0.5 * pi + 0.1 / pi), 0.1);
+    }
+}
+
+TEST(SimulatedHand, MovesNotInTheTickInWhichItLetsGoOrTakesHold) {
+    Intent intent = turn_in_place(2.0_turns, pi);
+    intent.legs[0].regrip = 180.0_deg;
+    Driving driving(intent);
+    bool was_regripping = false;
+    int changes = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const double before = driving.handle;
+        driving.step();
+        if (driving.hand.is_regripping() != was_regripping) {
+            ++changes;
+            EXPECT_EQ(driving.handle, before) << i;
+        }
+        was_regripping = driving.hand.is_regripping();
+    }
+    EXPECT_GE(changes, 3);
+}
+
+TEST(SimulatedHand, ReportsItsTurnInCounts) {
+    const double count = 0.09_deg;
+    Driving driving(turn_in_place(0.1_turns, 0.3), {.turn_resolution = count});
+    for (int i = 0; i < 1000; ++i) {
+        driving.step();
+        EXPECT_NEAR(std::remainder(driving.handle, count), 0.0, 1e-9);
+    }
+    EXPECT_NEAR(driving.handle, 0.3, 0.51 * count);
+}
+
 TEST(SimulatedHand, ArrivesInEveryDirection) {
     for (int i = 1; i <= 100; ++i) {
         const Quat rotation = normalized(Quat{0.7, -0.7 + 0.003 * i, 0.01 * i, -0.007 * i});
