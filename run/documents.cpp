@@ -114,8 +114,10 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     for (const std::size_t tool : documents.tool_of_step) outlines.push_back(&documents.tools[tool].outline);
     if (!has_error(diagnostics)) check_threads(procedure, outlines, diagnostics);
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
-        if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty())
+        if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty()) {
             check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);
+            check_regrips(procedure, step, tool.outline.stays(), diagnostics);
+        }
 }
 
 /// A plugin that was found and refused is no unknown plugin: the reason is its refusal.

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace kerf {
 
-std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs) {
+std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bool is_regripping) {
     std::vector<HandInput> inputs;
     if (recorded_ == nullptr) {
         if (legs == next_ && next_ < plan_->inputs.size()) inputs = plan_->inputs[next_];
         next_ = std::max(next_, legs + 1);  // waypoints that a hand gave up ask for nothing
+        if (is_regripping != std::exchange(is_regripping_, is_regripping))  // first: it holds what it releases
+            inputs.insert(inputs.begin(), {HandInput::Kind::regrip, {}, is_regripping ? 1.0 : 0.0});
     } else {
         for (; next_ < recorded_->size() && (*recorded_)[next_].first <= tick; ++next_)
             inputs.push_back((*recorded_)[next_].second);
@@ -46,6 +49,11 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
             return simulation.fuse();
         case HandInput::Kind::release:
             return scene.tools[simulation.tool()].outline.is_implant() ? "" : "the tool in hand is no implant";
+        case HandInput::Kind::regrip:
+            if (input.value != 0.0 && !scene.tools[simulation.tool()].outline.has_thread())
+                return "the tool in hand has no thread, so it is not turned by regripping";
+            simulation.loosen_about_shaft(input.value != 0.0);
+            return {};
         case HandInput::Kind::undo:
             return simulation.undo();
         case HandInput::Kind::redo:

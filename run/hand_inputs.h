@@ -18,8 +18,8 @@ public:
     using Recorded = std::vector<std::pair<std::uint64_t, HandInput>>;  ///< before which tick
     /// Both must outlive it. `recorded`: of a run that is replayed; else null.
     HandInputs(const HandPlan& plan, const Recorded* recorded) : plan_(&plan), recorded_(recorded) {}
-    /// Before a tick, of a hand that has gone `legs` of its way.
-    [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs);
+    /// Before a tick, of a hand that has gone `legs` of its way and may have let the tool go about its shaft.
+    [[nodiscard]] std::vector<HandInput> take(std::uint64_t tick, std::size_t legs, bool is_regripping = false);
     /// Whether a hand that has gone `legs` of its way has asked for nothing yet of what it asks there.
     [[nodiscard]] bool is_due(std::size_t legs) const noexcept {
         return recorded_ == nullptr && next_ <= legs && legs < plan_->inputs.size() && !plan_->inputs[legs].empty();
@@ -29,6 +29,7 @@ private:
     const HandPlan* plan_;
     const Recorded* recorded_;
     std::size_t next_ = 0;
+    bool is_regripping_ = false;
 };
 
 /// Carries out what a hand asks for. Not empty: why not.   [main] between ticks

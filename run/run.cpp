@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "core/field/removed_volume.h"
@@ -124,13 +125,14 @@ Run::~Run() = default;
 
 bool Run::step() {
     take_tool_of_step();
-    take_hand_inputs();
+    take_hand_inputs(hand_inputs_.take(simulation_.ticks(), hand_.leg(), hand_.is_regripping()));
     return tick(is_replay() ? recorded_sample() : DeviceSample{hand_.reported()});
 }
 
 bool Run::step(const DeviceSample& sample) {
     is_led_ = true;
     take_tool_of_step();
+    take_hand_inputs(std::exchange(requested_, {}));
     return tick(sample);
 }
 
@@ -150,7 +152,7 @@ bool Run::tick(const DeviceSample& reported) {
     }
     const DeviceSample sample{handle, reported.missed};
     result_ = scene_->procedure.is_direct ? simulation_.tick_direct(sample) : simulation_.tick(sample);
-    if (!is_replay() && !is_led_) hand_.step(result_.command, result_.world_from_tool.position);
+    if (!is_replay() && !is_led_) hand_.step(result_.command, felt());
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
@@ -168,6 +170,16 @@ bool Run::tick(const DeviceSample& reported) {
     return !end && simulation_.ticks() < static_cast<std::uint64_t>(scene_->procedure.time_limit / Simulation::dt);
 }
 
+/// What the simulated hand sees and feels of the last tick.
+simulated_hand::Felt Run::felt() const {
+    const std::string& awaited = hand_.awaited_event();
+    const auto events = std::span(result_.events).first(result_.event_count);
+    return {.world_from_tool = result_.world_from_tool,
+            .torque = result_.torque,
+            .has_event = !awaited.empty() && std::any_of(events.begin(), events.end(),
+                                                         [&](const char* event) { return event == awaited; })};
+}
+
 void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
     if (tool == simulation_.tool() && !is_tool_left_) return;
@@ -178,14 +190,14 @@ void Run::take_tool_of_step() {
     add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
 }
 
-void Run::take_hand_inputs() {
-    for (const HandInput& input : hand_inputs_.take(simulation_.ticks(), hand_.leg())) {
+void Run::take_hand_inputs(const std::vector<HandInput>& inputs) {
+    for (const HandInput& input : inputs) {
         add_event_at(simulation_.ticks(), hand_input_event, text_of(input));
         std::string why_not = carry_out(input, *scene_, simulation_);
         if (why_not.empty() && input.kind == HandInput::Kind::release) why_not = monitor_.release();
         if (!why_not.empty()) {
             add_event_at(simulation_.ticks(), "hand.refused", text_of(input) + ": " + why_not);
-        } else if (input.kind != HandInput::Kind::drive) {
+        } else if (input.kind != HandInput::Kind::drive && input.kind != HandInput::Kind::regrip) {
             if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo ||
                 input.kind == HandInput::Kind::subtract)
                 pass_cuts_on();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/haptics/simulation.h"
@@ -38,6 +39,9 @@ public:
     /// path of the rehearsal is not followed, and nothing is asked for at its waypoints. Missed ticks are recorded and
     /// replayed; `time` counts the ticks that ran.
     bool step(const DeviceSample& sample);
+    /// Requests something other than motion, before the next tick with a device: an undo, a clutch (`regrip`). It is
+    /// recorded and replayed, and refused by the event `hand.refused`.
+    void request(HandInput input) { requested_.push_back(std::move(input)); }
     /// What the last tick did.
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
@@ -63,9 +67,10 @@ private:
     void report_progress(double fraction, const std::string& what);
     void lead();
     [[nodiscard]] DeviceSample recorded_sample();
+    [[nodiscard]] simulated_hand::Felt felt() const;
     [[nodiscard]] bool tick(const DeviceSample& reported);
     void take_tool_of_step();
-    void take_hand_inputs();
+    void take_hand_inputs(const std::vector<HandInput>& inputs);
     void observe(const Pose& handle, double now);
     void judge_step(std::size_t step, double now);
     void leave_implant(std::size_t step);
@@ -83,6 +88,7 @@ private:
     simulated_hand::SimulatedHand hand_;
     Simulation simulation_;
     HandInputs hand_inputs_;
+    std::vector<HandInput> requested_;  ///< since the last tick
     StepMonitor monitor_;
     CutBefore before_;
     ContentHash hash_;

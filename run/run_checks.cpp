@@ -227,6 +227,22 @@ void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolS
     }
 }
 
+void check_regrips(const Procedure& procedure, std::size_t step, bool stays, Diagnostics& diagnostics) {
+    if (stays) return;
+    const auto document = document_of(procedure);
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
+        for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
+            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            if (waypoint.step != step || waypoint.regrip <= 0.0) continue;
+            const Node* turn = waypoint_in(*document, r, w, "turn");
+            const Node* regrip = turn != nullptr ? turn->find("regrip") : nullptr;
+            Report(*document, diagnostics)
+                .error(Code::needs_driver, regrip != nullptr ? regrip->key_span : TextSpan{},
+                       "The hand cannot regrip `" + procedure.steps[step].instrument +
+                           "`: it is no implant, which bone holds meanwhile. Remove `regrip:`.");
+        }
+}
+
 void check_force_scale(const Procedure& procedure, const DeviceRecord& device, double work_force,
                        Diagnostics& diagnostics) {
     if (work_force > 0.0 || procedure.force_scale || procedure.working_force) return;

@@ -107,7 +107,9 @@ double least_time_of(const HandPlan& plan) {
     double time = 0.0;
     Vec3 from = plan.start.position;
     for (const simulated_hand::Leg& leg : plan.intent.legs) {
-        time += std::max(length(leg.target.position - from) / leg.speed, std::abs(leg.turn) / leg.turning);
+        if (leg.can_end_early()) continue;
+        time += std::max(length(leg.target.position - from) / leg.speed, std::abs(leg.turn) / leg.turning) +
+                leg.least_regripping();
         from = leg.target.position;
     }
     return time;
@@ -189,6 +191,7 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.plant.device_viscosity = scene.device->viscosity;
     plan.plant.device_friction = scene.device->friction;
     plan.plant.resolution = scene.device->resolution;
+    plan.plant.turn_resolution = scene.device->axis.resolution;
     plan.plant = simulated_hand::in_bone(plan.plant, scene.gains.force_scale);
     plan.intent.reaction = rehearsal.reaction;
 
@@ -206,6 +209,10 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
         if (to.turn != 0.0) {  // it goes on as the thread pulls it in
             leg.turn = to.turn;
             leg.turning = 2.0 * std::numbers::pi * to.turning;
+            if (to.turn_torque) leg.torque = *to.turn_torque;
+            if (to.until_torque) leg.until_torque = *to.until_torque;
+            leg.until_event = to.until_event;
+            leg.regrip = to.regrip;
             const double distance = length(leg.target.position - pose_at(from).position);
             if (!to.speed && distance > 0.0) leg.speed = distance * leg.turning / std::abs(leg.turn);
         }

@@ -220,9 +220,13 @@ constexpr CodeEntry entries[] = {
      .write = "Write one of the implants that the message lists, or add it under `implants:`."},
     {.number = 314,
      .name = "unknown event",
-     .meaning = "A step allows an event that its instrument does not report as damage.",
+     .meaning =
+         "A step allows an event that its instrument does not report as damage, or a turn ends with an event that "
+         "its instrument does not report.",
      .why = "The line would change nothing, and whoever wrote it would believe that it does.",
-     .write = "Write one of the events that the message lists; `kerf describe` shows which events fail a step."},
+     .write =
+         "Write one of the events that the message lists; `kerf describe` shows the events, and which of them fail "
+         "a step."},
     {.number = 315,
      .name = "unknown path",
      .meaning = "A rehearsal follows a path that is not under `paths:`.",
@@ -370,6 +374,11 @@ constexpr CodeEntry entries[] = {
      .meaning = "The goal of a step is deeper than its screw is long.",
      .why = "The head of the screw seats on the bone before the goal is reached.",
      .write = "Ask for less depth, or take a longer screw."},
+    {.number = 516,
+     .name = "no driver to regrip",
+     .meaning = "A waypoint regrips an instrument that is no implant on its driver.",
+     .why = "Bone holds a screw while the hand lets it go about its shaft. A drill's motor would turn its handle.",
+     .write = "Remove `regrip:`, or name a step whose instrument is a screw."},
     // ---- bone and data files
     {.number = 601,
      .name = "phantom without bone",

@@ -154,7 +154,11 @@ struct Waypoint {
     double stop_aside = 0.0;          ///< [m] beside the way at which it is given up; 0: never
     std::vector<HandInput> inputs{};  ///< asked for on arrival, in this order
     double turn = 0.0;                ///< [rad] by which the hand turns the tool about its z on the way there
-    double turning = default_turning;  ///< [1/s] revolutions of that turn
+    double turning = default_turning;     ///< [1/s] revolutions of that turn
+    std::optional<double> turn_torque{};  ///< [N·m] with which the hand turns at most; none: what the driver withstands
+    std::optional<double> until_torque{};  ///< [N·m] at which the turn is over
+    std::string until_event{};             ///< of the tool's law, with which the turn is over; empty: none
+    double regrip = 0.0;                   ///< [rad] after which the hand regrips; 0: never
 };
 
 inline constexpr double hardest_push = 500.0;  ///< [N] of a simulated hand

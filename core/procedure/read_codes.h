@@ -54,7 +54,7 @@ enum class Code {
     unknown_variant = 311,
     unknown_step = 312,     ///< a waypoint is seen from a step that there is not
     unknown_implant = 313,  ///< a waypoint brings in what there is not
-    unknown_event = 314,    ///< a step allows what its instrument does not report as damage
+    unknown_event = 314,    ///< a step allows what its instrument does not report as damage; or a turn waits for it
     unknown_path = 315,     ///< a rehearsal follows a path that `paths` has not
     unused_path = 316,      ///< warning
     unknown_signal = 317,   ///< a goal or limit is on a signal that the step's law does not declare
@@ -87,6 +87,7 @@ enum class Code {
     other_lead = 513,      ///< a tap goes farther in a turn than its screw, or less
     screw_too_long = 514,  ///< its tip would leave the bone
     seats_too_soon = 515,  ///< its head seats before its goal is reached
+    needs_driver = 516,    ///< a waypoint regrips a tool that bone does not hold
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,

@@ -133,6 +133,17 @@ public:
         return instrument;
     }
 
+    /// The events of an instrument's force; nothing where the force is unknown.
+    [[nodiscard]] std::optional<std::vector<std::string>> events_of(const Instrument& instrument) const {
+        const auto force = std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) {
+            return c.plugin == instrument.force_plugin && c.kind == KERF_KIND_FORCE && c.id == instrument.force;
+        });
+        if (force == catalog_.end()) return std::nullopt;
+        std::vector<std::string> ids;
+        for (const EventInfo& event : force->events) ids.push_back(event.id);
+        return ids;
+    }
+
     /// What a waypoint sets: drives of an instrument that has been read.
     std::vector<HandInput> read_inputs(const Node& node, const Instrument& instrument) {
         const auto tool = std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) {
@@ -722,6 +733,33 @@ void refuse_implant(const Node& name, const std::vector<Implant>& implants, Repo
                  meant);
 }
 
+/// The instrument of a step; null where it is unknown, which is reported there.
+const Instrument* instrument_of(const Step& step, const std::vector<Instrument>& instruments) {
+    const auto found = std::find_if(instruments.begin(), instruments.end(),
+                                    [&](const Instrument& i) { return i.id == step.instrument; });
+    return found != instruments.end() ? &*found : nullptr;
+}
+
+/// `until: {torque: 2 N*m}` or `until: {event: implant.head_contact}`; null: the instrument is unknown.
+void read_until(const Node& node, const Instrument* instrument, const InstrumentReader& instruments, Waypoint& at,
+                Report& report) {
+    MapReader map(node, shapes::until, "waypoint.turn.until", report);
+    const Node* chosen = map.one_of();
+    if (chosen != nullptr && chosen->key == "torque") at.until_torque = map.quantity("torque");
+    if (chosen != nullptr && chosen->key == "event") at.until_event = map.id("event");
+    map.finish();
+    if (at.until_event.empty() || instrument == nullptr) return;
+    const std::optional<std::vector<std::string>> known = instruments.events_of(*instrument);
+    if (!known || contains(*known, at.until_event)) return;
+    const std::string meant = closest(straightened(at.until_event), *known, report);
+    report.error(
+        Code::unknown_event, chosen->span,
+        "The event `" + excerpt(at.until_event, 60) + "` is unknown: " +
+            (known->empty() ? "the force of `" + instrument->id + "` reports none. Write `until: {torque: 2 N*m}`."
+                            : "expected " + listed(*known) + " of `" + instrument->id + "`." + or_choose(meant)),
+        meant);
+}
+
 /// `step` is that of the waypoint before.
 Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& procedure, const Document& document,
                        InstrumentReader& instruments, Report& report) {
@@ -753,6 +791,13 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
         MapReader map(*turn, shapes::turn, "waypoint.turn", report);
         at.turn = map.quantity("by");
         map.quantity("speed", at.turning);
+        if (map.find("torque")) at.turn_torque = map.quantity("torque");
+        map.quantity("regrip", at.regrip);
+        if (const Node* until = map.find("until")) {
+            const Instrument* instrument =
+                at.step < steps.size() ? instrument_of(steps[at.step], procedure.instruments) : nullptr;
+            read_until(*until, instrument, instruments, at, report);
+        }
         map.finish();
     }
     waypoint.quantity("aside", at.aside);

@@ -41,6 +41,7 @@ ValueShape label() { return {.kind = Kind::label, .need = {dimension::none, "", 
 ValueShape length(double min, double max) { return quantity(dimension::length, "mm", min, max); }
 ValueShape density(double min, double max) { return quantity(dimension::density, "g/cm3", min, max); }
 ValueShape speed() { return quantity(dimension::speed, "mm/s", 0.01_mm_per_s, 500.0_mm_per_s); }
+ValueShape driver_torque() { return quantity(dimension::torque, "N*m", 0.05, 20.0); }
 ValueShape depth() { return length(-300.0_mm, 300.0_mm); }
 ValueShape removed_volume() { return quantity(dimension::volume, "mm3", 1e-10, 1e-3); }
 ValueShape extent() { return length(0.1_mm, 2.0_m); }
@@ -394,14 +395,31 @@ const Shape stop{"stop",
                      {required, "aside", length(0.1_mm, 100.0_mm), "The tip is so far beside the way.", "1 mm"},
                  }};
 
-const Shape turn{"turn",
-                 "How the hand turns the tool about its axis.",
-                 {
-                     {required, "by", quantity(dimension::angle, "turns", -1000.0_turns, 1000.0_turns),
-                      "Clockwise as the hand sees it, which drives a screw in; negative: back.", "18 turns"},
-                     {optional, "speed", quantity(dimension::frequency, "rpm", 0.1_rpm, 300.0_rpm),
-                      "The speed of the turn.", "30 rpm", "30 rpm"},
-                 }};
+const Shape until{
+    "until",
+    "What ends the turn early. The hand feels it one reaction late.",
+    {
+        {one_of, "torque", driver_torque(), "The hand feels this torque of the bone against the turn.", "2 N*m"},
+        {one_of, "event", id(), "The force of the step's instrument reports this event, such as that the head seats.",
+         "drilling.stalled"},
+    }};
+
+const Shape turn{
+    "turn",
+    "How the hand turns the tool about its axis.",
+    {
+        {required, "by", quantity(dimension::angle, "turns", -1000.0_turns, 1000.0_turns),
+         "Clockwise as the hand sees it, which drives a screw in; negative: back.", "18 turns"},
+        {optional, "speed", quantity(dimension::frequency, "rpm", 0.1_rpm, 300.0_rpm), "The speed of the turn.",
+         "30 rpm", "30 rpm"},
+        {optional, "torque", driver_torque(),
+         "The largest torque of the bone against which the hand turns on; if not given, it turns until the "
+         "driver slips in it, at 5 N*m in one hand.",
+         "3 N*m"},
+        {optional, "until", map(until), "What ends the turn early; `by` is then the most.", "{torque: 2 N*m}"},
+        {optional, "regrip", quantity(dimension::angle, "deg", 45.0_deg, 360.0_deg),
+         "After each such angle the hand lets the driver go, turns back and takes hold again.", "180 deg"},
+    }};
 
 const Shape waypoint{
     "waypoint",

@@ -11,7 +11,7 @@ extern const Shape implant, procedure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
 extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound;
 extern const Shape signal_bound, removed_goal;
-extern const Shape rehearsal, expectation, hand, stop, turn, waypoint, follow, variant;
+extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, follow, variant;
 
 extern const Shape anatomy;
 extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;

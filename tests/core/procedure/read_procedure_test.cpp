@@ -128,6 +128,68 @@ TEST(ReadProcedure, ARehearsalMayExpectDamageAndOtherLimitsBeside) {
     EXPECT_FALSE(procedure->rehearsals.at(0).expects_others);
 }
 
+TEST(ReadProcedure, ReadsATurnWithItsTorqueEndAndGrips) {
+    const auto turn = [](const std::string& keys) {
+        Diagnostics diagnostics;
+        const auto procedure = read(
+            replaced(faultless, "{depth: 32 mm} ]", "{depth: 32 mm, turn: {by: -2 turns" + keys + "}} ]"), diagnostics);
+        EXPECT_TRUE(procedure) << to_text(diagnostics);
+        return procedure ? procedure->rehearsals.at(0).path.at(1) : Waypoint{};
+    };
+    const Waypoint plain = turn("");
+    EXPECT_EQ(plain.turn, -2.0_turns);
+    EXPECT_EQ(plain.turning, default_turning);
+    EXPECT_FALSE(plain.turn_torque || plain.until_torque);
+    EXPECT_EQ(plain.until_event, "");
+    EXPECT_EQ(plain.regrip, 0.0);
+    const Waypoint full = turn(", speed: 15 rpm, torque: 3 N*m, until: {torque: 200 N*cm}, regrip: 0.5 turns");
+    EXPECT_EQ(full.turn_torque, 3.0);
+    EXPECT_EQ(full.until_torque, 2.0);
+    EXPECT_DOUBLE_EQ(full.regrip, 180.0_deg);
+    EXPECT_EQ(turn(", until: {event: drilling.stalled}").until_event, "drilling.stalled");
+}
+
+TEST(ReadProcedure, RefusesATurnThatNoHandMakesAndWaitsForNoUnknownEvent) {
+    const auto refused = [](Code code, const std::string& turn) {
+        expect_refused(code, "{depth: 32 mm} ]", "{depth: 32 mm, turn: {by: 2 turns, " + turn + "}} ]");
+    };
+    refused(Code::out_of_range, "torque: «21 N*m»");
+    refused(Code::wrong_dimension, "torque: «3 N»");
+    refused(Code::out_of_range, "until: {torque: «0 N*m»}");
+    refused(Code::out_of_range, "regrip: «10 deg»");
+    refused(Code::wrong_dimension, "regrip: «180 mm»");
+    refused(Code::unknown_event, "until: {event: «implant.head_contact»}");
+    Diagnostics diagnostics;
+    read(replaced(faultless, "{depth: 32 mm} ]",
+                  "{depth: 32 mm, turn: {by: 2 turns, until: {event: drilling.staled}}} ]"),
+         diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_NE(to_text(diagnostics)
+                  .find("The event `drilling.staled` is unknown: expected `drilling.bit_overbent` or "
+                        "`drilling.stalled` of `pilot`. Write `drilling.stalled`."),
+              std::string::npos)
+        << to_text(diagnostics);
+    for (const char* until : {"{}", "{torque: 2 N*m, event: drilling.stalled}", "2 N*m"}) {
+        Diagnostics found;
+        EXPECT_FALSE(read(replaced(faultless, "{depth: 32 mm} ]",
+                                   std::string("{depth: 32 mm, turn: {by: 2 turns, until: ") + until + "}} ]"),
+                          found))
+            << until;
+    }
+}
+
+TEST(HandInput, IsReadAsItIsWritten) {
+    for (const char* text : {"regrip:1", "regrip:0", "undo", "insert:plate", "jaws 1"}) {
+        const auto input = hand_input(text);
+        ASSERT_TRUE(input) << text;
+        EXPECT_EQ(text_of(*input), text);
+    }
+    EXPECT_EQ(hand_input("regrip:1")->kind, HandInput::Kind::regrip);
+    EXPECT_EQ(hand_input("regrip:1")->value, 1.0);
+    EXPECT_FALSE(hand_input("regrip:2"));
+    EXPECT_FALSE(hand_input("regrip"));
+}
+
 TEST(ReadProcedure, LimitsOfAHoleHaveTheirBoundsAndABreachItsDiameter) {
     Diagnostics diagnostics;
     const auto procedure = read(replaced(faultless, "      - {depth: {at_most: 38 mm}, reason: Too deep.}\n",
