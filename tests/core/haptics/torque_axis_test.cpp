@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "tests/support/loop_guard.h"
 #include "tests/support/probe.h"
 #include "tests/support/rig.h"
 
@@ -254,6 +255,19 @@ TEST(TorqueAxis, LooseItCarriesNoTorqueAndTheDriverStays) {
     const double from = rig.angle;
     (void)rig.turn(3.0, 0.5);
     EXPECT_NEAR(rig.turned, held_at + (rig.angle - from) - 0.08, 2e-4) << "less what the wrist gives way by";
+}
+
+TEST(TorqueAxis, NeitherAllocatesNorLocksWhileTheHandRegrips) {
+    DriverRig rig(driver(0.8), driver_gains(1.0));
+    for (int i = 0; i < 600; ++i) {
+        rig.angle += i < 200 || i >= 400 ? 2e-3 : -2e-3;
+        const DeviceSample sample{rig.pose(rig.angle)};
+        const test::Forbidden before = test::forbidden_here();
+        rig.loop().loosen_about_shaft(i >= 200 && i < 400);
+        (void)rig.loop().tick(sample);
+        EXPECT_EQ(test::forbidden_here(), before) << i;
+        rig.follow();
+    }
 }
 
 }  // namespace
