@@ -1080,8 +1080,8 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
         for (const Node& item : read_list(*node, "rehearsals", report))
             add_unique(read_rehearsal(item, limits, procedure, document, paths, report), item, rehearsal_ids,
                        procedure.rehearsals, report);
+        paths.warn_of_unused();
     }
-    paths.warn_of_unused();
     if (const Node* node = map.find("variants")) procedure.variants = read_variants(*node, report);
     map.finish();
 }

@@ -97,7 +97,8 @@ void change(const std::string& session, const std::string& sql) {
 TEST(Program, AReplayThatEndsInOtherBitsEndsWithThree) {
     // Given a recording of an operation that is not passed
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm"), session = folder / "run/session.db";
+    const std::string file = variant(folder, "      - {depth: 32 mm}", "      - {depth: 3 mm}"),
+                      session = folder / "run/session.db";
     ASSERT_EQ(kerf("run " + file + " --out " + (folder / "run")).exit_code, 1);
     const std::string replay = "run " + file + " --replay " + session + " --out " + (folder / "again");
 
@@ -254,7 +255,7 @@ TEST(Program, InterruptedARunWritesWhatWasDoneAndNobodyElseMayWriteThereMeanwhil
 
 TEST(Program, TheSameRunTwiceDiffersInItsEnvelopeOnly) {
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm");
+    const std::string file = variant(folder, "      - {depth: 32 mm}", "      - {depth: 3 mm}");
     for (const char* out : {"a", "b"})
         ASSERT_EQ(kerf("run " + file + " --learner L17 --out " + (folder / out)).exit_code, 1);
     for (const char* name : {"summary.json", "report.html", "bone.stl"})
@@ -272,7 +273,8 @@ TEST(Program, WhatDoesNotFitIsSaidTheRestIsWrittenAndNothingIsHalf) {
     const TemporaryFolder folder;
     const std::string out = folder / "run";
     const Ended full =
-        kerf("run " + variant(folder, "depth: 32 mm", "depth: 3 mm") + " --out " + out, "ulimit -f 800;");
+        kerf("run " + variant(folder, "      - {depth: 32 mm}", "      - {depth: 3 mm}") + " --out " + out,
+             "ulimit -f 800;");
     EXPECT_EQ(full.exit_code, 3) << full.err;
     EXPECT_TRUE(has(full.err, "session.db is incomplete")) << full.err;
     EXPECT_TRUE(has(full.err, "bone.stl could not be written")) << full.err;
@@ -286,7 +288,7 @@ TEST(Program, WhatDoesNotFitIsSaidTheRestIsWrittenAndNothingIsHalf) {
 
 TEST(Program, AReplayDoesNotTakeThePlaceOfItsRecording) {
     const TemporaryFolder folder;
-    const std::string file = variant(folder, "depth: 32 mm", "depth: 3 mm"), out = folder / "run";
+    const std::string file = variant(folder, "      - {depth: 32 mm}", "      - {depth: 3 mm}"), out = folder / "run";
     ASSERT_EQ(kerf("run " + file + " --out " + out).exit_code, 1);
     const std::string before = contents_of(out + "/session.db");
     const Ended replay = kerf("run " + file + " --replay " + out + "/session.db --out " + out);

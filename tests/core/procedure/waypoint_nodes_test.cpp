@@ -142,6 +142,12 @@ TEST(Paths, AreNamedInAWarningIfNothingFollowsThem) {
     EXPECT_EQ(diagnostics[0].place.line, marked.line);
 }
 
+TEST(Paths, MayBeUnusedWithoutRehearsals) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read(faultless, diagnostics, {.variant = "", .settings = {"rehearsals=~"}}));
+    EXPECT_TRUE(diagnostics.empty()) << to_text(diagnostics);
+}
+
 TEST(Paths, CannotFollowOneAnother) {
     expect_refused(Code::unknown_key, "{depth: -30 mm}]", "{depth: -30 mm}, {«follow»: drill}]");
 }
