@@ -78,8 +78,7 @@ struct Spring {
 };
 /// Returns device, hands and shaft as one spring; without `held` the handle clamps the tool. A device that makes no
 /// torques leaves a turn to the wrist: turning its handle costs nothing. A motor about the shaft bounds the turn about
-/// it. In hands every damper has a ratio of its own,
-/// so the sum is exact at rest only.   [any] pure.
+/// it. In hands every damper has a ratio of its own, so the sum is exact at rest only.   [any] pure.
 ///
 /// Source: docs/design/tick.md, "One spring".
 [[nodiscard]] Spring folded(const CouplingGains& gains, const std::optional<Hold>& held, double grip_z,
@@ -113,8 +112,8 @@ public:
     bool straighten(double share) noexcept;
 
     /// Lets the tool go about its shaft, or takes hold of it again (false): meanwhile its anchor there follows the
-    /// handle and carries no torque. A damper of 1 % [assumed] is left, so that the solve has one answer. [haptic,
-    /// nonblocking]
+    /// handle and carries no torque. A damper of 1 % [assumed] is left, so that the solve has one answer.
+    /// [haptic, nonblocking]
     void loosen_about_shaft(bool is_loose) noexcept { is_loose_ = is_loose; }
 
     /// What the stretch can give back to the hand [J], on the device's side: of a turn, as much as the device's own
