@@ -116,7 +116,7 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
         if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty()) {
             check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);
-            check_regrips(procedure, step, tool.outline.stays(), diagnostics);
+            check_regrips(procedure, step, tool.outline.has_thread(), diagnostics);
         }
 }
 

@@ -52,7 +52,6 @@ double lateral_force(const TickResult& result) {
     return length(force - dot(force, shaft) * shaft);
 }
 
-
 /// What is known of a run before its first tick.
 RunSummary summary_of(const Scene& scene, const PluginRegistry& plugins, const RunRequest& request,
                       const Rehearsal& rehearsal, const SignalTable& signals) {

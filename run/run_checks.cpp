@@ -227,8 +227,8 @@ void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolS
     }
 }
 
-void check_regrips(const Procedure& procedure, std::size_t step, bool stays, Diagnostics& diagnostics) {
-    if (stays) return;
+void check_regrips(const Procedure& procedure, std::size_t step, bool has_thread, Diagnostics& diagnostics) {
+    if (has_thread) return;
     const auto document = document_of(procedure);
     for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
@@ -239,7 +239,7 @@ void check_regrips(const Procedure& procedure, std::size_t step, bool stays, Dia
             Report(*document, diagnostics)
                 .error(Code::needs_driver, regrip != nullptr ? regrip->key_span : TextSpan{},
                        "The hand cannot regrip `" + procedure.steps[step].instrument +
-                           "`: it is no implant, which bone holds meanwhile. Remove `regrip:`.");
+                           "`: it has no thread that bone holds meanwhile. Remove `regrip:`.");
         }
 }
 

@@ -39,9 +39,9 @@ void check_guide(const Procedure& procedure, const Instrument& instrument, const
 void check_hole_limits(const Procedure& procedure, std::size_t step, const ToolSolid& cutting,
                        Diagnostics& diagnostics);
 
-/// Refuses waypoints of a step that regrip a tool which is no implant.
-/// @param stays   whether the step's tool is one   [main]
-void check_regrips(const Procedure& procedure, std::size_t step, bool stays, Diagnostics& diagnostics);
+/// Refuses waypoints of a step that regrip a tool without a thread.
+/// @param has_thread   whether the step's tool has one   [main]
+void check_regrips(const Procedure& procedure, std::size_t step, bool has_thread, Diagnostics& diagnostics);
 
 /// Warns of a step over most of whose way the forces of the bone [N], scaled, lie below the device's own friction.
 /// @param along   one for each stretch of its way in bone; all zero for a tool that does not cut   [main]

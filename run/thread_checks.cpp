@@ -83,12 +83,11 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
             report.error(Code::core_too_wide, "instrument",
                          "The tip of `" + step.instrument + "` has a core of " + in_mm(2.0 * tip_core(tool)) +
                              ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * hole) +
-                             " wide. Drill it wider, or take a screw with a core of at most " + in_mm(2.0 * hole) +
-                             ".");
+                             " wide. Take a wider drill, or a screw with a core of at most " + in_mm(2.0 * hole) + ".");
         if (const double asked = asked_depth(step); tool.is_implant() && asked > seat_of(tool))
             report.error(Code::seats_too_soon, "goals",
                          "The goal is a depth of at least " + in_mm(asked) + ", and the head of `" + step.instrument +
-                             "` seats at " + in_mm(seat_of(tool)) + ". Ask for no more, or take a longer one.");
+                             "` seats at " + in_mm(seat_of(tool)) + ". Take a longer one, or ask for no more.");
     }
 }
 

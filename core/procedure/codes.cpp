@@ -376,9 +376,9 @@ constexpr CodeEntry entries[] = {
      .write = "Ask for less depth, or take a longer screw."},
     {.number = 516,
      .name = "no driver to regrip",
-     .meaning = "A waypoint regrips an instrument that is no implant on its driver.",
+     .meaning = "A waypoint regrips an instrument without a thread.",
      .why = "Bone holds a screw while the hand lets it go about its shaft. A drill's motor would turn its handle.",
-     .write = "Remove `regrip:`, or name a step whose instrument is a screw."},
+     .write = "Remove `regrip:`, or name a step whose instrument is a screw or a tap."},
     // ---- bone and data files
     {.number = 601,
      .name = "phantom without bone",

@@ -30,16 +30,32 @@ ThreadPlaces::ThreadPlaces(const ScrewThread& thread) noexcept {
         const double share = (core[n] + beside) / radius[n];
         place[static_cast<std::size_t>(count) + n] = {share * pieces[i].place.x, share * pieces[i].place.y, z};
     }
+    piece = pieces[0].length;
+}
+
+double ThreadPlaces::moved_in(const ThreadTrack& track) const noexcept {
+    if (!track.is_there()) return 0.0;
+    const double at = track.depth_of({0, 0, place[0].z}) / piece;
+    return (std::floor(at + 0.5) - at) * piece;
 }
 
 BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track,
                        const ScrewParameters& law, const BoneQuery& bone) noexcept {
     const auto count = static_cast<std::size_t>(places.count);
+    const double moved = places.moved_in(track);
+    const SinCos turned = sin_cos_exact(moved / thread.advance());
+    std::array<Vec3, 2 * most_pieces> place;
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        const auto& [x, y, z] = places.place[i];
+        place[i] = {turned.cos * x - turned.sin * y, turned.sin * x + turned.cos * y, z + moved};
+    }
     std::array<kerf_bone_sample, 2 * most_pieces> found;
-    bone.sample(std::span<const Vec3>(places.place.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
+    bone.sample(std::span<const Vec3>(place.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
     double flutes = 0.0, first_quarter = 0.0, whole = 0.0, square = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double m = resistance(found[i], bone.tissue_count(), reference_density), z = places.place[i].z;
+        const double m = resistance(found[i], bone.tissue_count(), reference_density), z = place[i].z;
+        // The first and the last place stand for what the others have been moved away from.
+        const double part = i == 0 ? 1.0 - moved / places.piece : i + 1 == count ? 1.0 + moved / places.piece : 1.0;
         if (-z <= thread.cone() + thread.flute_length) {
             front += m;
             flutes += 1.0;
@@ -49,25 +65,25 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
             first_quarter += 1.0;
         }
         const double on_core = resistance(found[count + i], bone.tissue_count(), reference_density);
-        const double depth = track.depth_of(places.place[i]);
+        const double depth = track.depth_of(place[i]);
         const bool is_cut = track.is_cut_at(depth);
         const double relieved = 1.0 - law.tapped_relief * track.share_tapped(depth, places.outer[i], places.core[i]);
         // All of it at the thread's radius, as the torque of foam goes with it [weidling-2022].
-        rubbing += relieved * law.friction * law.compaction * places.radius[i] *
+        rubbing += part * relieved * law.friction * law.compaction * places.radius[i] *
                    (m * places.on_flank[i] + on_core * places.on_core[i]);
         if (m <= 0.0) continue;
-        engaged += found[i].engagement * places.grip[i];
+        engaged += part * found[i].engagement * places.grip[i];
         if (found[i].body >= 0) body = found[i].body;
         if (!is_cut) {
-            blocked += law.crush * m * places.across[i];
+            blocked += part * law.crush * m * places.across[i];
             continue;
         }
-        const double strong = law.shear * m * places.sheared[i],
-                     stiff = 1e3 * law.grip_stiffness * m * places.grip[i];  // of 1 mm, for each metre
+        const double strong = part * law.shear * m * places.sheared[i],
+                     stiff = part * 1e3 * law.grip_stiffness * m * places.grip[i];  // of 1 mm, for each metre
         whole += strong;
         strength += strong * strength_left(track.slip_at(depth), law.yield_share, law.yield_slip, law.strip_slip);
         stiffness += stiff;
-        pressed += law.crush * m * 2.0 * places.outer[i] * places.grip[i];
+        pressed += part * law.crush * m * 2.0 * places.outer[i] * places.grip[i];
         middle += stiff * z;
         square += stiff * z * z;
     }

@@ -23,8 +23,13 @@ struct ThreadPlaces {
     std::array<double, most_pieces> across;    ///< [m²] of its crest, seen along the shaft
     std::array<double, most_pieces> grip;      ///< [m] along the shaft
 
+    double piece = 0.0;  ///< [m] along the shaft from place to place
+
     ThreadPlaces() = default;
     explicit ThreadPlaces(const ScrewThread& thread) noexcept;
+    /// How far the places are moved along their helix, so that they stay where they are in the bone while the tool
+    /// turns in its thread [m]: less than half of a piece.
+    [[nodiscard]] double moved_in(const ThreadTrack& track) const noexcept;
 };
 
 /// What the bone around a thread does to it.

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] double depth_of(Vec3 place_in_tool) const noexcept { return (thread_from_tool_ * place_in_tool).z; }
     /// Whether a crest there runs in a groove.
     [[nodiscard]] bool is_cut_at(double z) const noexcept {
-        return is_there_ && z <= std::max(thread_.to, thread_.tapped_to);
+        return is_there_ && z <= std::max(thread_.to, thread_.tapped_to) + just;
     }
     /// How much of a thread's depth a tap has taken out there [–].
     [[nodiscard]] double share_tapped(double z, double outer_radius, double core_radius) const noexcept;
@@ -44,6 +44,7 @@ public:
     void give_way(Vec3 beside, Vec3 askew, double z) noexcept;
 
 private:
+    static constexpr double just = 20e-6;  ///< [m] that a tick turns in at most: its groove is cut at its end
     explicit ThreadTrack(const kerf_thread& thread) noexcept;
     ThreadTrack() = default;
     [[nodiscard]] std::size_t bin_of(double z) const noexcept;
