@@ -255,11 +255,14 @@ Breach breach_of(const Body& body, const HolePlan& plan, const DrilledHole& hole
     const std::array<Vec3, 2> plane = across(plan.along);
     Breach breach;
     bool is_inside = false;
+    // A section of a hole that leans must not reach out of the face by which it goes in.
+    const double steepness = dot(hole.direction, plan.along);
+    const double first = radius * length(cross(hole.direction, plan.along)) / steepness + 0.5 * body.grid().spacing;
     for (double depth = 0.0; depth <= hole.end_depth; depth += section_distance) {
         // A plan that never is in bone all around, as a screw wider than its pedicle, counts from its width on.
         is_inside =
             is_inside || depth >= 2.0 * radius || narrowness(body, plan.entry + depth * plan.along, plane) >= radius;
-        if (!is_inside || depth < range.from || depth > range.to) continue;
+        if (!is_inside || depth < std::max(first, range.from) || depth > range.to) continue;
         const Vec3 from_line = plan.entry + depth * plan.along - hole.at;
         const Vec3 middle = hole.at + dot(from_line, plan.along) / dot(hole.direction, plan.along) * hole.direction;
         const std::array<Vec3, 2> around = across(hole.direction);

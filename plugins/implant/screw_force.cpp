@@ -152,6 +152,7 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     state.stretch += along - thread.advance() * turn;
     const double slip = give_way(state.stretch, notes.stiffness, notes.strength);
     state.slip += slip;
+    state.is_slipping = slip > 0.0;
     track.add_slip(front - thread.length, front, slip);
 
     if (groove.radius < 0.5 * thread.outer - same_width) {  // it widens the thread of a tap
@@ -184,8 +185,9 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
 void ScrewInsertion::change_phase(const Noted<Notes>& advance, State& state, Actions& actions) const noexcept {
     const Notes& notes = advance.notes;
     const bool is_back = state.angle < state.front - turned_back;
-    // A first crest that was pushed through is no stripped thread.
-    const bool is_stripped = state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at &&
+    // Crests that were pushed through on the way in are no stripped thread, nor is a tool that leaves through them.
+    const bool is_stripped = state.is_slipping && state.slip > yield_slip &&
+                             static_cast<double>(notes.left) < stripped_at &&
                              notes.engaged > state.prepared.thread.lead();
     const Phase before = state.phase;
     switch (state.phase) {
@@ -230,6 +232,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     const ScrewThread& thread = state.prepared.thread;
     const Notes& notes = advance.notes;
 
+    state.is_slipping = false;
     state.torque = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c)
         state.torque += advance.channel[c].d[5] * advance.lambda[c];
