@@ -164,6 +164,60 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     EXPECT_EQ(most_slip, 0.0) << "it strips nothing";
 }
 
+std::string status_of(const RunSummary& summary, const std::string& id) {
+    for (const auto& row : summary.metrics)
+        if (row.id == id) return row.status;
+    return {};
+}
+
+TEST(PedicleScrew, TheReleasedScrewIsABodyOfMetalInTheScene) {
+    const RunSummary& s = outcome_of("expert").summary;
+    ASSERT_EQ(s.pieces.size(), 2u);
+    EXPECT_FALSE(s.pieces[0].is_metal);
+    EXPECT_TRUE(s.pieces[1].is_metal);
+    EXPECT_EQ(s.pieces[1].file, "implant-1.stl");
+    const double core = 0.25 * pi * 4.0_mm * 4.0_mm * 40.0_mm, head = 0.25 * pi * 10.0_mm * 10.0_mm * 6.0_mm;
+    EXPECT_GT(s.pieces[1].volume, 0.6 * core + head);
+    EXPECT_LT(s.pieces[1].volume, 1.5 * core + head);
+    EXPECT_NEAR(metric(s, "bone.balance"), 0.0, 1e-4) << "metal and bone, before and after";
+    EXPECT_GT(metric(s, "bone.grooves"), 50e-9);
+    EXPECT_GT(metric(s, "insert.left.pull-out"), 300.0);
+    EXPECT_EQ(status_of(s, "insert.heary"), "grade I");
+}
+
+TEST(PedicleScrew, TurnedOnAfterItsHeadHasSeatedItStrips) {
+    const auto scene = pedicle_with({"accuracy.spacing=0.5 mm"});
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), following("stripped"));
+    EXPECT_TRUE(run.is_as_expected);
+    std::vector<std::string> phases;
+    for (const EventRow& event : run.events)
+        if (event.id.starts_with("implant.") && (phases.empty() || phases.back() != event.id))
+            phases.push_back(event.id);
+    const auto head = std::find(phases.begin(), phases.end(), "implant.head_contact"),
+               stripped = std::find(phases.begin(), phases.end(), "implant.stripped");
+    EXPECT_LT(head, stripped);
+    EXPECT_NE(stripped, phases.end());
+    EXPECT_LT(metric(run.summary, "insert.left.pull-out"), 10.0);
+}
+
+class PedicleOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(PedicleOf, TakesItsScrewWithoutABreach) {
+    const auto scene = pedicle_with({"accuracy.spacing=0.5 mm"}, GetParam());
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), following("expert"));
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_EQ(status_of(run.summary, "insert.gertzbein-robbins"), "grade A");
+}
+
+INSTANTIATE_TEST_SUITE_P(Variant, PedicleOf, testing::Values("l1", "l2", "l4", "l5", "osteoporotic", "narrow-pedicle"),
+                         [](const auto& variant) {
+                             std::string name = variant.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
 TEST(PedicleScrew, OnlyAnImplantIsReleasedAndOnlyWhereItBelongs) {
     const auto refusals = [](const char* setting) {
         std::string details;
@@ -214,15 +268,17 @@ protected:
     }
     [[nodiscard]] std::optional<Scene> scene() const {
         Diagnostics diagnostics;
-        auto made =
-            make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
-                       std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam(), test::plugins(), diagnostics);
+        DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
+                                .anatomy = std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam()};
+        if (std::string(GetParam()) == "t12.yaml") request.changes.variant = "narrow-pedicle";  // 6.5 mm do not go in
+        auto documents = check_documents(request, test::plugins(), diagnostics);
+        auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
         EXPECT_TRUE(made) << to_text(diagnostics);
         return made;
     }
 };
 
-TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWay) {
+TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWayAndInsertsTheScrew) {
     const auto made = scene();
     ASSERT_TRUE(made);
     const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("expert"));
@@ -232,6 +288,8 @@ TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWay) {
     EXPECT_GT(metric(run.summary, "pilot-hole.clearance.canal"), 0.0);
     EXPECT_EQ(metric(run.summary, "pilot-hole.time-in-air"), 0.0);
     EXPECT_LT(metric(run.summary, "pilot-hole.narrowest-offset"), 1.5e-3);
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_LT(metric(run.summary, "insert.gertzbein-robbins"), 1e-3);
 }
 
 TEST_P(RealScan, WithoutAStartingHoleTheDrillGoesOnBesideTheBone) {

@@ -76,8 +76,8 @@ double to_ellipse(Vec3 p, Vec3 way) {
     return (-B + std::sqrt(B * B - A * C)) / A;
 }
 
-/// The breach of a screw of the radius `radius` with its tip at `tip`, which points along `direction`; from where all of
-/// its section is below the face.
+/// The breach of a screw of the radius `radius` with its tip at `tip`, which points along `direction`; from where all
+/// of its section is below the face.
 double exact_breach(Vec3 tip, Vec3 direction) {
     const Vec3 u = normalized(cross(direction, Vec3{1, 0, 0})), v = cross(direction, u);
     double worst = 0.0;

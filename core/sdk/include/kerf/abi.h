@@ -178,7 +178,7 @@ typedef struct kerf_surface_point {
 typedef struct kerf_thread {
     kerf_pose tool_from_thread;    /* at the pose of this tick */
     double lead;                   /* [m] along z for each turn, > 0 */
-    double radius, core;           /* [m] over the groove, and of the hole that it stands on */
+    double radius, core;           /* [m] over the groove, and of the hole around which it is cut */
     double from, to;               /* [m] of z: it is cut between them, from <= to */
     double tapped_to;              /* [m] of z: so far a tap has taken its chips out; <= from: nowhere */
     double tapped_radius;          /* [m] over the groove of that tap */
@@ -272,7 +272,7 @@ typedef struct kerf_advance {
 } kerf_advance;
 
 /*   cut      removes what the tool sweeps in this tick; `value` 1: at once all that the cylinder over its thread holds
- *            where the tool stands, as of a thread that is stripped
+ *            where the tool is, as of a thread that is stripped
  *   hold     makes body `value` rigid to the tool: it moves with it, and other bodies stop it
  *   release  lets go of what is held
  *   event    reports number `value` of the law's declared events */
