@@ -165,10 +165,12 @@ void requests_known_actions(Examination& exam) {
                 exam.fail("`commit` reports event number " + std::to_string(action.value) + ", and it declares " +
                           std::to_string(force.event_count) + ", " + law.where() + ".");
         }
-        if (out.thread_count > 1)
+        if (!law.has_kept_thread())
+            exam.fail("`commit` moves the host's pointer `thread`, " + law.where() + ".");
+        else if (out.thread_count > 1)
             exam.fail("`commit` leaves " + std::to_string(out.thread_count) + " threads, expected 0 or 1, " +
                       law.where() + ".");
-        else if (const char* field = out.thread_count == 1 ? fault_of(*out.thread) : nullptr; field != nullptr)
+        else if (const char* field = out.thread_count == 1 ? fault_of(law.thread()) : nullptr; field != nullptr)
             exam.fail("`commit` leaves a thread that the host cannot keep: its `" + std::string(field) +
                       "` is out of range, " + law.where() + ".");
         return !exam.has_failed();

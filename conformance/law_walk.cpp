@@ -91,7 +91,7 @@ void LawWalk::allocate() {
     out_->size = sizeof(kerf_commit_out);
     out_->action = static_cast<kerf_action*>(output(KERF_MAX_ACTIONS * sizeof(kerf_action), alignof(kerf_action),
                                                     "it wrote an action beyond the 8 that there are"));
-    out_->thread = static_cast<kerf_thread*>(
+    out_->thread = thread_ = static_cast<kerf_thread*>(
         output(sizeof(kerf_thread), alignof(kerf_thread), "it wrote beyond the one `kerf_thread`"));
     out_->signal = static_cast<double*>(output(std::max(subject_.force->force->signal_count, 1u) * sizeof(double),
                                                alignof(double), "it wrote a signal that it does not declare"));
@@ -154,7 +154,7 @@ void LawWalk::add_to(std::uint64_t& hash) const noexcept {
     for (const double signal : signals()) add(&signal, sizeof signal);
     for (std::uint32_t i = 0; i < std::min(out_->action_count, KERF_MAX_ACTIONS); ++i)
         add(&out_->action[i], sizeof(kerf_action));
-    if (out_->thread_count > 0) add(out_->thread, sizeof(kerf_thread));
+    if (out_->thread_count > 0) add(thread_, sizeof(kerf_thread));
 }
 
 LawWalk::~LawWalk() = default;
@@ -249,14 +249,15 @@ kerf_status LawWalk::commit(const Pose& next) {
         for (std::size_t i = 0; i < 6; ++i) advance.following[i] += lambda[c] * channels()[c].follow[i];
     }
     out_->action_count = out_->thread_count = 0;
-    *out_->thread = {};
+    out_->thread = thread_;
+    *thread_ = {};
     const std::uint32_t signal_count = subject_.force->force->signal_count;
     std::fill(out_->signal, out_->signal + signal_count, std::numeric_limits<double>::quiet_NaN());
     in_.tick = tick_++;
     before_call();
     const kerf_status status = call_commit(*subject_.force, in_, advance, state_, *out_);
     after_call("commit");
-    if (out_->thread_count > 0) bone_.leave(*out_->thread);
+    if (out_->thread_count > 0) static_cast<void>(bone_.leave(*thread_));
     place(next);
     return status;
 }

@@ -77,6 +77,9 @@ public:
     }
     /// What the last `commit` returned.
     [[nodiscard]] const kerf_commit_out& committed() const noexcept { return *out_; }
+    [[nodiscard]] const kerf_thread& thread() const noexcept { return *thread_; }
+    /// Whether it still writes its thread where it was told to.
+    [[nodiscard]] bool has_kept_thread() const noexcept { return out_->thread == thread_; }
     [[nodiscard]] std::span<const double> signals() const noexcept {
         return {out_->signal, subject_.force->force->signal_count};
     }
@@ -136,6 +139,7 @@ private:
     void* state_ = nullptr;
     kerf_law* law_ = nullptr;
     kerf_commit_out* out_ = nullptr;
+    kerf_thread* thread_ = nullptr;  ///< where it leaves one
     Pose pose_ = identity_pose();
     std::uint64_t tick_ = 0;
 };

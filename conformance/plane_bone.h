@@ -33,7 +33,7 @@ public:
     /// Keeps a thread that a law has left in it. Returns whether it can be kept.
     bool leave(const kerf_thread& thread) noexcept {
         const ToolInBody here{0, bone_from_tool_};
-        return threads_.leave(thread, {&here, 1}, 0);
+        return threads_.leave(thread, {&here, 1});
     }
     void forget_threads() noexcept { threads_ = {}; }
 

@@ -48,7 +48,7 @@ BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, doub
             .in_zone = false};
 }
 
-/// Distance of a screw's core to the nearest zone of its body [m]; negative inside.
+/// Distance of a screw's core to the nearest zone [m]; negative inside.
 double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const Anatomy& anatomy) {
     double least = HUGE_VAL;
     for (const Zone& zone : anatomy.zones) least = std::min(least, clearance(core, world_from_screw, zone));
@@ -104,20 +104,24 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
 
 std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,
                                    std::size_t step) {
-    const ToolOutline& outline = scene.tool(step).outline;
-    const StepState& state = monitor.steps()[step];
-    if (!state.has_cut_bone()) return {};
-    const AxisFrame& frame = scene.frames[step];
+    if (!monitor.steps()[step].has_cut_bone()) return {};
     const std::size_t owner = monitor.owners().step[step];
-    const Body& body = *simulation.present().piece(owner).bone;
-    const Pose screw = inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool();
-    const HolePlan plan{
-        .entry = frame.entry, .along = frame.along, .depth = state.advance.front, .cutting = outline.cutting};
+    return screw_at(scene, step, *simulation.present().piece(owner).bone,
+                    inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool());
+}
+
+HoleResult screw_at(const Scene& scene, std::size_t step, const Body& body, const Pose& screw) {
+    const ToolOutline& outline = scene.tool(step).outline;
+    const AxisFrame& frame = scene.frames[step];
+    const HolePlan plan{.entry = frame.entry,
+                        .along = frame.along,
+                        .depth = frame.depth_of(screw.position),
+                        .cutting = outline.cutting};
     HoleResult result;
     result.hole = hole_along(body, plan, screw.position, rotate(screw.rotation, {0, 0, 1}));
     if (!result.hole) return result;
     const BreachesAlong along(body, plan, frame, *result.hole);
-    add_breaches(along, *state.step, result);
+    add_breaches(along, scene.procedure.steps[step], result);
     const double radius = outline.thread_radius, unsure = 0.5 * body.grid().spacing;
     result.screw = InsertedScrew{.diameter = 2.0 * radius,
                                  .breach = along.of(radius),

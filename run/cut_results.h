@@ -60,5 +60,7 @@ private:
 /// The implant that a step leaves in that body, where the tool is now. Nothing for one that has cut no bone.   [main]
 [[nodiscard]] std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulation,
                                                  const StepMonitor& monitor, std::size_t step);
+/// The same of an implant that lies in a body at a pose. Nothing of it where it is at more than 60° to the axis. [main]
+[[nodiscard]] HoleResult screw_at(const Scene& scene, std::size_t step, const Body& body, const Pose& body_from_screw);
 
 }  // namespace kerf

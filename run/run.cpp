@@ -113,6 +113,8 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
     outcome_.summary = std::move(summary);
     simulation_.look_for_pieces(crumb, belongings_of(*scene_));
+    for (std::size_t step = 0; step < scene_->procedure.steps.size(); ++step)
+        if (scene_->tool(step).outline.is_implant()) monitor_.stays(step);
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
     lead();
@@ -183,7 +185,7 @@ void Run::take_tool_of_step() {
     const std::size_t tool = scene_->tool_of_step[monitor_.current()];
     if (tool == simulation_.tool() && !is_tool_left_) return;
     is_tool_left_ = false;
-    simulation_.take_another(tool);
+    simulation_.take_another(tool, std::exchange(back_, 0.0));
     pass_cuts_on();
     take_separations(simulation_.ticks());
     add_event_at(simulation_.ticks(), "tool.taken", scene_->procedure.steps[monitor_.current()].instrument);
@@ -253,6 +255,8 @@ void Run::leave_implant(std::size_t step) {
     const std::size_t tool = scene_->tool_of_step[step];
     if (!scene_->tools[tool].outline.is_implant()) return;
     is_tool_left_ = true;
+    constexpr double clear = 5e-3;  // [m] of the bone
+    back_ = std::max(0.0, monitor_.frame(step).depth_of(simulation_.world_from_tool().position)) + clear;
     for (MetricRow& row : implant_metrics(scene_->procedure.steps[step].id, *scene_->tools[tool].setup.force->force,
                                           simulation_.signals()))
         left_.push_back(std::move(row));

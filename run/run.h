@@ -100,7 +100,8 @@ private:
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
     std::vector<MetricRow> left_;                       ///< of implants, as their drivers left them
-    bool is_tool_left_ = false;                         ///< with the implant that it set: a step takes another one
+    double back_ = 0.0;          ///< [m] by which the next tool is drawn back: the driver leaves its implant
+    bool is_tool_left_ = false;  ///< with the implant that it set: a step takes another one
 };
 
 }  // namespace kerf

@@ -29,14 +29,6 @@ TextSpan span_in(const Document& document, const char* list, std::size_t index, 
     return value != nullptr ? value->span : items->children[index].span;
 }
 
-/// A waypoint of a rehearsal, or the value that it has under `key`; null where the document has none.
-const Node* waypoint_in(const Document& document, std::size_t rehearsal, std::size_t waypoint,
-                        const char* key = nullptr) {
-    const std::vector<const Node*> nodes = waypoint_nodes(document, rehearsal);
-    if (waypoint >= nodes.size()) return nullptr;
-    return key != nullptr ? nodes[waypoint]->find(key) : nodes[waypoint];
-}
-
 void check_device(const Procedure& procedure, const Document& document, Report& report) {
     if (procedure.device.empty() || find_device(procedure.device.c_str()) != nullptr) return;
     int count = 0;
@@ -85,7 +77,7 @@ void check_reach(const Procedure& procedure, std::size_t rehearsal, const Docume
         for (std::size_t w = 0; w < r.path.size(); ++w)
             if (r.path[w].step == s && r.path[w].depth > deepest) deepest = r.path[where = w].depth;
         if (deepest == -HUGE_VAL || deepest >= asked) continue;
-        const Node* depth = waypoint_in(document, rehearsal, where, "depth");
+        const Node* depth = waypoint_node(document, rehearsal, where, "depth");
         report.warning(Code::short_of_goal,
                        depth != nullptr ? depth->span : span_in(document, "rehearsals", rehearsal, "path"),
                        "The rehearsal expects to pass and leads no deeper than this in step `" + procedure.steps[s].id +
@@ -234,7 +226,7 @@ void check_regrips(const Procedure& procedure, std::size_t step, bool has_thread
         for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
             const Waypoint& waypoint = procedure.rehearsals[r].path[w];
             if (waypoint.step != step || waypoint.regrip <= 0.0) continue;
-            const Node* turn = waypoint_in(*document, r, w, "turn");
+            const Node* turn = waypoint_node(*document, r, w, "turn");
             const Node* regrip = turn != nullptr ? turn->find("regrip") : nullptr;
             Report(*document, diagnostics)
                 .error(Code::needs_driver, regrip != nullptr ? regrip->key_span : TextSpan{},
@@ -347,7 +339,7 @@ void check_waypoints_in_region(const Procedure& procedure, const std::vector<Axi
             const double beyond = reach_beyond(body, *cutting[waypoint.step], frames[waypoint.step].pose_at(waypoint));
             if (beyond < body.grid().spacing) continue;
             const Vec3 size = body.region.high - body.region.low;
-            const Node* where = waypoint_in(*document, r, w);
+            const Node* where = waypoint_node(*document, r, w);
             report.warning(Code::waypoint_beyond_region, where != nullptr ? where->span : TextSpan{},
                            "Here `" + procedure.steps[waypoint.step].instrument + "` would stand " + in_mm(beyond) +
                                " beyond the region in which bone can be cut, " + in_mm(size.x) + " × " + in_mm(size.y) +

@@ -74,8 +74,9 @@ std::string how_far(const LimitState& limit) {
 
 std::string what_was_missed(const Goal& goal, const StepState& state) {
     if (goal.quantity == "entry")
-        return state.has_met_bone_still ? "the tool stood on the bone, but it was not running"
-                                        : "the tool never met bone";
+        return state.has_met_bone_still && state.is_released_at_end ? "the thread never met bone"
+               : state.has_met_bone_still ? "the tool stood on the bone, but it was not running"
+                                          : "the tool never met bone";
     if (goal.quantity == "separated") return "the bone did not come apart";
     if (goal.quantity == "held") return "the piece was never held";
     if (goal.quantity == "moved")
@@ -144,7 +145,9 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
         }
         if (!state.is_done() && !is_missing && !is_broken) {
             is_missing = true;
-            summary.reasons.push_back("Step `" + state.step->id + "`: the tool was not withdrawn.");
+            summary.reasons.push_back(
+                "Step `" + state.step->id + "`: the " +
+                (state.is_released_at_end ? "implant was not released." : "tool was not withdrawn."));
         }
         summary.steps.push_back(std::move(row));
     }

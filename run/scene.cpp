@@ -28,8 +28,8 @@ std::uint64_t hash_of(const std::string& text, const std::vector<std::uint64_t>&
 }
 
 /// An implant is read like a bone of one tissue, at its place in the procedure.
-std::optional<Body> implant_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics,
-                                 ImportReport& import) {
+std::optional<Body> plate_body(const Implant& implant, const Procedure& procedure, Diagnostics& diagnostics,
+                               ImportReport& import) {
     Anatomy surface;
     surface.file = procedure.file;
     surface.text = procedure.text;
@@ -72,19 +72,19 @@ std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, cons
 double hardest_of_steps(const Scene& scene) {
     double hardest = 0.0;
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
-        if (!scene.tool(s).outline.is_implant())  // a screw is turned in, and not fed
+        if (!scene.tool(s).outline.has_thread())  // a screw is turned in, and not fed
             hardest = std::max(hardest, work_force(scene.tool(s).setup, scene.body, scene.procedure.steps[s].feed));
     return hardest;
 }
 
 /// What bone takes at a step's feed, every half millimetre of its axis in bone, as deep as its goal [N]. Empty for a
-/// step without depth, and for a screw, which is turned in.
+/// step without depth, and for a screw or a tap, which are turned in.
 std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     const Step& asked = scene.procedure.steps[step];
     double depth = 0.0;
     for (const Goal& goal : asked.goals)
         if (goal.quantity == "depth") depth = std::max(depth, goal.bound.at_least.value_or(0.0));
-    if (depth <= 0.0 || scene.tool(step).outline.is_implant()) return {};
+    if (depth <= 0.0 || scene.tool(step).outline.has_thread()) return {};
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];
@@ -140,12 +140,14 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
             scene.staying.back() = implant_body(scene.tools[tool].outline, instrument.id, scene.procedure.spacing);
     }
     for (const Implant& implant : scene.procedure.implants) {
-        auto metal = implant_body(implant, scene.procedure, diagnostics, import);
+        auto metal = plate_body(implant, scene.procedure, diagnostics, import);
         if (!metal) return std::nullopt;
         scene.implants.push_back(std::move(*metal));
     }
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
+    std::vector<const ToolOutline*> outlines;
+    for (const std::size_t tool : scene.tool_of_step) outlines.push_back(&scene.tools[tool].outline);
     for (const auto& step : scene.procedure.steps) {
         const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
                                        [&](const LandmarkAxis& a) { return a.id == step.axis; });
@@ -160,8 +162,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));
         const std::size_t index = scene.frames.size() - 1;
         if (found.entry >= 0.0)
-            check_length_in_bone(scene.procedure, index, scene.tool(index).outline, scene.frames.back(), scene.body,
-                                 diagnostics);
+            check_screw_in_bone(scene.procedure, outlines, index, scene.frames.back(), scene.body, diagnostics);
     }
     if (has_error(diagnostics)) return std::nullopt;
     std::vector<const ToolSolid*> cutting;

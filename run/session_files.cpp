@@ -29,6 +29,10 @@ void append(const Mesh& more, Mesh& mesh) {
     mesh.tissue.insert(mesh.tissue.end(), more.tissue.begin(), more.tissue.end());
     for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
 }
+void place(Mesh& mesh, const Pose& to_from_mesh) {
+    for (Vec3& p : mesh.vertices) p = to_from_mesh * p;
+    for (Vec3& n : mesh.normals) n = rotate(to_from_mesh.rotation, n);
+}
 /// Each piece where it is at the end.
 Mesh all_surfaces(const Simulation& simulation, int stride) {
     Mesh all;
@@ -37,8 +41,7 @@ Mesh all_surfaces(const Simulation& simulation, int stride) {
         if (!live.is_present) continue;
         Mesh one = bone_surface(*live.bone, simulation.exact(body), live.is_cuttable ? stride : 1);
         if (!live.is_cuttable) one.tissue.assign(one.vertices.size(), drawn_metal);
-        for (Vec3& p : one.vertices) p = live.world_from_body * p;
-        for (Vec3& n : one.normals) n = rotate(live.world_from_body.rotation, n);
+        place(one, live.world_from_body);
         append(one, all);
     }
     return all;
@@ -101,9 +104,13 @@ std::string SessionFiles::on_result(const RunSummary& summary, const Simulation&
     note(write_file(folder_ + "/summary.json", summary_json(summary)));
     note(write_report(folder_));
     const PresentBone& bone = simulation.present();
-    for (const PieceRow& piece : summary.pieces)
-        note(write_file(folder_ + "/" + piece.file,
-                        stl_bytes(bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body)))));
+    for (const PieceRow& piece : summary.pieces) {
+        Mesh surface = bone_surface(*bone.piece(piece.body).bone, bone.cut(piece.body));
+        if (piece.is_metal)  // where it lies in the bone, whose frame is the patient's
+            place(surface,
+                  inverse(simulation.bodies()[0]->world_from_body) * simulation.bodies()[piece.body]->world_from_body);
+        note(write_file(folder_ + "/" + piece.file, stl_bytes(surface)));
+    }
     return errors;
 }
 

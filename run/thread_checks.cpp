@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/procedure/document.h"
 #include "core/procedure/quantity.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/read_procedure.h"
+#include "core/procedure/waypoint_nodes.h"
 
 namespace kerf {
 
@@ -44,6 +46,7 @@ double tip_core(const ToolOutline& tool) noexcept {
     return tool.profile[std::min<std::size_t>(1, tool.cutting_count - 1)].radius;
 }
 
+/// What its goal asks for; nothing: −∞.
 double asked_depth(const Step& step) noexcept {
     double depth = -HUGE_VAL;
     for (const Goal& goal : step.goals)
@@ -51,39 +54,103 @@ double asked_depth(const Step& step) noexcept {
     return depth;
 }
 
+/// Nothing but an implant is released, or joins the scene.
+void check_releases(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
+                    Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report report(*document, diagnostics);
+    const auto is_implant = [&](std::size_t step) { return tools[step]->is_implant(); };
+    for (const Instrument& instrument : procedure.instruments) {
+        const auto user = std::find_if(procedure.steps.begin(), procedure.steps.end(),
+                                       [&](const Step& step) { return step.instrument == instrument.id; });
+        if (!instrument.is_inserted || user == procedure.steps.end() ||
+            is_implant(static_cast<std::size_t>(user - procedure.steps.begin())))
+            continue;
+        const Node* instruments = document->root.find("instruments");
+        const Node* written = instruments != nullptr ? instruments->find(instrument.id) : nullptr;
+        const Node* key = written != nullptr ? written->find("remeshing") : nullptr;
+        report.error(Code::needs_implant, key != nullptr ? key->span : TextSpan{},
+                     "`" + instrument.id + "` is no implant, so it does not stay. Remove `remeshing: insert`.");
+    }
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r)
+        for (std::size_t w = 0; w < procedure.rehearsals[r].path.size(); ++w) {
+            const Waypoint& waypoint = procedure.rehearsals[r].path[w];
+            const bool is_released = std::any_of(waypoint.inputs.begin(), waypoint.inputs.end(),
+                                                 [](const HandInput& i) { return i.kind == HandInput::Kind::release; });
+            if (!is_released || is_implant(waypoint.step)) continue;
+            const Node* node = waypoint_node(*document, r, w, "do");
+            report.error(Code::needs_implant, node != nullptr ? node->span : TextSpan{},
+                         "`" + procedure.steps[waypoint.step].instrument +
+                             "` is no implant, so it is not released. Remove `do: release`.");
+        }
+}
+
+}  // namespace
+
+namespace {
+
+/// What was made along a step's axis before it: the widest radii of holes and taps [m].
+struct Before {
+    double hole = 0.0, tap = 0.0;
+};
+/// An opening of the cortex is no hole for the tip: one that counts goes at least half as deep.
+Before before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
+    Before found;
+    for (std::size_t b = 0; b < step; ++b) {
+        const ToolOutline& tool = *tools[b];
+        if (procedure.steps[b].axis != procedure.steps[step].axis || tool.cutting_count == 0) continue;
+        if (tool.has_thread() && !tool.is_implant()) found.tap = std::max(found.tap, tool.thread_radius);
+        const double depth = asked_depth(procedure.steps[b]);
+        const bool is_deep = depth == -HUGE_VAL || depth >= 0.5 * asked_depth(procedure.steps[step]);
+        if (!tool.has_thread() && !tool.cutting.is_prism() && is_deep)
+            found.hole = std::max(found.hole, tool.cutting.largest_radius());
+    }
+    return found;
+}
+
+void check_lead(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
+                StepReport& report) {
+    constexpr double same = 0.02;  // [–], as the law of the screw takes it
+    for (std::size_t b = 0; b < step; ++b) {
+        const Step &before = procedure.steps[b], &now = procedure.steps[step];
+        if (before.axis != now.axis || !tools[b]->has_thread() || tools[b]->is_implant()) continue;
+        const double lead = tools[step]->thread_lead, cut = tools[b]->thread_lead;
+        if (std::abs(cut - lead) <= same * lead) continue;
+        report.error(Code::other_lead, "instrument",
+                     "`" + now.instrument + "` goes " + in_mm(lead) + " in a turn, and `" + before.instrument +
+                         "`, which cuts its thread in step `" + before.id + "`, " + in_mm(cut) +
+                         ". Give both the same `pitch` and `starts`.");
+    }
+}
+
 }  // namespace
 
 void check_threads(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, Diagnostics& diagnostics) {
+    check_releases(procedure, tools, diagnostics);
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
         const Step& step = procedure.steps[s];
         const ToolOutline& tool = *tools[s];
         if (!tool.has_thread()) continue;
         StepReport report(procedure, s, diagnostics);
-        double hole = 0.0;  // [m] the widest radius that was drilled there before
-        for (std::size_t before = 0; before < s; ++before) {
-            const ToolOutline& other = *tools[before];
-            if (procedure.steps[before].axis != step.axis) continue;
-            if (!other.has_thread() && !other.cutting.is_prism()) hole = std::max(hole, other.cutting.largest_radius());
-            constexpr double same = 0.02;  // [–], as the law of the screw takes it
-            if (other.has_thread() && !other.is_implant() &&
-                std::abs(other.thread_lead - tool.thread_lead) > same * tool.thread_lead)
-                report.error(Code::other_lead, "instrument",
-                             "`" + step.instrument + "` goes " + in_mm(tool.thread_lead) + " in a turn, and `" +
-                                 procedure.steps[before].instrument + "`, which cuts its thread in step `" +
-                                 procedure.steps[before].id + "`, " + in_mm(other.thread_lead) +
-                                 ". Give both the same `pitch` and `starts`.");
-        }
-        if (hole <= 0.0)
-            report.error(Code::no_hole, "instrument",
-                         "`" + step.instrument + "` has a thread, and no step before `" + step.id +
-                             "` drills a hole along `" + step.axis +
-                             "`. Put one before it, with a drill about as wide as its core, " +
-                             in_mm(2.0 * tip_core(tool)) + ".");
-        else if (tip_core(tool) > hole)
+        check_lead(procedure, tools, s, report);
+        const Before before = before_step(procedure, tools, s);
+        const double thread = tool.thread_radius, tip = tip_core(tool);
+        constexpr double hair = 0.05e-3;  // [m]
+        const std::string wide =
+            "The thread of `" + step.instrument + "` is " + in_mm(2.0 * thread) + " wide, and its ";
+        if (tool.is_implant() && before.tap > thread + hair)
+            report.error(Code::hole_too_wide, "instrument",
+                         wide + "tap " + in_mm(2.0 * before.tap) + ". Take a thinner tap, or a thicker screw.");
+        if (before.hole >= thread)
+            report.error(Code::hole_too_wide, "instrument",
+                         wide + "hole along `" + step.axis + "` " + in_mm(2.0 * before.hole) +
+                             ". Take a thinner drill, or a thicker screw.");
+        if (before.hole > 0.0 && tip > before.hole + hair)
             report.error(Code::core_too_wide, "instrument",
-                         "The tip of `" + step.instrument + "` has a core of " + in_mm(2.0 * tip_core(tool)) +
-                             ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * hole) +
-                             " wide. Take a wider drill, or a screw with a core of at most " + in_mm(2.0 * hole) + ".");
+                         "The tip of `" + step.instrument + "` has a core of " + in_mm(2.0 * tip) +
+                             ", and the hole along `" + step.axis + "` is " + in_mm(2.0 * before.hole) +
+                             " wide. Take a wider drill, or a screw with a core of at most " +
+                             in_mm(2.0 * before.hole) + ".");
         if (const double asked = asked_depth(step); tool.is_implant() && asked > seat_of(tool))
             report.error(Code::seats_too_soon, "goals",
                          "The goal is a depth of at least " + in_mm(asked) + ", and the head of `" + step.instrument +
@@ -91,20 +158,48 @@ void check_threads(const Procedure& procedure, const std::vector<const ToolOutli
     }
 }
 
-void check_length_in_bone(const Procedure& procedure, std::size_t step, const ToolOutline& tool, const AxisFrame& frame,
-                          const Body& body, Diagnostics& diagnostics) {
-    if (!tool.is_implant()) return;
+namespace {
+
+/// Whether the axis comes to its entry through a hole of the bone: with bone beside it.
+bool comes_through_a_hole(const AxisFrame& frame, double radius, const Body& body) {
+    constexpr int around = 16;
+    constexpr double before = 2e-3;  // [m]
+    const Quat turn = quat_between({0, 0, 1}, frame.along);
+    int in_bone = 0;
+    for (int i = 0; i < around; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / around;
+        const Vec3 beside = rotate(turn, {radius * std::cos(angle), radius * std::sin(angle), -before});
+        in_bone += uncut_distance(body, locate(body, frame.entry + beside)) < 0.0;
+    }
+    return in_bone > around / 2;
+}
+
+}  // namespace
+
+void check_screw_in_bone(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step,
+                         const AxisFrame& frame, const Body& body, Diagnostics& diagnostics) {
+    const ToolOutline& tool = *tools[step];
+    const Step& asked = procedure.steps[step];
+    if (!tool.has_thread()) return;
+    StepReport report(procedure, step, diagnostics);
+    const bool is_in_a_hole = comes_through_a_hole(frame, tool.thread_radius, body);
+    if (before_step(procedure, tools, step).hole <= 0.0 && !is_in_a_hole)
+        report.error(Code::no_hole, "instrument",
+                     "`" + asked.instrument + "` has a thread, and no step before `" + asked.id +
+                         "` drills a hole for it along `" + asked.axis +
+                         "`. Put one before it, with a drill about as wide as its core, " +
+                         in_mm(2.0 * tip_core(tool)) + ".");
+    if (!tool.is_implant() || is_in_a_hole) return;  // its entry is the bottom of a hole
     const double seat = seat_of(tool), spacing = body.grid().spacing;
     double last = 0.0;  // [m] of bone along the axis
     for (double depth = 0.0; depth <= seat + spacing; depth += spacing)
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;
-    if (last + spacing >= seat || asked_depth(procedure.steps[step]) > last) return;
-    StepReport(procedure, step, diagnostics)
-        .error(Code::screw_too_long, "instrument",
-               "`" + procedure.steps[step].instrument + "` is " + in_mm(seat) + " long, and along `" +
-                   procedure.steps[step].axis + "` the bone ends after " + in_mm(last) +
-                   ": seated, its tip would be out of it. Take one of at most " + in_mm(last) +
-                   ", or ask for a depth beyond the far side.");
+    if (last + spacing >= seat || asked_depth(asked) > last) return;
+    report.error(Code::screw_too_long, "instrument",
+                 "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +
+                     "` the bone ends after " + in_mm(last) +
+                     ": seated, its tip would be out of it. Take one of at most " + in_mm(last) +
+                     ", or ask for a depth beyond the far side.");
 }
 
 }  // namespace kerf

@@ -278,6 +278,10 @@ kerf_status commit(const kerf_tick_in* in, const kerf_advance* advance, void* st
         for (std::uint32_t i = 0; i < out->action_count; ++i)
             if (out->action[i].kind == KERF_ACTION_CUT) out->action[i] = out->action[--out->action_count];
     if (is("strips_what_it_has_not")) out->action[out->action_count++] = {KERF_ACTION_CUT, KERF_CUT_THREAD};
+    if (is("moves_its_thread_away")) {
+        out->thread = nullptr;
+        out->thread_count = 1;
+    }
     if (is("leaves_half_a_thread")) {
         *out->thread = {};
         out->thread->tool_from_thread.rotation.w = 1.0;

@@ -41,30 +41,36 @@ const char* fault_of(const kerf_thread& thread) noexcept {
     return nullptr;
 }
 
+BodyThreads& BodyThreads::operator=(const BodyThreads& other) noexcept {
+    count_ = other.count_;
+    std::copy_n(other.kept_.begin(), count_, kept_.begin());
+    return *this;
+}
+
 std::uint32_t BodyThreads::write(std::span<const ToolInBody> near, kerf_thread* out,
                                  std::uint32_t capacity) const noexcept {
     std::uint32_t found = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const Kept& kept = kept_[i];
-        const ToolInBody* const at = kept.is_hidden ? nullptr : in_body(near, kept.thread.body);
+        const kerf_thread& thread = kept_[i].thread;
+        const ToolInBody* const at = in_body(near, thread.body);
         if (at == nullptr) continue;
         if (found < capacity) {
-            out[found] = kept.thread;
-            out[found].tool_from_thread = inverse(at->body_from_tool) * kept.thread.tool_from_thread;
+            out[found] = thread;
+            out[found].tool_from_thread = inverse(at->body_from_tool) * thread.tool_from_thread;
         }
         ++found;
     }
     return found;
 }
 
-bool BodyThreads::leave(const kerf_thread& thread, std::span<const ToolInBody> near, std::uint64_t removing) noexcept {
+bool BodyThreads::leave(const kerf_thread& thread, std::span<const ToolInBody> near) noexcept {
     const ToolInBody* const at = in_body(near, thread.body);
     if (at == nullptr || fault_of(thread) != nullptr) return false;
     const bool is_new = thread.number == KERF_NEW_THREAD;
-    if (is_new ? count_ == kept_.size() : thread.number >= count_) return false;
+    if (is_new ? is_full() : thread.number >= count_) return false;
     const std::size_t number = is_new ? count_++ : thread.number;
     Kept& kept = kept_[number];
-    if (is_new) kept = {.thread = {}, .begun = removing + 1, .is_hidden = false, .is_passed_on = false};
+    if (is_new) kept.is_passed_on = false;
     kept.thread = thread;
     kept.thread.number = static_cast<std::uint32_t>(number);
     Pose& pose = kept.thread.tool_from_thread;
@@ -75,31 +81,19 @@ bool BodyThreads::leave(const kerf_thread& thread, std::span<const ToolInBody> n
 
 void BodyThreads::pass_on(std::uint16_t from, std::uint16_t to) noexcept {
     const std::size_t before = count_;
-    for (std::size_t i = 0; i < before && count_ < kept_.size(); ++i) {
+    for (std::size_t i = 0; i < before && !is_full(); ++i) {
         if (kept_[i].thread.body != from) continue;
         Kept& copy = kept_[count_];
-        copy = kept_[i];
+        copy = {kept_[i].thread, true};
         copy.thread.body = to;
         copy.thread.number = static_cast<std::uint32_t>(count_++);
-        copy.is_passed_on = true;
     }
-}
-
-void BodyThreads::turn_to(std::uint64_t removing) noexcept {
-    for (std::size_t i = 0; i < count_; ++i) kept_[i].is_hidden = kept_[i].begun > removing;
-}
-
-void BodyThreads::forget_hidden() noexcept {
-    const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(count_);
-    const auto left = std::remove_if(kept_.begin(), end, [](const Kept& kept) { return kept.is_hidden; });
-    count_ = static_cast<std::size_t>(left - kept_.begin());
-    for (std::size_t i = 0; i < count_; ++i) kept_[i].thread.number = static_cast<std::uint32_t>(i);
 }
 
 double BodyThreads::volume() const noexcept {
     double sum = 0.0;
     for (std::size_t i = 0; i < count_; ++i)
-        if (!kept_[i].is_hidden && !kept_[i].is_passed_on) sum += kept_[i].thread.volume;
+        if (!kept_[i].is_passed_on) sum += kept_[i].thread.volume;
     return sum;
 }
 

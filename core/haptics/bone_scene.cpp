@@ -29,7 +29,10 @@ void BoneScene::look_for_pieces(double crumb, Belongings belongings) {
 // ---- cuts ---------------------------------------------------------------------------------------------------------
 
 void BoneScene::apply(std::span<const CutRecord> records, const Placings& now) {
-    if (!begun_) begun_ = moment(now);
+    if (!begun_) {
+        begun_ = moment(now);
+        begun_->placings.threads = threads_;  // a thread may have begun before the first record was closed
+    }
     for (const CutRecord& record : records) {
         for (Separation& separation : bone_.apply(record, *cutting_[record.solid]))
             wait_for_the_loop(std::move(separation));
@@ -94,7 +97,6 @@ Offer BoneScene::turn(Turn turn) const {
     Offer offer;
     offer.change = turn == Turn::undo ? Offer::Change::undo : Offer::Change::redo;
     offer.removing = removing_;
-    offer.removing_then = then.removing;
     offer.placings = then.placings;
     offer.owners = then.owners;
     for (std::size_t id = 0; id < then.placings.count; ++id) {

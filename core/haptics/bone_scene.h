@@ -45,6 +45,8 @@ public:
     void apply(std::span<const CutRecord> records, const Placings& now);
     /// The tool touches no bone: what was removed since it last did not is a cut, and can be taken back.   [worker]
     void leave_bone();
+    /// These threads are in bone while the tool touches none: what the next cut is taken back to.   [worker]
+    void know_threads(const BodyThreads& threads) noexcept { threads_ = threads; }
     [[nodiscard]] bool is_in_a_cut() const noexcept { return begun_.has_value(); }
     [[nodiscard]] bool can(Turn turn) const noexcept { return !moments(turn).empty(); }
 
@@ -85,12 +87,9 @@ private:
         Placings placings;
         std::vector<Waiting> waiting;
         Owners owners;
-        std::uint64_t removing = 0;  ///< records that had removed bone
     };
     void wait_for_the_loop(Separation separation);
-    [[nodiscard]] Moment moment(const Placings& now) {
-        return {bone_.image(), now, waiting_, belongings_.owners, removing_};
-    }
+    [[nodiscard]] Moment moment(const Placings& now) { return {bone_.image(), now, waiting_, belongings_.owners}; }
     [[nodiscard]] static double removed_in(const BoneImage& bone) noexcept;  ///< [m³]
     void keep(Moment before);
     void keep_for_undo(const Placings& before);
@@ -108,6 +107,7 @@ private:
     std::uint64_t removing_ = 0;       ///< records that removed bone
     std::vector<Waiting> waiting_;
     std::optional<Moment> begun_;  ///< what was before the cut that goes on
+    BodyThreads threads_;          ///< before it
     std::vector<Moment> undo_, redo_;
     std::vector<std::unique_ptr<Body>> grown_;  ///< bridges
 };

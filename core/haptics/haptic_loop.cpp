@@ -54,11 +54,7 @@ HapticLoop::HapticLoop(const Body& body, std::vector<Tool> tools, const Coupling
       world_from_tool_(start),
       hand_(start),
       coupling_(gains, outline().handling),
-      guard_({gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution},
-             {gains.shaft.damping,
-              gains.force_scale * coupling_.spring().turn_stiffness.along * gains.shaft.resolution *
-                  gains.shaft.resolution,
-              gains.shaft.resolution}) {
+      guard_(port_of_forces(gains), port_of_shaft(coupling_)) {
     bodies_.reserve(most_bodies);
     bodies_.push_back(
         std::make_unique<LiveBody>(std::uint16_t{0}, body, CutField(body, live_reserve), outline().cutting));
@@ -97,6 +93,16 @@ void HapticLoop::begin_with_tool() {
 }
 
 HapticLoop::~HapticLoop() = default;
+
+PassivityGuard::Port HapticLoop::port_of_forces(const CouplingGains& gains) noexcept {
+    return {gains.spare_damping, gains.stiffness * gains.resolution * gains.resolution, gains.resolution};
+}
+
+PassivityGuard::Port HapticLoop::port_of_shaft(const Coupling& coupling) noexcept {
+    const CouplingGains& gains = coupling.gains();
+    const double count = gains.shaft.resolution;
+    return {gains.shaft.damping, gains.force_scale * coupling.spring().turn_stiffness.along * count * count, count};
+}
 
 std::vector<const ToolSolid*> HapticLoop::cutting_solids() const {
     std::vector<const ToolSolid*> solids;
@@ -452,7 +458,7 @@ void HapticLoop::commit(const Vec6& rate, const double* lambda, const Vec6& foll
     out.thread = &thread;
     const kerf_tick_in in = tick_in(step);
     static_cast<void>(call_commit(*setup().force, in, advance, state_, out));
-    if (out.thread_count > 0) keep_thread(out);
+    if (out.thread_count > 0) keep(thread, result);
 
     if (law_.metal_channel >= 0 && lambda[law_.metal_channel] > 0.0) result.is_at_metal = true;
 
@@ -502,9 +508,10 @@ void HapticLoop::do_as_told(const kerf_action& action, TickResult& result) noexc
         held_.take(bodies_, action.value, world_from_tool_);
 }
 
-void HapticLoop::keep_thread(const kerf_commit_out& out) noexcept {
-    if (out.thread->number == KERF_NEW_THREAD) threads_.forget_hidden();
-    threads_.leave(*out.thread, view_.places(), removing_);
+void HapticLoop::keep(const kerf_thread& thread, TickResult& result) noexcept {
+    const bool is_new = thread.number == KERF_NEW_THREAD;
+    if (!threads_.leave(thread, view_.places()) && is_new && threads_.is_full() && !std::exchange(has_no_room_, true))
+        result.add_event("haptics.threads_full");
 }
 
 void HapticLoop::take_closed(CutTracker& tracker, int count) noexcept {

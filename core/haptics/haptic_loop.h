@@ -47,7 +47,8 @@ struct TickResult {
     int parts = 1;                ///< 1 … 16: how often the law was asked
     int iterations = 0;           ///< of the hardest of their solves
     bool is_cutting = false;      ///< the plugin removed bone in this tick
-    bool is_stripping = false;    ///< it asked for the bone around the tool's thread: `crest_number`
+    bool is_stripping = false;    ///< it asked for the bone around the tool's thread: who drives the loop subtracts
+                                  ///< the solid `crest_number` where the tool is, as `Simulation` does
     bool is_at_metal = false;     ///< the tool meets a body that cannot be cut
     bool is_quarantined = false;  ///< the law was unsound or the solve failed: the tool rests
     bool is_barred = false;       ///< after a fault: the force of before is fading, or gone
@@ -110,7 +111,8 @@ public:
     /// Takes up one of the tools anew, where the hand is, with its law as at the beginning; drawn back along its axis
     /// if it lies in bone there. What was held is let go. Pre: `close_stretches` was called and its records are
     /// applied. [main] between ticks
-    void take_tool(std::size_t tool);
+    /// @param back  [m] by which it is drawn back before that: a driver that leaves its implant
+    void take_tool(std::size_t tool, double back = 0.0);
     [[nodiscard]] std::size_t tool() const noexcept { return tool_; }
     /// From the next tick on a sleeve leads the tool; nothing: none.   [main] between ticks
     void lead(const std::optional<Guide>& guide) noexcept { guide_ = guide; }
@@ -119,6 +121,8 @@ public:
     void make_room();
     /// Closes the open stretches; `closed` returns their records.   [haptic, nonblocking] between ticks
     void close_stretches() noexcept;
+    /// The same; `closed` returns those of the last tick before them.   [haptic, nonblocking] between ticks
+    void close_more_stretches() noexcept { close_open_stretches(); }
     /// Commits everything that is closed. It may allocate.   [main] between ticks
     void flush();
 
@@ -213,7 +217,9 @@ private:
     void close_open_stretches() noexcept;
     void begin_with_tool();  ///< its law as at the beginning, out of bone
     void do_as_told(const kerf_action& action, TickResult& result) noexcept;
-    void keep_thread(const kerf_commit_out& out) noexcept;
+    void keep(const kerf_thread& thread, TickResult& result) noexcept;
+    [[nodiscard]] static PassivityGuard::Port port_of_forces(const CouplingGains& gains) noexcept;
+    [[nodiscard]] static PassivityGuard::Port port_of_shaft(const Coupling& coupling) noexcept;
     [[nodiscard]] bool take_turn(Offer& offer) noexcept;
     [[nodiscard]] bool take_change(Offer& offer) noexcept;
     [[nodiscard]] bool stamp_lacking(const Offer& offer) noexcept;
@@ -240,7 +246,7 @@ private:
     Vec6 last_rate_{};    ///< of the tool in the last step, tool frame. The next solve starts there: its answer is the
                           ///< same from anywhere, and here it is near
     kerf_solid solid_{};  ///< of the held tool
-    bool has_left_region_ = false, has_met_metal_ = false;
+    bool has_left_region_ = false, has_met_metal_ = false, has_no_room_ = false;
     std::optional<Guide> guide_;  ///< that leads the tool
     Following following_;
 

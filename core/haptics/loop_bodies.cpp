@@ -36,8 +36,9 @@ struct Lacking {
 
 }  // namespace
 
-void HapticLoop::take_tool(std::size_t tool) {
+void HapticLoop::take_tool(std::size_t tool, double back) {
     tool_ = tool;
+    world_from_tool_ = world_from_tool_ * Pose{{0, 0, -back}, {1, 0, 0, 0}};
     flush();
     for (const auto& body : bodies_) body->tracker.take_tool(outline().cutting, static_cast<std::uint16_t>(tool));
     held_.let_go();
@@ -47,6 +48,7 @@ void HapticLoop::take_tool(std::size_t tool) {
     coupling_ = Coupling(coupling_.gains(), outline().handling);
     coupling_.let_go(hand_.pose(), world_from_tool_);
     is_new_tool_ = true;
+    guard_.serve(port_of_shaft(coupling_));
     guard_.restart();
     begin_with_tool();
 }
@@ -56,6 +58,8 @@ void HapticLoop::take_tool(std::size_t tool) {
 Placings HapticLoop::placings() const noexcept {
     Placings placings;
     placings.count = bodies_.size();
+    placings.threads = threads_;
+    placings.knows_threads = true;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         placings.of[b] = {bodies_[b]->world_from_body, bodies_[b]->group, bodies_[b]->is_cuttable,
                           bodies_[b]->is_present};
@@ -84,7 +88,7 @@ bool HapticLoop::take_turn(Offer& offer) noexcept {
         offer.made[id].body->tracker.number_from(next);
     }
     exchange_bodies(offer);
-    threads_.turn_to(offer.removing_then);
+    if (offer.placings.knows_threads) threads_ = offer.placings.threads;
     held_.let_go();
     look_around();
     return true;

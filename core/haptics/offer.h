@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/haptics/body_threads.h"
 #include "core/haptics/live_body.h"
 #include "core/haptics/owners.h"
 
@@ -23,10 +24,13 @@ struct Placing {
     [[nodiscard]] bool is_same_as(const Placing& other) const noexcept;
 };
 
-/// Of each body, at the index of its id.
+/// Of each body, at the index of its id; and the threads in them, if they are known. A worker beside a loop on the
+/// clock is not told of threads: there an undo leaves them as they are.
 struct Placings {
     std::array<Placing, most_bodies> of{};
     std::size_t count = 1;
+    bool knows_threads = false;
+    BodyThreads threads{};
 };
 
 /// Direction in the history of cuts.
@@ -45,9 +49,9 @@ struct Offer {
     Change change = Change::none;
     std::uint64_t tick = 0;              ///< separation: of the record that parted the parent
     std::uint64_t removing = 0;          ///< undo, redo: records that had removed bone when it was made
-    std::uint64_t removing_then = 0;     ///< the same: at the time that it goes back to, or on to
     std::array<Made, most_bodies> made;  ///< at the index of their id
-    Placings placings;                   ///< after it; of a separation and a subtraction only `count`
+    Placings placings;                   ///< after it; of a separation and a subtraction only `count`. Threads are
+                                         ///< those of undo and redo alone
     std::optional<Separation> separation;
     const Body* added = nullptr;        ///< insertion, fusion: bone of the last body
     std::vector<CutRecord> subtracted;  ///< the loop numbers them

@@ -33,6 +33,9 @@ public:
     };
     PassivityGuard(const Port& forces, const Port& shaft) : forces_(forces), shaft_(shaft) {}
 
+    /// Another tool: its shaft is held by another spring.   [haptic, nonblocking]
+    void serve(const Port& shaft) noexcept { shaft_ = shaft; }
+
     /// Since the last tick the hand moved by `moved` [m, rad] under `wrench` [N, N·m]; the motor put `supplied` [J]
     /// into the port, and the spring now holds `stored` [J].   [haptic, nonblocking]
     /// `turned` [rad]: of that, about the shaft; for a port whose motor acts there.

@@ -18,25 +18,30 @@ Simulation::Simulation(const Body& body, std::vector<Tool> tools, const Coupling
 TickResult Simulation::tick(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick(sample);
     follow();
-    if (result.is_stripping) subtract(crest_number(), world_from_tool());
+    if (result.is_stripping) strip();
     return result;
 }
 
 TickResult Simulation::tick_direct(const DeviceSample& sample) {
     const TickResult result = HapticLoop::tick_direct(sample);
     follow();
-    if (result.is_stripping) subtract(crest_number(), world_from_tool());
+    if (result.is_stripping) strip();
     return result;
 }
 
-void Simulation::follow() {
+void Simulation::follow() { follow_from(0); }
+
+/// The scene follows the records of `closed` from the one at `first` on.
+void Simulation::follow_from(std::size_t first) {
     std::vector<CutRecord> removing;
-    for (const CutRecord& record : closed())
+    for (const CutRecord& record : closed().subspan(first))
         if (record.removes) removing.push_back(record);
-    if (!removing.empty())
+    if (!removing.empty()) {
         scene_.apply(removing, placings());
-    else if (is_clear_of_bone())
+    } else if (is_clear_of_bone()) {
         scene_.leave_bone();
+        scene_.know_threads(threads());
+    }
     present().reserve(bricks_of_a_tick);
     make_room();
     take_separations_due(false);
@@ -51,9 +56,9 @@ void Simulation::take_tool(std::size_t tool) {
     if (tool != this->tool()) take_another(tool);
 }
 
-void Simulation::take_another(std::size_t tool) {
+void Simulation::take_another(std::size_t tool, double back) {
     close_and_follow();
-    HapticLoop::take_tool(tool);
+    HapticLoop::take_tool(tool, back);
 }
 
 void Simulation::finish() {
@@ -109,6 +114,15 @@ void Simulation::subtract(std::size_t solid, const Pose& world_from_tool) {
     close_and_follow();
     take_separations_due(true);
     take_over(scene_.subtraction(static_cast<std::uint16_t>(solid), world_from_tool, placings()));
+}
+
+/// Subtracts the bone around the thread in the tick that stripped it, and keeps that tick's records.
+void Simulation::strip() {
+    const std::size_t first = closed().size();
+    close_more_stretches();
+    follow_from(first);
+    take_separations_due(true);
+    take_over(scene_.subtraction(static_cast<std::uint16_t>(crest_number()), world_from_tool(), placings()));
 }
 
 std::string Simulation::turn_back(Turn turn) {

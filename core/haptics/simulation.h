@@ -34,7 +34,8 @@ public:
     /// `HapticLoop::take_tool`. What the last tool cut is closed and committed before.
     void take_tool(std::size_t tool);
     /// The same, and another one of its kind where it is in hand already: the implant on it stayed in bone.
-    void take_another(std::size_t tool);
+    /// @param back  [m] by which it is drawn back first
+    void take_another(std::size_t tool, double back = 0.0);
     /// Closes and commits everything: both fields of a body then hold the same bits.
     void finish();
 
@@ -112,6 +113,8 @@ public:
 
 private:
     void close_and_follow();
+    void follow_from(std::size_t first);
+    void strip();
     void take_over(Offer offer);
     void take_separations_due(bool all);
     std::string turn_back(Turn turn);

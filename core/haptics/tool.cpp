@@ -174,6 +174,9 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
     if (!(shape.thread_lead > 0.0 && shape.thread_lead < longest))
         return "`thread_lead` is " + in_mm(shape.thread_lead) + ", expected more than 0 mm and less than " +
                in_mm(longest) + ".";
+    if (shape.thread_count < 2 || shape.thread_count > shape.cutting_count)
+        return "`thread_count` is " + std::to_string(shape.thread_count) + ", expected 2 … " +
+               std::to_string(shape.cutting_count) + ": a thread is on what cuts.";
     if (shape.stay_count != 0 && (shape.stay_count < shape.cutting_count || shape.stay_count > shape.profile_count))
         return "`stay_count` is " + std::to_string(shape.stay_count) + ", expected 0, or " +
                std::to_string(shape.cutting_count) + " … " + std::to_string(shape.profile_count) +
@@ -209,11 +212,12 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     out.profile.assign(points, points + shape.profile_count);
     out.cutting_count = shape.cutting_count;
     if (const std::string fault = fault_of_thread(shape); !fault.empty()) {
-        error = std::string("tool `") + setup.tool->id + "` gives a thread that is none: " + fault;
+        error = std::string("tool `") + setup.tool->id + "` gives a thread that cannot be: " + fault;
         return false;
     }
     out.thread_radius = shape.thread_radius;
     out.thread_lead = shape.thread_lead;
+    out.thread_count = shape.thread_count;
     out.stay_count = shape.stay_count;
     if (shape.cutting_count == 0) shape.cutting_count = 2;  // it removes nothing: a tip is enough
     out.inertia = {shape.mass, shape.centre_z, shape.gyration};
@@ -241,8 +245,8 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     }
     out.cutting = ToolSolid({points, points + shape.cutting_count});
     if (out.has_thread())
-        out.crest = ToolSolid({{points[shape.cutting_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
-                               {points[shape.cutting_count - 1].z, out.thread_radius}});
+        out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
+                               {points[shape.thread_count - 1].z, out.thread_radius}});
     out.whole = ToolSolid({points, points + shape.profile_count});
     return true;
 }

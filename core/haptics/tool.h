@@ -37,6 +37,7 @@ struct ToolOutline {
     Inertia inertia{};                        ///< with its handpiece
     double thread_radius = 0.0;               ///< [m] over its thread; 0: it has none
     double thread_lead = 0.0;                 ///< [m] in one turn
+    std::uint32_t thread_count = 0;           ///< the first points of the profile, which bear the thread
     std::uint32_t stay_count = 0;             ///< the first points of the profile, which stay in bone; 0: it leaves
     ToolSolid crest;                          ///< with a thread: the cylinder over it
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it

@@ -379,6 +379,17 @@ constexpr CodeEntry entries[] = {
      .meaning = "A waypoint regrips an instrument without a thread.",
      .why = "Bone holds a screw while the hand lets it go about its shaft. A drill's motor would turn its handle.",
      .write = "Remove `regrip:`, or name a step whose instrument is a screw or a tap."},
+    {.number = 517,
+     .name = "hole wider than its thread",
+     .meaning =
+         "A hole, or the thread that a tap has cut, is as wide as the thread of the screw that follows, or wider.",
+     .why = "Its thread finds no bone to grip.",
+     .write = "Take a thinner drill or tap, or a thicker screw."},
+    {.number = 518,
+     .name = "no implant",
+     .meaning = "A rehearsal releases a tool that is no implant, or `remeshing: insert` is set for one.",
+     .why = "Only an implant stays in bone when its driver leaves.",
+     .write = "Remove it, or give the step an instrument with a screw."},
     // ---- bone and data files
     {.number = 601,
      .name = "phantom without bone",

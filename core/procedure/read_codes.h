@@ -87,6 +87,8 @@ enum class Code {
     other_lead = 513,      ///< a tap goes farther in a turn than its screw, or less
     screw_too_long = 514,  ///< its tip would leave the bone
     seats_too_soon = 515,  ///< its head seats before its goal is reached
+    hole_too_wide = 517,   ///< a screw's thread does not reach the wall of its hole, or of its tap
+    needs_implant = 518,   ///< something is asked of an implant, and the tool is none
     needs_driver = 516,    ///< a waypoint regrips a tool that bone does not hold
 
     // Its data files; those of import have their codes beside what finds them

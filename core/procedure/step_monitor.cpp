@@ -203,7 +203,8 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     }
 
     // The step ends when its goals are reached and the tool is back outside, with nothing in it, or stays.
-    if (state.has_reached_all() && (depth < 0.0 || is_released_) && now.held < 0) {
+    const bool is_over = is_released_ || (depth < 0.0 && !state.is_released_at_end);
+    if (state.has_reached_all() && is_over && now.held < 0) {
         is_released_ = false;
         state.end = time;
         news_.emplace_back("step_done", state.step->id);

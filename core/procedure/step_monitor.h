@@ -134,7 +134,8 @@ struct StepState {
     std::vector<SignalState> signals;   ///< each that the step names, once
     std::vector<bool> was_there;        ///< for each goal on a signal: the signal was within its bound in some tick
 
-    double moved = 0.0;  ///< [m] the farthest that the bone at the entry was from where it had been
+    bool is_released_at_end = false;  ///< its tool stays in the bone
+    double moved = 0.0;               ///< [m] the farthest that the bone at the entry was from where it had been
 
     [[nodiscard]] bool has_cut_bone() const noexcept { return deepest >= 0.0; }
     [[nodiscard]] bool has_reached_all() const noexcept {
@@ -147,6 +148,9 @@ class StepMonitor {
 public:
     /// Keeps references: procedure and anatomy must outlive it. `frames`: one per step.
     StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames);
+
+    /// The tool of a step is an implant: the step ends when it is released, and not when it comes out again.
+    void stays(std::size_t step) { steps_[step].is_released_at_end = true; }
 
     /// Shows one tick, of a tool whose cutting region is `cutting`.
     void observe(const Observation& now, const ToolSolid& cutting);

@@ -32,4 +32,10 @@ std::vector<const Node*> waypoint_nodes(const Document& document, std::size_t re
     return waypoint_nodes(document, rehearsals->children[rehearsal].find("path"));
 }
 
+const Node* waypoint_node(const Document& document, std::size_t rehearsal, std::size_t waypoint, const char* key) {
+    const std::vector<const Node*> nodes = waypoint_nodes(document, rehearsal);
+    if (waypoint >= nodes.size()) return nullptr;
+    return key != nullptr ? nodes[waypoint]->find(key) : nodes[waypoint];
+}
+
 }  // namespace kerf

@@ -20,4 +20,8 @@ inline constexpr std::size_t most_followed = 10'000;
 /// Returns the same for a rehearsal by its index; empty if the document has no such rehearsal.   [main]
 [[nodiscard]] std::vector<const Node*> waypoint_nodes(const Document& document, std::size_t rehearsal);
 
+/// Returns a waypoint of a rehearsal, or the value that it has under `key`; null where the document has none.   [main]
+[[nodiscard]] const Node* waypoint_node(const Document& document, std::size_t rehearsal, std::size_t waypoint,
+                                        const char* key = nullptr);
+
 }  // namespace kerf

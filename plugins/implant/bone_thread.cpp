@@ -26,7 +26,7 @@ ThreadPlaces::ThreadPlaces(const ScrewThread& thread) noexcept {
         across[n] = pi * (outer[n] * outer[n] - core[n] * core[n]) * length / thread.pitch;
         grip[n] = length;
         // Just outside: what the core itself has removed ends there.
-        constexpr double beside = 0.2e-3;  // [m]
+        constexpr double beside = 0.08e-3;  // [m]
         const double share = (core[n] + beside) / radius[n];
         place[static_cast<std::size_t>(count) + n] = {share * pieces[i].place.x, share * pieces[i].place.y, z};
     }
@@ -51,6 +51,8 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
     }
     std::array<kerf_bone_sample, 2 * most_pieces> found;
     bone.sample(std::span<const Vec3>(place.data(), 2 * count), Vec3{0, 0, 1}, {found.data(), 2 * count});
+    leading = last = thread.first_crest();
+    bool has_front = false;
     double flutes = 0.0, first_quarter = 0.0, whole = 0.0, square = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double m = resistance(found[i], bone.tissue_count(), reference_density), z = place[i].z;
@@ -60,7 +62,12 @@ BoneThread::BoneThread(const ThreadPlaces& places, const ScrewThread& thread, co
             front += m;
             flutes += 1.0;
         }
-        if (z >= thread.first_crest() - 0.25 * thread.lead()) {
+        if (m > 0.0 && !has_front) {
+            has_front = true;
+            leading = i == 0 ? thread.first_crest() : z + 0.5 * places.piece;
+        }
+        if (m > 0.0) last = z - 0.5 * places.piece;
+        if (has_front && z >= leading - 0.25 * thread.lead()) {
             front_in_bone += found[i].engagement;
             first_quarter += 1.0;
         }

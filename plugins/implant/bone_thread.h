@@ -13,15 +13,15 @@ namespace kerf::implant {
 /// A thread's places and what bone there is at them, prepared once and sampled in each tick.
 struct ThreadPlaces {
     int count = 0;
-    std::array<Vec3, 2 * most_pieces> place;   ///< in the middle of the flanks, then beside the core
-    std::array<double, most_pieces> on_flank;  ///< [m²] of each, on which bone presses
-    std::array<double, most_pieces> on_core;   ///< the same of the core
-    std::array<double, most_pieces> radius;    ///< [m] in the middle of its flank
-    std::array<double, most_pieces> outer;     ///< [m] radius over its crest
-    std::array<double, most_pieces> core;      ///< [m] radius of the core there
-    std::array<double, most_pieces> sheared;   ///< [m²] of each, that shears when it strips
-    std::array<double, most_pieces> across;    ///< [m²] of its crest, seen along the shaft
-    std::array<double, most_pieces> grip;      ///< [m] along the shaft
+    std::array<Vec3, 2 * most_pieces> place{};   ///< in the middle of the flanks, then beside the core
+    std::array<double, most_pieces> on_flank{};  ///< [m²] of each, on which bone presses
+    std::array<double, most_pieces> on_core{};   ///< the same of the core
+    std::array<double, most_pieces> radius{};    ///< [m] in the middle of its flank
+    std::array<double, most_pieces> outer{};     ///< [m] radius over its crest
+    std::array<double, most_pieces> core{};      ///< [m] radius of the core there
+    std::array<double, most_pieces> sheared{};   ///< [m²] of each, that shears when it strips
+    std::array<double, most_pieces> across{};    ///< [m²] of its crest, seen along the shaft
+    std::array<double, most_pieces> grip{};      ///< [m] along the shaft
 
     double piece = 0.0;  ///< [m] along the shaft from place to place
 
@@ -39,7 +39,9 @@ struct BoneThread {
     double stiffness = 0.0;      ///< [N/m] along the shaft
     double engaged = 0.0;        ///< [m] of thread in bone
     double front = 0.0;          ///< [–] resistance of the bone at the flutes, in dense bone
-    double front_in_bone = 0.0;  ///< [–] of the thread's first quarter of a turn
+    double leading = 0.0;        ///< [m] of z, the end towards the tip of what is in bone
+    double last = 0.0;           ///< [m] of z, its other end
+    double front_in_bone = 0.0;  ///< [–] of the quarter of a turn behind that
     double left = 1.0;           ///< [–] of its strength
     double blocked = 0.0;        ///< [N] along the shaft at which crests are pushed through bone without a groove
     double pressed = 0.0;        ///< [N] across the shaft at which it presses its way through bone

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace kerf::implant {
 
@@ -11,7 +12,6 @@ namespace {
 
 using namespace literals;
 using Happened = ScrewInsertion::Happened;
-using Phase = ScrewInsertion::Phase;
 
 constexpr std::uint32_t id_helix = 0, id_flanks = 1, id_flutes = 2, id_head = 3, id_blocked = 4;
 constexpr std::uint32_t id_beside_x = 5, id_beside_y = 6, id_askew_x = 7, id_askew_y = 8;
@@ -50,16 +50,18 @@ double pressed_share(const ScrewThread& thread, double relief) noexcept {
     return 1.0 - relief * (1.0 - exp_exact(-thread.flutes * thread.flute_length / flute_scale));
 }
 
-/// What the flutes have to cut where they are: the groove, or what a narrower tap has left of it [–].
-double share_to_cut(const ThreadTrack& track, const ScrewThread& thread, double front) noexcept {
-    const double z = thread.first_crest();
+/// Fraction of the groove that is to be cut at `z` of the tool: what a narrower tap has left of it [–].
+double share_to_cut(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
+    const double front = track.depth_of({0, 0, z});
     const double tapped = track.share_tapped(front, 0.5 * thread.outer_at(z), 0.5 * thread.core_at(z));
     return 1.0 - tapped * tapped;
 }
 
-/// How far the first crest is from bone that it has not cut, along the shaft [m]: 0 at the front.
-double way_to_front(const ThreadTrack& track, const ScrewThread& thread, double front) noexcept {
+/// Distance of the leading crest, at `z` of the tool, from bone that it has not cut, along the shaft [m]: 0 at the
+/// front.
+double way_to_front(const ThreadTrack& track, const ScrewThread& thread, double z) noexcept {
     if (!track.is_there()) return 0.0;
+    const double front = track.depth_of({0, 0, z});
     const kerf_thread& groove = track.thread();
     const bool is_tapped = groove.tapped_radius >= 0.5 * thread.outer - same_width;
     return std::max(0.0, (is_tapped ? std::max(groove.to, groove.tapped_to) : groove.to) - front);
@@ -104,6 +106,8 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
                       .left = static_cast<float>(found.left),
                       .front = static_cast<float>(found.front_in_bone),
                       .spread = static_cast<float>(found.spread),
+                      .leading = static_cast<float>(found.leading),
+                      .last = static_cast<float>(found.last),
                       .body = found.body};
     const Slide slide(thread);
 
@@ -124,9 +128,9 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
     const double front = track.depth_of({0, 0, thread.first_crest()});
     if (const double cut = share_to_cut(track, thread, front); thread.flutes > 0.0 && found.front > 0.0 && cut > 0.0)
         if (kerf_channel* c = channels.add(KERF_CUT, id_flutes, slide.d)) {
-            c->tau = found.left * cut * chip * thread.groove_area(-thread.cone()) * found.front;
+            c->tau = found.left * cut * chip * thread.groove_area(found.leading) * found.front;
             c->w = cut_onset;
-            c->gap = way_to_front(track, thread, front) / thread.advance() * slide.length;
+            c->gap = way_to_front(track, thread, found.leading) / thread.advance() * slide.length;
         }
     if (found.blocked > 0.0)
         channels.cut(
@@ -147,27 +151,34 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     const Notes& notes = advance.notes;
     const double along = advance.rate[2] * dt, turn = advance.rate[5] * dt;
     kerf_thread& groove = track.thread();
-    const double front = track.depth_of({0, 0, thread.first_crest()}) + along;
+    const double leading = static_cast<double>(notes.leading), front = track.depth_of({0, 0, leading}) + along;
 
     state.stretch += along - thread.advance() * turn;
     const double slip = give_way(state.stretch, notes.stiffness, notes.strength);
     state.slip += slip;
     state.is_slipping = slip > 0.0;
-    track.add_slip(front - thread.length, front, slip);
+    track.add_slip(track.depth_of({0, 0, -thread.length}), front, slip);
 
     if (groove.radius < 0.5 * thread.outer - same_width) {  // it widens the thread of a tap
         groove.radius = 0.5 * thread.outer;
         groove.to = std::max(groove.from, front - along);
     }
+    // Crests that were pushed in cut all of their helix in one turn.
+    if (const double last = track.depth_of({0, 0, static_cast<double>(notes.last)}); turn > 0.0 && last < groove.from)
+        groove.from = std::max(last, groove.from - turn / (2.0 * pi) * thread.length);
     if (turn > 0.0 && front > groove.to) {
         const double to = std::min(front, groove.to + catching_up * thread.advance() * turn);
-        groove.volume += share_to_cut(track, thread, front) * static_cast<double>(notes.front) *
-                         thread.groove_volume(thread.first_crest()) * (to - groove.to);
+        groove.volume += share_to_cut(track, thread, leading) * static_cast<double>(notes.front) *
+                         thread.groove_volume(leading) * (to - groove.to);
         groove.to = to;
     }
-    if (thread.takes_chips_out && groove.to > groove.tapped_to) {
-        groove.tapped_to = groove.to;
-        groove.tapped_radius = std::max(groove.tapped_radius, 0.5 * thread.outer);
+    if (thread.takes_chips_out) {
+        const double radius = 0.5 * thread.outer;
+        if (radius > groove.tapped_radius + same_width) {  // it widens what a narrower tap has cut, as far as it goes
+            groove.tapped_radius = radius;
+            groove.tapped_to = groove.from;
+        }
+        if (radius > groove.tapped_radius - same_width) groove.tapped_to = std::max(groove.tapped_to, front);
     }
 
     if (front < groove.tapped_to) return;  // what is ahead keeps its axis
@@ -182,48 +193,26 @@ void ScrewInsertion::turn_in(const Noted<Notes>& advance, double dt, ThreadTrack
     track.give_way(beside - held, askew - turned, notes.middle);
 }
 
-void ScrewInsertion::change_phase(const Noted<Notes>& advance, State& state, Actions& actions) const noexcept {
-    const Notes& notes = advance.notes;
-    const bool is_back = state.angle < state.front - turned_back;
+void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) const noexcept {
+    Reported& reported = state.reported;
+    const auto once = [&](bool& was, bool is, Happened which) {
+        if (is && !std::exchange(was, true)) actions.event(which);
+    };
+    once(reported.is_in, state.angle > bitten, Happened::going_in);
+    once(reported.has_seated, state.seat_force > seated_force, Happened::head_contact);
+    once(reported.has_yielded, state.slip > first_slip, Happened::yield);
     // Crests that were pushed through on the way in are no stripped thread, nor is a tool that leaves through them.
-    const bool is_stripped = state.is_slipping && state.slip > yield_slip &&
-                             static_cast<double>(notes.left) < stripped_at &&
-                             notes.engaged > state.prepared.thread.lead();
-    const Phase before = state.phase;
-    switch (state.phase) {
-        case Phase::in_air:
-            if (state.angle > bitten) state.phase = Phase::going_in;
-            break;
-        case Phase::going_in:
-            if (state.seat_force > seated_force) {
-                state.phase = Phase::seated;
-                state.seated_at = state.angle;
-            }
-            [[fallthrough]];
-        case Phase::seated:
-            if (state.slip > first_slip) state.phase = Phase::slipping;
-            [[fallthrough]];
-        case Phase::slipping:
-            if (is_stripped)
-                state.phase = Phase::stripped;
-            else if (is_back)
-                state.phase = Phase::backing_out;
-            break;
-        case Phase::backing_out:
-            if (is_stripped)
-                state.phase = Phase::stripped;
-            else if (!is_back)
-                state.phase = state.slip > first_slip ? Phase::slipping : Phase::going_in;
-            break;
-        case Phase::stripped:
-            break;
-    }
-    if (state.away > left_bone && state.phase != Phase::stripped) {
-        state.phase = Phase::in_air;
-        state.angle = state.front = state.slip = 0.0;
-    }
-    if (state.phase != before && state.phase != Phase::in_air)
-        actions.event(static_cast<Happened>(static_cast<int>(state.phase) - 1));
+    once(reported.is_stripped,
+         state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at &&
+             notes.engaged > state.prepared.thread.lead(),
+         Happened::stripped);
+    const bool is_back = state.angle < state.front - turned_back;
+    once(reported.is_backing_out, is_back && !reported.is_stripped, Happened::backing_out);
+    if (is_back) reported.has_seated = false;  // it may seat again
+    if (!is_back) reported.is_backing_out = false;
+    if (state.away <= left_bone) return;
+    state.angle = state.front = state.slip = 0.0;
+    reported = {};
 }
 
 void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const Noted<Notes>& advance, State& state,
@@ -243,14 +232,14 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         state.angle += turn;
         state.front = std::max(state.front, state.angle);
         ThreadTrack track = ThreadTrack::found(bone, thread);
-        if (track.is_crossed() && !state.is_crossed) actions.event(Happened::cross_threaded);
-        state.is_crossed = track.is_crossed();
-        if (!track.is_there() && turn > 0.0 && state.angle > bitten) track = ThreadTrack::begun(thread, notes.body);
+        if (track.is_crossed() && !std::exchange(state.reported.is_crossed, true))
+            actions.event(Happened::cross_threaded);
+        if (!track.is_there()) state.angle = state.front = std::max(0.0, state.angle);
+        if (!track.is_there() && turn > 0.0 && state.angle > bitten)
+            track = ThreadTrack::begun(thread, static_cast<double>(notes.leading), notes.body);
         if (track.is_there()) {
-            const bool was_whole = notes.left > 0.0f && notes.engaged > thread.lead();
             turn_in(advance, dt, track, state);
-            if (was_whole && strength_left(track.slip_at(track.depth_of({0, 0, notes.middle})), yield_share, yield_slip,
-                                           strip_slip) <= 0.0)
+            if (state.reported.is_stripped && notes.left <= 0.0f && !std::exchange(state.reported.is_cut, true))
                 actions.cut_thread();
             actions.leave(track.thread());
         } else {
@@ -260,7 +249,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         state.stretch = 0.0;
         state.away += std::abs(advance.rate[2]) * dt;
     }
-    change_phase(advance, state, actions);
+    report(notes, state, actions);
 
     bool meets_bone = notes.engaged > 0.0;
     for (const kerf_channel& channel : advance.channel) meets_bone = meets_bone || channel.id == ScrewContact::id_tip;

@@ -20,25 +20,27 @@ using HeldThread = Held<PedicleScrew, BoneScrew, DentalImplant, Tap>;
 /// The law of a thread in bone, docs/models/screw.md: a helix that holds until it slips, rubbing thread, flutes that
 /// cut, a core in its hole, a head on its seat. What it leaves in bone is a thread of the bone.
 struct ScrewInsertion : ScrewParameters {
-    enum class Phase { in_air, going_in, seated, slipping, stripped, backing_out };
     struct Prepared {
         ScrewThread thread{};
         ThreadPlaces places;
         ScrewContact contact;
+    };
+    /// What is reported once, until the thread has left bone.
+    struct Reported {
+        bool is_in = false, has_seated = false, has_yielded = false, is_stripped = false, is_backing_out = false;
+        bool is_crossed = false, is_cut = false;  ///< another thread; the bone around its crests
     };
     struct State {
         double angle = 0.0;        ///< [rad] turned since the thread met bone
         double front = 0.0;        ///< [rad] the largest of it
         double torque = 0.0;       ///< [N·m] of the bone, against the turn, in the last tick
         double seat_force = 0.0;   ///< [N] under the head in the last tick
-        double seated_at = 0.0;    ///< [rad] the angle at which the head seated
         double stretch = 0.0;      ///< [m] elastic, of the thread against bone along the shaft
         double slip = 0.0;         ///< [m] plastic, of this tool, either way
-        bool is_slipping = false;  ///< in the last tick
         double away = 0.0;         ///< [m] moved along the shaft since the thread was in bone
         double grip_force = 0.0;   ///< [N] along the helix in the last tick; negative: it pulls the screw in
-        Phase phase = Phase::in_air;
-        bool is_crossed = false;  ///< said already
+        bool is_slipping = false;  ///< in the last tick
+        Reported reported;
         Prepared prepared;
     };
     struct Notes {
@@ -47,12 +49,12 @@ struct ScrewInsertion : ScrewParameters {
         double middle = 0.0, across = 0.0;       ///< [m], [N]: where the bone holds it sideways, and how strongly
         float left = 1.0f, front = 0.0f;         ///< [–] of its strength, of its first crest in bone
         float spread = 0.0f;                     ///< [m] along the shaft of what holds it sideways
+        float leading = 0.0f, last = 0.0f;       ///< [m] of z, the ends of what is in bone, towards tip and head
         std::int32_t body = -1;
     };
     struct Signals {
         double torque = 0.0, turned = 0.0, engaged = 0.0, clamp = 0.0, slip = 0.0, pull_out = 0.0;
     };
-    /// In the order of the phases, without air; then the others.
     enum class Happened { going_in, head_contact, yield, stripped, backing_out, cross_threaded };
 
     static constexpr auto about() {
@@ -90,7 +92,7 @@ private:
     void add_track(const ThreadTrack& track, const BoneThread& found, Channels& channels) const noexcept;
     /// Moves the tool in the thread, which goes on where it turns into new bone.
     void turn_in(const Noted<Notes>& advance, double dt, ThreadTrack& track, State& state) const noexcept;
-    void change_phase(const Noted<Notes>& advance, State& state, Actions& actions) const noexcept;
+    void report(const Notes& notes, State& state, Actions& actions) const noexcept;
 };
 
 }  // namespace kerf::implant

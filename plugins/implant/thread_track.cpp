@@ -13,7 +13,6 @@ namespace {
 // What counts as the tool's own thread [judgement]
 constexpr double same_lead = 0.02;   // [–] of the lead
 constexpr double most_askew = 0.17;  // [–] sine of 10°
-constexpr double most_beside = 0.6;  // [–] of the core's diameter
 constexpr double within = 1.0;       // [–] of a lead before its beginning
 
 double across(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y); }
@@ -30,7 +29,7 @@ ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool) n
     std::array<kerf_thread, KERF_MAX_THREADS> all;
     const std::size_t count = bone.threads(all);
     ThreadTrack best;
-    double nearest = most_beside * tool.core_at_tip;
+    double nearest = tool.depth(tool.first_crest());  // farther beside, its crests meet other bone
     bool is_crossed = false;
     for (std::size_t i = 0; i < count; ++i) {
         const ThreadTrack track(all[i]);
@@ -50,13 +49,13 @@ ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool) n
     return best;
 }
 
-ThreadTrack ThreadTrack::begun(const ScrewThread& tool, std::int32_t body) noexcept {
+ThreadTrack ThreadTrack::begun(const ScrewThread& tool, double leading, std::int32_t body) noexcept {
     kerf_thread thread{};
     thread.tool_from_thread = identity_pose();
     thread.lead = tool.lead();
     thread.radius = 0.5 * tool.outer;
     thread.core = 0.5 * tool.core;
-    thread.from = thread.to = tool.first_crest();
+    thread.from = thread.to = leading;
     thread.tapped_to = thread.from;
     thread.slip_from = thread.from - tool.lead();
     thread.slip_step = std::max(0.5 * tool.pitch, (tool.length + 2.0 * tool.lead()) / KERF_THREAD_BINS);

@@ -15,8 +15,8 @@ public:
     /// Looks for the thread that the tool is in. Returns none where there is none: of another lead, beside the tool or
     /// askew to it is another thread.
     [[nodiscard]] static ThreadTrack found(const BoneQuery& bone, const ScrewThread& tool) noexcept;
-    /// One that begins where the tool stands, in a body of the bone.
-    [[nodiscard]] static ThreadTrack begun(const ScrewThread& tool, std::int32_t body) noexcept;
+    /// One that begins in a body of the bone, at `leading` of the tool's z [m].
+    [[nodiscard]] static ThreadTrack begun(const ScrewThread& tool, double leading, std::int32_t body) noexcept;
 
     [[nodiscard]] bool is_there() const noexcept { return is_there_; }
     /// A thread of another lead runs where the tool is.
@@ -26,25 +26,26 @@ public:
 
     /// [m] of z of a place of the tool.
     [[nodiscard]] double depth_of(Vec3 place_in_tool) const noexcept { return (thread_from_tool_ * place_in_tool).z; }
-    /// Whether a crest there runs in a groove.
+    /// Whether a crest at that depth runs in a groove.
     [[nodiscard]] bool is_cut_at(double z) const noexcept {
-        return is_there_ && z <= std::max(thread_.to, thread_.tapped_to) + just;
+        return is_there_ && z >= thread_.from - before && z <= std::max(thread_.to, thread_.tapped_to) + just;
     }
     /// How much of a thread's depth a tap has taken out there [–].
     [[nodiscard]] double share_tapped(double z, double outer_radius, double core_radius) const noexcept;
-    /// By which bone has given way there [m].
+    /// The slip of the bone there [m].
     [[nodiscard]] double slip_at(double z) const noexcept { return thread_.slip[bin_of(z)]; }
     void add_slip(double from, double to, double slip) noexcept;  ///< between two depths
 
-    /// How far the tool's axis is beside the thread's at `z` of the tool [m].
+    /// Offset of the tool's axis from the thread's at `z` of the tool [m].
     [[nodiscard]] Vec3 beside(double z) const noexcept;
-    /// By what the tool is turned from the thread's axis [rad], about its x and y.
+    /// Angle of the tool to the thread's axis [rad], about its x and y.
     [[nodiscard]] Vec3 askew() const noexcept { return {axis_.y, -axis_.x, 0.0}; }
     /// The bone gives way: the thread's axis moves by `beside` at `z` of the tool [m], and turns by `askew` [rad].
     void give_way(Vec3 beside, Vec3 askew, double z) noexcept;
 
 private:
-    static constexpr double just = 20e-6;  ///< [m] that a tick turns in at most: its groove is cut at its end
+    static constexpr double before = 0.3e-3;  ///< [m] a place stands for so much of the helix
+    static constexpr double just = 20e-6;     ///< [m] that a tick turns in at most: its groove is cut at its end
     explicit ThreadTrack(const kerf_thread& thread) noexcept;
     ThreadTrack() = default;
     [[nodiscard]] std::size_t bin_of(double z) const noexcept;

@@ -37,9 +37,10 @@ Outline ThreadedTool::outline() const noexcept {
                       ".");
     Outline outline =
         revolution({{0.0, 0.0}, {-t.cone(), 0.5 * tip_core_diameter}, {-thread_length, 0.5 * core_diameter}});
+    outline.threaded({0.5 * outer_diameter, t.lead()});
     if (shaft_length > 2.0 * step)
         outline.to(-thread_length - step, 0.5 * shaft_diameter).to(-seat(), 0.5 * shaft_diameter);
-    outline.cuts().threaded({0.5 * outer_diameter, t.lead()});
+    outline.cuts();
     if (takes_chips_out) return outline.to(-seat() - driver_length, 0.5 * core_diameter).gripped_at(-seat() - hand);
     const double head = 0.5 * head_diameter;
     return outline.to(-seat() - step, head)

@@ -184,7 +184,7 @@ TEST(PluginGuard, NamesWhatWasUnsoundInAThread) {
         const Zoo zoo(how);
         const Ended validated = zoo.kerf("validate " + zoo.procedure());
         EXPECT_EQ(validated.exit_code, 2) << validated.out;
-        EXPECT_TRUE(has(validated.out, std::string("gives a thread that is none: ") + says)) << validated.out;
+        EXPECT_TRUE(has(validated.out, std::string("gives a thread that cannot be: ") + says)) << validated.out;
     }
 }
 

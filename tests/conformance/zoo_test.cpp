@@ -114,6 +114,7 @@ const std::vector<Animal>& zoo() {
         {"plugin_that_unknown_actions", "law.actions", "4000000000 actions"},
         {"strips_what_it_has_not", "law.actions", "the tool has none"},
         {"leaves_half_a_thread", "law.actions", "its `lead`"},
+        {"moves_its_thread_away", "law.actions", "pointer `thread`"},
         {"declares_fewer_channels", "law.channels", "declares 1"},
         {"declares_fewer_points", "law.points", "declares 1"},
         {"declares_fewer_queries", "law.queries", "declares 1"},

@@ -151,15 +151,18 @@ public:
         : HandOnDriver(body, setup, test::outline(setup), period) {}
 
     /// Turns the driver by `speed` × a tick [rad/s]; follows the screw, at 20 mm/s at most.
-    TickResult tick(double speed) {
+    TickResult tick(double speed) { return simulation_.tick(next(speed)); }
+    /// The same without the tick: where the handle is next.
+    DeviceSample next(double speed) {
         constexpr double approach = 20e-3;  // [m/s]
         depth_ = std::min(depth_ + approach * period_,
                           push / spring_.stiffness.along - simulation_.world_from_tool().position.z);
         angle_ += speed * period_;
         handle_ = at_depth(depth_);
         handle_.rotation = handle_.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
-        return simulation_.tick({handle_});
+        return {handle_};
     }
+    [[nodiscard]] Simulation& simulation() noexcept { return simulation_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
     [[nodiscard]] double angle() const noexcept { return angle_; }         ///< [rad] of the driver
     [[nodiscard]] const Pose& handle() const noexcept { return handle_; }  ///< world frame

@@ -37,7 +37,7 @@ TEST(BodyThreads, StayWithTheirBodyWhereverTheToolIs) {
     BodyThreads threads;
     const Pose left_at{{1.0_mm, 0, -4.0_mm}, quat_from_rotation_vector({0.1, 0.2, 0.3})};
     const std::array<ToolInBody, 1> then{{{0, left_at}}};
-    ASSERT_TRUE(threads.leave(thread(), then, 0));
+    ASSERT_TRUE(threads.leave(thread(), then));
     const Pose later{{0, 3.0_mm, 2.0_mm}, quat_from_rotation_vector({0, 0, 1.0})};
     const std::array<ToolInBody, 1> now{{{0, later}}};
     kerf_thread found{};
@@ -51,22 +51,22 @@ TEST(BodyThreads, StayWithTheirBodyWhereverTheToolIs) {
 TEST(BodyThreads, ChangeUnderTheirNumber) {
     BodyThreads threads;
     const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
-    ASSERT_TRUE(threads.leave(thread(), near, 0));
+    ASSERT_TRUE(threads.leave(thread(), near));
     kerf_thread changed = thread();
     changed.number = 0;
     changed.to = 12.0_mm;
-    ASSERT_TRUE(threads.leave(changed, near, 0));
+    ASSERT_TRUE(threads.leave(changed, near));
     EXPECT_EQ(threads.count(), 1u);
     EXPECT_EQ(threads.thread(0).to, 12.0_mm);
     changed.number = 1;
-    EXPECT_FALSE(threads.leave(changed, near, 0)) << "there is no such thread";
+    EXPECT_FALSE(threads.leave(changed, near)) << "there is no such thread";
 }
 
 TEST(BodyThreads, AreSixteenAtMost) {
     BodyThreads threads;
     const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
-    for (int i = 0; i < 16; ++i) EXPECT_TRUE(threads.leave(thread(), near, 0));
-    EXPECT_FALSE(threads.leave(thread(), near, 0));
+    for (int i = 0; i < 16; ++i) EXPECT_TRUE(threads.leave(thread(), near));
+    EXPECT_FALSE(threads.leave(thread(), near));
     EXPECT_EQ(threads.count(), 16u);
     kerf_thread one{};
     EXPECT_EQ(threads.write(near, &one, 1), 16u) << "how many there are, and no more is written than there is room";
@@ -81,7 +81,7 @@ TEST(BodyThreads, RefuseWhatIsUnsound) {
         const char* found = fault_of(t);
         BodyThreads threads;
         const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
-        EXPECT_EQ(threads.leave(t, near, 0), found == nullptr);
+        EXPECT_EQ(threads.leave(t, near), found == nullptr);
         return std::string(found != nullptr ? found : "");
     };
     EXPECT_EQ(field([](kerf_thread&) {}), "");
@@ -98,26 +98,11 @@ TEST(BodyThreads, RefuseWhatIsUnsound) {
 TEST(BodyThreads, GoWithEachPartOfABodyAndCountOnce) {
     BodyThreads threads;
     const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
-    ASSERT_TRUE(threads.leave(thread(), near, 0));
+    ASSERT_TRUE(threads.leave(thread(), near));
     threads.pass_on(0, 3);
     EXPECT_EQ(seen(threads), 1u);
     EXPECT_EQ(seen(threads, {{{3, identity_pose()}}}), 1u);
     EXPECT_EQ(threads.volume(), 5e-9);
-}
-
-TEST(BodyThreads, AreHiddenWhenTheirBoneIsTakenBack) {
-    BodyThreads threads;
-    const std::array<ToolInBody, 1> near{{{0, identity_pose()}}};
-    ASSERT_TRUE(threads.leave(thread(), near, 4));
-    ASSERT_TRUE(threads.leave(thread(), near, 9));
-    threads.turn_to(7);
-    EXPECT_EQ(seen(threads), 1u) << "the second was begun later";
-    threads.turn_to(12);
-    EXPECT_EQ(seen(threads), 2u) << "done again";
-    threads.turn_to(7);
-    threads.forget_hidden();
-    threads.turn_to(12);
-    EXPECT_EQ(seen(threads), 1u) << "something else was cut";
 }
 
 }  // namespace

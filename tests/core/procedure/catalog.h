@@ -38,12 +38,16 @@ inline ComponentCatalog spine_catalog() {
     tool.id = "pedicle_screw";
     tool.kind = KERF_KIND_TOOL;
     tool.parameters = {{"outer_diameter", "", dimension::length, "mm", 2.0_mm, 10.0_mm, 6.5_mm, ""},
+                       {"core_diameter", "", dimension::length, "mm", 0.5_mm, 9.0_mm, 4.25_mm, ""},
                        {"thread_length", "", dimension::length, "mm", 5.0_mm, 90.0_mm, 45.0_mm, ""}};
     ComponentInfo force;
     force.plugin = tool.plugin;
     force.id = "screw_insertion";
     force.kind = KERF_KIND_FORCE;
     force.signals = {{"torque", "", dimension::torque, "N m"}, {"clamp", "", dimension::force, "N"}};
+    force.events = {{"implant.head_contact", "", false}, {"implant.stripped", "", true}};
+    catalog.push_back(tool);
+    tool.id = "tap";
     catalog.push_back(tool);
     catalog.push_back(force);
     return catalog;

@@ -50,6 +50,7 @@ TEST(Outline, WritesTheThreadOfWhatStays) {
     EXPECT_EQ(screw.shape.thread_radius, 3_mm);
     EXPECT_EQ(screw.shape.thread_lead, 2_mm);
     EXPECT_EQ(screw.shape.stay_count, 2u);
+    EXPECT_EQ(screw.shape.thread_count, 2u);
 }
 
 TEST(Outline, BallLiesOnItsSphereBehindTheEquatorToo) {

@@ -8,28 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/simulation.h"
-#include "core/plugin/loader.h"
 #include "plugins/implant/screw_force.h"
-#include "tests/support/rig.h"
+#include "tests/support/turned_screw.h"
 
 /// A screw on its driver above a block of one material; the face is z = 0.
 namespace kerf::test {
 
-inline const PluginRegistry& implant_plugins() {
-    static const PluginRegistry registry = [] {
-        PluginRegistry r;
-        r.scan({KERF_BUILD_DIR "/lib/kerf"});
-        return r;
-    }();
-    return registry;
-}
-
 /// A tool of the plugin with some parameters set, of the tool or of the law.
 inline ToolSetup threaded(const char* tool, const std::map<std::string, double>& set = {}) {
     ToolSetup setup;
-    setup.tool = implant_plugins().find("kerf.implant", KERF_KIND_TOOL, tool);
-    setup.force = implant_plugins().find("kerf.implant", KERF_KIND_FORCE, "screw_insertion");
+    setup.tool = plugins().find("kerf.implant", KERF_KIND_TOOL, tool);
+    setup.force = plugins().find("kerf.implant", KERF_KIND_FORCE, "screw_insertion");
     const auto values = [&](const kerf_component& c) {
         std::vector<double> v;
         for (std::uint32_t i = 0; i < c.param_count; ++i)
@@ -44,18 +33,6 @@ inline ToolSetup threaded(const char* tool, const std::map<std::string, double>&
 
 inline ToolSetup screw(const std::map<std::string, double>& set = {}) { return threaded("pedicle_screw", set); }
 
-/// A block with a hole of a radius along z.
-inline Body drilled_block(double density, double thickness, double hole) {
-    Body body = block({-8e-3, -8e-3, -thickness}, {8e-3, 8e-3, 0}, 0.5e-3, {0.31, 0.17, 0.73});
-    body.materials[0].density = density;
-    const Grid grid = body.surface.grid();
-    body.surface = LevelSet::build(grid, [=](Vec3 p) {
-        const double box = box_distance(p, {-8e-3, -8e-3, -thickness}, {8e-3, 8e-3, 0});
-        return std::max(box, hole - std::sqrt(p.x * p.x + p.y * p.y));
-    });
-    return body;
-}
-
 /// A hand that turns the screw and lets it go along the shaft as it will.
 class ScrewRig {
 public:
@@ -64,7 +41,7 @@ public:
     /// With a pilot hole of the radius `hole` [m]; 0: as wide as the core's tip.
     explicit ScrewRig(double density, const std::map<std::string, double>& set = {}, double period = Simulation::dt,
                       double thickness = 55e-3, double hole = 0.0)
-        : rig_(drilled_block(density, thickness, hole > 0.0 ? hole : 0.5 * tip_of(set)), screw(set), at_depth(-0.2e-3),
+        : rig_(pilot_block(density, thickness, hole > 0.0 ? hole : 0.5 * tip_of(set)), screw(set), at_depth(-0.2e-3),
                gains(), period),
           period_(period),
           thread_(value_of<implant::PedicleScrew>(rig_.setup().tool_parameters).thread()) {

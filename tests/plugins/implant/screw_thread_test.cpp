@@ -115,7 +115,7 @@ struct Threads {
 
 /// Cut from the first crest on, 20 mm deep. The tool stands where it began.
 kerf_thread groove(const ScrewThread& tool) {
-    kerf_thread t = ThreadTrack::begun(tool, 0).thread();
+    kerf_thread t = ThreadTrack::begun(tool, tool.first_crest(), 0).thread();
     t.to = t.from + 20.0_mm;
     t.number = 0;
     return t;
@@ -131,7 +131,7 @@ TEST(ThreadTrack, IsFoundByItsLeadItsPlaceAndItsAxis) {
     EXPECT_FALSE(Threads{}.found(thread()).is_there());
     EXPECT_TRUE(is_found(identity_pose(), 3.0_mm));
     EXPECT_FALSE(is_found(identity_pose(), 2.75_mm)) << "of another lead";
-    EXPECT_TRUE(is_found({{1.0_mm, 0, 0}, {1, 0, 0, 0}}, 3.0_mm));
+    EXPECT_TRUE(is_found({{1.0_mm, 0, 0}, {1, 0, 0, 0}}, 3.0_mm)) << "within the thread's depth";
     EXPECT_FALSE(is_found({{2.5_mm, 0, 0}, {1, 0, 0, 0}}, 3.0_mm)) << "beside it";
     EXPECT_TRUE(is_found({{}, quat_from_rotation_vector({5.0_deg, 0, 0})}, 3.0_mm));
     EXPECT_FALSE(is_found({{}, quat_from_rotation_vector({15.0_deg, 0, 0})}, 3.0_mm)) << "askew";
@@ -149,7 +149,7 @@ TEST(ThreadTrack, OfAnotherLeadIsCrossed) {
 }
 
 TEST(ThreadTrack, SlipsInItsBinsAlone) {
-    ThreadTrack track = ThreadTrack::begun(thread(), 0);
+    ThreadTrack track = ThreadTrack::begun(thread(), thread().first_crest(), 0);
     const double from = track.thread().from;
     track.add_slip(from + 10.0_mm, from + 20.0_mm, 0.3_mm);
     EXPECT_EQ(track.slip_at(from + 5.0_mm), 0.0);

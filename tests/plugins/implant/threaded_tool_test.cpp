@@ -36,6 +36,7 @@ TEST(ThreadedTool, OfACancellousScrewHasAShaftWithoutThread) {
                                                                             {"shaft_length", 34.0_mm},
                                                                             {"shaft_diameter", 4.5_mm}}));
     EXPECT_NEAR(-outline.cutting.end_z(), 50.0_mm, 1e-9);
+    EXPECT_NEAR(-outline.crest.end_z(), 16.0_mm, 1e-9) << "its thread ends where the shaft begins";
     EXPECT_NEAR(outline.cutting.distance({2.25_mm, 0, -30.0_mm}), 0.0, 1e-9);
 }
 

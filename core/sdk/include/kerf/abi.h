@@ -140,9 +140,9 @@ typedef struct kerf_tool_shape {
                               has none */
     double thread_lead;    /* out, with a thread: how far it goes in one turn [m], > 0 */
     uint32_t stay_count;   /* out, with a thread: the first points that stay in bone when the driver leaves; 0: none */
-    uint32_t reserved;
-    char refusal[240]; /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
-                          needed; UTF-8, ends with NUL */
+    uint32_t thread_count; /* out, with a thread: the first points, from the tip to the thread's end */
+    char refusal[240];     /* out, with KERF_OUT_OF_RANGE: which parameters do not go together, their values and what is
+                              needed; UTF-8, ends with NUL */
 } kerf_tool_shape;
 
 typedef struct kerf_tool {

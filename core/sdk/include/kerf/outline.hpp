@@ -76,9 +76,10 @@ public:
         double radius;  ///< [m] over the crests
         double lead;    ///< [m] in one turn
     };
-    /// What cuts has a thread around it.
+    /// All that is listed so far, behind the tip's cone, has a thread around it.
     constexpr Outline& threaded(Thread thread) noexcept {
         thread_ = thread;
+        threaded_ = count_;
         return *this;
     }
     /// All that is listed so far stays in bone when its driver leaves: an implant.
@@ -111,6 +112,7 @@ public:
         out.thread_radius = thread_.radius;
         out.thread_lead = thread_.lead;
         out.stay_count = static_cast<std::uint32_t>(stay_);
+        out.thread_count = static_cast<std::uint32_t>(threaded_);
         return KERF_OK;
     }
 
@@ -121,7 +123,7 @@ private:
     friend Outline refuse(const Pieces&... pieces) noexcept;
 
     std::array<kerf_profile_point, capacity> point_{};
-    std::size_t count_ = 0, cutting_ = 0, stay_ = 0;
+    std::size_t count_ = 0, cutting_ = 0, stay_ = 0, threaded_ = 0;
     std::uint32_t kind_ = KERF_SOLID_REVOLUTION, hands_ = 1;
     double grip_z_ = 0.0, kerf_ = 0.0, thickness_ = 0.0;
     Thread thread_{};
