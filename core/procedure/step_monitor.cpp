@@ -171,7 +171,7 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
 
     if (const std::size_t owner = owners_.step[current_]; owner < now.world_from_body.size())
         state.moved = std::max(state.moved, length(now.world_from_body[owner] * frame.entry - frame.entry));
-    const double depth = frame.depth_of(tool.position);
+    const double depth = depth_ = frame.depth_of(tool.position);
     const double offset = length(tool.position - frame.entry - depth * frame.along);
     const bool is_first_bone = is_in_bone && !state.has_cut_bone();
     if (is_first_bone) {
@@ -291,6 +291,7 @@ void StepMonitor::judge_hole(std::size_t step, HoleResult drilled, double time) 
 
 std::string StepMonitor::release() {
     if (current_ >= steps_.size() || !steps_[current_].has_reached_all()) return "a goal of the step is not reached";
+    if (depth_ < 0.0) return "the implant is out of the bone";
     is_released_ = true;
     return {};
 }

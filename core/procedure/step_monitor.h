@@ -191,6 +191,7 @@ private:
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
     bool is_released_ = false;
+    double depth_ = 0.0;   ///< [m] of the tip in the last tick
     double before_ = 0.0;  ///< [s] of the last tick that was shown
     std::vector<std::pair<std::string, std::string>> news_;
 };

@@ -208,7 +208,7 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
          Happened::stripped);
     const bool is_back = state.angle < state.front - turned_back;
     once(reported.is_backing_out, is_back && !reported.is_stripped, Happened::backing_out);
-    if (is_back) reported.has_seated = false;  // it may seat again
+    if (is_back && state.seat_force <= 0.0) reported.has_seated = false;  // it may seat again
     if (!is_back) reported.is_backing_out = false;
     if (state.away <= left_bone) return;
     state.angle = state.front = state.slip = 0.0;

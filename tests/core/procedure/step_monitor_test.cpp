@@ -105,6 +105,21 @@ TEST(AxisFrame, APlaneSeenFromBehindTurnsTheBladeOver) {
     EXPECT_LT(length(rotate(pose.rotation, {0, 0, 1}) - Vec3{0, 0, 1}), 1e-12);
 }
 
+TEST(StepMonitor, TheStepOfAnImplantEndsWhenItIsReleasedInBone) {
+    Watch run;
+    run.monitor.stays(0);
+    run.show(1.0_mm);
+    EXPECT_EQ(run.monitor.release(), "a goal of the step is not reached");
+    run.show(11.0_mm);
+    run.show(-1.0_mm, 0.0, true, false);
+    EXPECT_FALSE(run.monitor.steps()[0].is_done()) << "it has come out again";
+    EXPECT_EQ(run.monitor.release(), "the implant is out of the bone");
+    run.show(11.0_mm);
+    EXPECT_EQ(run.monitor.release(), "");
+    run.show(11.0_mm);
+    EXPECT_TRUE(run.monitor.steps()[0].is_done());
+}
+
 TEST(StepMonitor, GoalsAreReachedInOrderAndTheStepEndsOutside) {
     Watch run;
     run.show(-2.0_mm, 0.0, true, false);
