@@ -170,6 +170,11 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
     if (shape.kind != KERF_SOLID_REVOLUTION || shape.cutting_count < 2)
         return "`thread_radius` is " + in_mm(shape.thread_radius) +
                ", expected 0 mm: only a solid of revolution that removes bone has one.";
+    double core = 0.0;
+    for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
+    if (!(shape.thread_radius >= core && shape.thread_radius < widest))
+        return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
+               ", the widest that it cuts, to " + in_mm(widest) + ".";
     constexpr double longest = 0.1;  // [m]
     if (!(shape.thread_lead > 0.0 && shape.thread_lead < longest))
         return "`thread_lead` is " + in_mm(shape.thread_lead) + ", expected more than 0 mm and less than " +
@@ -181,11 +186,7 @@ std::string fault_of_thread(const kerf_tool_shape& shape) {
         return "`stay_count` is " + std::to_string(shape.stay_count) + ", expected 0, or " +
                std::to_string(shape.cutting_count) + " … " + std::to_string(shape.profile_count) +
                ": all that cuts, and the head.";
-    double core = 0.0;
-    for (std::uint32_t i = 0; i < shape.cutting_count; ++i) core = std::max(core, shape.profile[i].radius);
-    if (shape.thread_radius >= core && shape.thread_radius < widest) return {};
-    return "`thread_radius` is " + in_mm(shape.thread_radius) + ", expected 0 mm, or " + in_mm(core) +
-           ", the widest that it cuts, to " + in_mm(widest) + ".";
+    return {};
 }
 
 }  // namespace

@@ -200,11 +200,11 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     };
     once(reported.is_in, state.angle > bitten, Happened::going_in);
     once(reported.has_seated, state.seat_force > seated_force, Happened::head_contact);
-    once(reported.has_yielded, state.slip > first_slip, Happened::yield);
     // Crests that were pushed through on the way in are no stripped thread, nor is a tool that leaves through them.
+    const bool is_held = notes.engaged > state.prepared.thread.lead();
+    once(reported.has_yielded, is_held && state.is_slipping && state.slip > first_slip, Happened::yield);
     once(reported.is_stripped,
-         state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at &&
-             notes.engaged > state.prepared.thread.lead(),
+         is_held && state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at,
          Happened::stripped);
     const bool is_back = state.angle < state.front - turned_back;
     once(reported.is_backing_out, is_back && !reported.is_stripped, Happened::backing_out);

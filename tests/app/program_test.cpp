@@ -130,8 +130,9 @@ TEST(Program, BadInputEndsWithTwoAndWritesNothing) {
         EXPECT_NE(bad.err, "") << what;
         EXPECT_FALSE(std::filesystem::exists(out)) << what;
     }
-    EXPECT_TRUE(has(kerf("run " + pedicle_screw + " --hand nobody").err,
-                    "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole` or `medial-breach`.\n"));
+    EXPECT_TRUE(
+        has(kerf("run " + pedicle_screw + " --hand nobody").err,
+            "there is no rehearsal `nobody`. Write `expert`, `no-starting-hole`, `medial-breach` or `stripped`.\n"));
 }
 
 TEST(Program, WhatCannotBeRunIsSaidBeforeTheBoneIsMade) {

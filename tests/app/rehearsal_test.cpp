@@ -162,7 +162,7 @@ TEST(PedicleScrew, TheExpertsScrewLiesInThePedicleAndItsTorqueRisesAsItGoesIn) {
     EXPECT_LT(peak, 3.2);
     EXPECT_LT(half_way, 0.8 * peak);
     EXPECT_GT(most_turned, 9.0_turns);
-    EXPECT_EQ(most_slip, 0.0) << "it strips nothing";
+    EXPECT_LT(most_slip, 0.2_mm) << "only its first crest may slip, until it has bitten";
 }
 
 std::string status_of(const RunSummary& summary, const std::string& id) {

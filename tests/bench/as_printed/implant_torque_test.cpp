@@ -181,7 +181,7 @@ TEST(ImplantTorque, OursDoesNotStripAtRest) {  // E02-9
     const double slip = screw->slip();
     ASSERT_GT(slip, 0.5_mm);
     screw->rest(0.3);
-    EXPECT_EQ(screw->slip(), slip);
+    EXPECT_NEAR(screw->slip(), slip, 1e-6) << "it goes to where nothing pulls along the shaft, and no farther";
 }
 
 // The thread is 5 mm long, the bone 3 mm thick: two turns are beyond it for ever.
