@@ -37,7 +37,7 @@ constexpr std::array screws{
     Wrong{"4 mm lateral", -4.0_mm, 0, 0, 0, 35.0_mm},   Wrong{"6 mm lateral", -6.0_mm, 0, 0, 0, 35.0_mm},
     Wrong{"6 mm caudal", 0, -6.0_mm, 0, 0, 35.0_mm},    Wrong{"7 mm cranial", 0, 7.0_mm, 0, 0, 35.0_mm},
     Wrong{"15 deg medial", 0, 0, 15.0_deg, 0, 35.0_mm}, Wrong{"15 deg lateral", 0, 0, -15.0_deg, 0, 35.0_mm},
-    Wrong{"16 mm too deep", 0, 0, 0, 0, 51.0_mm}};
+    Wrong{"26 mm too deep", 0, 0, 0, 0, 61.0_mm}};
 
 Scene vertebra(const PluginRegistry& plugins) {
     Diagnostics diagnostics;
@@ -61,10 +61,10 @@ Pose pose_of(const Wrong& wrong, const AxisFrame& frame) {
 
 // ---- the picture: each screw in the section that shows it best ----------------------------------------------------
 
-constexpr double tile = 190.0, gap = 12.0, pixels = 3000.0;  // [px], [px], [px/m]
+constexpr double tile = 190.0, gap = 12.0, pixels = 2700.0;  // [px], [px], [px/m]
 constexpr int across = 4;
 
-/// A section through the planned axis and `aside`, 60 mm wide.
+/// A section through the planned axis and `aside`, 70 mm wide.
 std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wrong, const std::string& grades,
                      double left, double top) {
     const bool is_sagittal = wrong.cranial != 0.0 || wrong.cranial_angle != 0.0;
@@ -74,10 +74,10 @@ std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wr
     std::string svg = "<rect x=\"" + drawing::px(left) + "\" y=\"" + drawing::px(top) + "\" width=\"" +
                       drawing::px(tile) + "\" height=\"" + drawing::px(tile) + "\" fill=\"#f4f5f7\"/>\n";
     constexpr double cell = 0.5_mm;
-    for (double depth = -8.0_mm; depth < 55.0_mm; depth += cell) {
+    for (double depth = -8.0_mm; depth < 62.0_mm; depth += cell) {
         double begun = -HUGE_VAL;
-        for (double beside = -31.5_mm; beside <= 31.5_mm; beside += cell) {
-            const bool is_last = beside + cell > 31.5_mm;
+        for (double beside = -35.0_mm; beside <= 35.0_mm; beside += cell) {
+            const bool is_last = beside + cell > 35.0_mm;
             const bool is_bone =
                 uncut_distance(scene.body, locate(scene.body, frame.entry + depth * frame.along + beside * aside)) <
                 0.0;
@@ -106,7 +106,7 @@ std::string tile_svg(const Scene& scene, const AxisFrame& frame, const Wrong& wr
     svg += "<line " + end(screw.position - 40.0_mm * along, "1") + " " + end(screw.position, "2") + " stroke=\"" +
            colour + "\" stroke-opacity=\"0.75\" stroke-width=\"" + drawing::px(6.5_mm * pixels) + "\"/>\n";
     svg += "<line " + end(frame.entry - 8.0_mm * frame.along, "1") + " " +
-           end(frame.entry + 55.0_mm * frame.along, "2") +
+           end(frame.entry + 62.0_mm * frame.along, "2") +
            " stroke=\"#444\" stroke-width=\"1\" stroke-dasharray=\"5 4\"/>\n";
     svg += drawing::text_at(left, top + tile + 15.0, wrong.name);
     svg += drawing::text_at(left + tile, top + tile + 15.0, grades, "text-anchor=\"end\" font-weight=\"bold\"");

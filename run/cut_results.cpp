@@ -42,8 +42,13 @@ void add_breaches(const BreachesAlong& along, const Step& step, HoleResult& resu
 BreachPlaces places_of(const BreachesAlong& along, const DrilledHole& axis, double radius, bool is_tip_out) {
     const Breach pedicle = along.of(radius, {0.0, axis.waist_end}), body = along.of(radius, {axis.waist_end, HUGE_VAL});
     enum { medial, lateral, cranial, caudal };
-    return {.lateral_of_pedicle = pedicle.towards[lateral] > 0.0 || pedicle.towards[cranial] > 0.0,
-            .medial_of_pedicle = pedicle.towards[medial] > 0.0 || pedicle.towards[caudal] > 0.0,
+    // An oblique breach is on the side on which it is the deepest.
+    const auto is_worst = [&](int side) {
+        const double there = pedicle.towards[static_cast<std::size_t>(side)];
+        return there > 0.0 && there == pedicle.worst();
+    };
+    return {.lateral_of_pedicle = is_worst(lateral) || is_worst(cranial),
+            .medial_of_pedicle = is_worst(medial) || is_worst(caudal),
             .of_body = is_tip_out || body.worst() > 0.0,
             .in_zone = false};
 }

@@ -23,6 +23,7 @@ constexpr double first_slip = 0.02_mm;  // from there on a thread yields [judgem
 constexpr double stripped_at = 0.3;     // [–] of its strength left, at which a thread counts as stripped
 constexpr double bitten = 0.05;         // [rad] of a turn in bone after which a crest has begun its groove [judgement]
 constexpr double turned_back = 0.3;     // [rad] behind the farthest turn, from which on a screw is backing out
+constexpr double held_turns = 2.0;      // of thread in bone, from which on it yields or strips [judgement]
 constexpr double left_bone = 0.2_mm;    // without bone, after which a thread has left it [judgement]
 constexpr double catching_up = 2.0;     // [–] by which crests that were pushed in cut faster than the helix
 constexpr double flute_scale = 10.0_mm;
@@ -96,7 +97,7 @@ void ScrewInsertion::add_track(const ThreadTrack& track, const BoneThread& found
 ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery& bone, const State& state,
                                              Channels& channels) const noexcept {
     const auto& [thread, places, contact] = state.prepared;
-    const ThreadTrack track = ThreadTrack::found(bone, thread);
+    const ThreadTrack track = ThreadTrack::found(bone, thread, state.held);
     const BoneThread found(places, thread, track, *this, bone);
     const Notes notes{.strength = found.strength,
                       .stiffness = found.stiffness,
@@ -201,7 +202,7 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     once(reported.is_in, state.angle > bitten, Happened::going_in);
     once(reported.has_seated, state.seat_force > seated_force, Happened::head_contact);
     // Crests that were pushed through on the way in are no stripped thread, nor is a tool that leaves through them.
-    const bool is_held = notes.engaged > state.prepared.thread.lead();
+    const bool is_held = notes.engaged > held_turns * state.prepared.thread.lead();
     once(reported.has_yielded, is_held && state.is_slipping && state.slip > first_slip, Happened::yield);
     once(reported.is_stripped,
          is_held && state.is_slipping && state.slip > yield_slip && static_cast<double>(notes.left) < stripped_at,
@@ -212,6 +213,7 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     if (!is_back) reported.is_backing_out = false;
     if (state.away <= left_bone) return;
     state.angle = state.front = state.slip = 0.0;
+    state.held = KERF_NEW_THREAD;
     reported = {};
 }
 
@@ -231,13 +233,14 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         state.away = 0.0;
         state.angle += turn;
         state.front = std::max(state.front, state.angle);
-        ThreadTrack track = ThreadTrack::found(bone, thread);
+        ThreadTrack track = ThreadTrack::found(bone, thread, state.held);
         if (track.is_crossed() && !std::exchange(state.reported.is_crossed, true))
             actions.event(Happened::cross_threaded);
         if (!track.is_there()) state.angle = state.front = std::max(0.0, state.angle);
         if (!track.is_there() && turn > 0.0 && state.angle > bitten)
             track = ThreadTrack::begun(thread, static_cast<double>(notes.leading), notes.body);
         if (track.is_there()) {
+            state.held = track.thread().number;
             turn_in(advance, dt, track, state);
             if (state.reported.is_stripped && notes.left <= 0.0f && !std::exchange(state.reported.is_cut, true))
                 actions.cut_thread();

@@ -31,15 +31,16 @@ struct ScrewInsertion : ScrewParameters {
         bool is_crossed = false, is_cut = false;  ///< another thread; the bone around its crests
     };
     struct State {
-        double angle = 0.0;        ///< [rad] turned since the thread met bone
-        double front = 0.0;        ///< [rad] the largest of it
-        double torque = 0.0;       ///< [N·m] of the bone, against the turn, in the last tick
-        double seat_force = 0.0;   ///< [N] under the head in the last tick
-        double stretch = 0.0;      ///< [m] elastic, of the thread against bone along the shaft
-        double slip = 0.0;         ///< [m] plastic, of this tool, either way
-        double away = 0.0;         ///< [m] moved along the shaft since the thread was in bone
-        double grip_force = 0.0;   ///< [N] along the helix in the last tick; negative: it pulls the screw in
-        bool is_slipping = false;  ///< in the last tick
+        double angle = 0.0;       ///< [rad] turned since the thread met bone
+        double front = 0.0;       ///< [rad] the largest of it
+        double torque = 0.0;      ///< [N·m] of the bone, against the turn, in the last tick
+        double seat_force = 0.0;  ///< [N] under the head in the last tick
+        double stretch = 0.0;     ///< [m] elastic, of the thread against bone along the shaft
+        double slip = 0.0;        ///< [m] plastic, of this tool, either way
+        double away = 0.0;        ///< [m] moved along the shaft since the thread was in bone
+        double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
+        std::uint32_t held = KERF_NEW_THREAD;  ///< number of the thread that it is in; KERF_NEW_THREAD: none
+        bool is_slipping = false;              ///< in the last tick
         Reported reported;
         Prepared prepared;
     };

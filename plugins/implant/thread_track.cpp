@@ -25,7 +25,7 @@ ThreadTrack::ThreadTrack(const kerf_thread& thread) noexcept
       axis_(rotate(thread.tool_from_thread.rotation, {0, 0, 1})),
       is_there_(true) {}
 
-ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool) noexcept {
+ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool, std::uint32_t held) noexcept {
     std::array<kerf_thread, KERF_MAX_THREADS> all;
     const std::size_t count = bone.threads(all);
     ThreadTrack best;
@@ -33,6 +33,7 @@ ThreadTrack ThreadTrack::found(const BoneQuery& bone, const ScrewThread& tool) n
     bool is_crossed = false;
     for (std::size_t i = 0; i < count; ++i) {
         const ThreadTrack track(all[i]);
+        if (all[i].number == held && track.axis_.z > 0.0) return track;
         if (track.axis_.z <= 0.0 || across(track.axis_) > most_askew) continue;
         const double front = track.depth_of({0, 0, tool.first_crest()});
         if (front < all[i].from - within * all[i].lead) continue;

@@ -14,7 +14,9 @@ class ThreadTrack {
 public:
     /// Looks for the thread that the tool is in. Returns none where there is none: of another lead, beside the tool or
     /// askew to it is another thread.
-    [[nodiscard]] static ThreadTrack found(const BoneQuery& bone, const ScrewThread& tool) noexcept;
+    /// @param held  number of the thread that the tool is in already, which it does not lose; KERF_NEW_THREAD: none
+    [[nodiscard]] static ThreadTrack found(const BoneQuery& bone, const ScrewThread& tool,
+                                           std::uint32_t held = KERF_NEW_THREAD) noexcept;
     /// One that begins in a body of the bone, at `leading` of the tool's z [m].
     [[nodiscard]] static ThreadTrack begun(const ScrewThread& tool, double leading, std::int32_t body) noexcept;
 
