@@ -229,6 +229,10 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
         state.torque += advance.channel[c].d[5] * advance.lambda[c];
     state.grip_force = advance.carried_by_id(id_helix);
     state.seat_force = std::max(0.0, advance.carried_by_id(ScrewContact::id_seat));
+    const bool is_blocked = advance.carried_by_id(id_blocked) != 0.0;
+    if (is_blocked) state.pushed += std::max(0.0, advance.rate[2] * dt - thread.advance() * std::max(0.0, turn));
+    // By then the next crest is where the first one was: nothing is left between them.
+    const bool is_broached = is_blocked && state.pushed > thread.pitch;
     if (notes.engaged > 0.0) {
         state.away = 0.0;
         state.angle += turn;
@@ -256,6 +260,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
 
     bool meets_bone = notes.engaged > 0.0;
     for (const kerf_channel& channel : advance.channel) meets_bone = meets_bone || channel.id == ScrewContact::id_tip;
+    if (is_broached) actions.cut_thread();
     if (meets_bone) actions.cut();  // of the core; what is between the crests stays
     signals = {.torque = state.torque,
                .turned = state.angle,

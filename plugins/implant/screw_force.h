@@ -39,6 +39,7 @@ struct ScrewInsertion : ScrewParameters {
         double slip = 0.0;        ///< [m] plastic, of this tool, either way
         double away = 0.0;        ///< [m] moved along the shaft since the thread was in bone
         double grip_force = 0.0;  ///< [N] along the helix in the last tick; negative: it pulls the screw in
+        double pushed = 0.0;      ///< [m] that crests without a groove were pushed further than a turn takes them
         std::uint32_t held = KERF_NEW_THREAD;  ///< number of the thread that it is in; KERF_NEW_THREAD: none
         bool is_slipping = false;              ///< in the last tick
         Reported reported;

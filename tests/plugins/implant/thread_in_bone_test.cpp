@@ -207,11 +207,23 @@ TEST(ThreadInBone, IsNoneWhereAScrewIsOnlyPushed) {
 
 TEST(ThreadInBone, OfCrestsThatWerePushedInIsCutByAWholeTurn) {
     Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
-    hole.pull(-8.0_mm);
+    hole.pull(-2.4_mm);
     hole.turn(0.03);
-    EXPECT_LT(hole.signals().pull_out, 30.0) << "ten degrees cut next to nothing";
+    const double begun = hole.signals().pull_out;
     hole.turn(1.2);
-    EXPECT_GT(hole.signals().pull_out, 80.0);
+    EXPECT_GT(hole.signals().pull_out, 2.0 * begun) << "ten degrees cut next to nothing";
+}
+
+TEST(ThreadInBone, IsNoneOnceAScrewIsPushedThroughByMoreThanItsPitch) {
+    Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
+    hole.pull(-2.4_mm);
+    const double before = hole.simulation().present().removed();
+    hole.pull(-5.6_mm);
+    const double crests = pi * (2.5_mm * 2.5_mm - 1.6_mm * 1.6_mm) * 5.6_mm;
+    EXPECT_GT(hole.simulation().present().removed() - before, 0.5 * crests)
+        << "the bone between its crests is sheared off";
+    hole.turn(0.03);
+    EXPECT_LT(hole.signals().pull_out, 30.0);
 }
 
 TEST(ThreadInBone, SaysThatItsHeadSeatsEvenIfItHasSlippedBefore) {
