@@ -22,7 +22,8 @@ Vec3 at(double radius, double z, std::size_t i, std::size_t of) noexcept {
 }  // namespace
 
 ScrewContact::ScrewContact(const ScrewThread& thread) noexcept : has_head(thread.head > 0.0) {
-    const double low = -thread.core_at_tip, high = -std::min(0.5 * thread.length, low + 0.4 * thread.length);
+    // Both behind the cone of the tip, which is narrower than the core.
+    const double low = -thread.cone(), high = std::min(low - 0.1 * thread.length, -0.4 * thread.length - low);
     for (std::size_t i = 0; i < ways; ++i) {
         wall[i] = at(0.5 * thread.core_at(low), low, i, ways);
         wall[ways + i] = at(0.5 * thread.core_at(high), high, i, ways);
