@@ -212,7 +212,7 @@ void ScrewInsertion::report(const Notes& notes, State& state, Actions& actions) 
     if (is_back && state.seat_force <= 0.0) reported.has_seated = false;  // it may seat again
     if (!is_back) reported.is_backing_out = false;
     if (state.away <= left_bone) return;
-    state.angle = state.front = state.slip = 0.0;
+    state.angle = state.front = state.slip = state.pushed = 0.0;
     state.held = KERF_NEW_THREAD;
     reported = {};
 }

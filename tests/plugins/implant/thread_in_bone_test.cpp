@@ -226,6 +226,19 @@ TEST(ThreadInBone, IsNoneOnceAScrewIsPushedThroughByMoreThanItsPitch) {
     EXPECT_LT(hole.signals().pull_out, 30.0);
 }
 
+TEST(ThreadInBone, TakesNoCrestsOfOtherBoneForWhatItWasPushedThroughBefore) {
+    const auto removed_beside = [](double pushed_before) {
+        Hole hole(250.0, 1.6_mm, {tool("pedicle_screw", thoracic)});
+        hole.pull(-pushed_before);
+        hole.leave();
+        hole.shift(5.0_mm);
+        const double before = hole.simulation().present().removed();
+        hole.pull(-1.0_mm);
+        return hole.simulation().present().removed() - before;
+    };
+    EXPECT_NEAR(removed_beside(8.0_mm), removed_beside(0.0), 1e-9) << "1 mm³: it starts anew once it has left bone";
+}
+
 TEST(ThreadInBone, SaysThatItsHeadSeatsEvenIfItHasSlippedBefore) {
     Parameters brief = thoracic;
     brief["thread_length"] = 14.0_mm;
