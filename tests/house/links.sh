@@ -189,7 +189,7 @@ while IFS=$'\t' read -r place file; do
         complain "$place: $file, which is quoted, does not exist. Correct the page."
         continue
     fi
-    quoted=$(tail -n "+${place##*:}" -- "${place%:*}" | awk '/^```/ { if (inside) exit; inside = 1; next } inside')
+    quoted=$(tail -n "+${place##*:}" -- "${place%:*}" | awk '/^```/ { ++fences; next } fences == 1')
     whole=$(<"$file")
     [[ -n $quoted && $whole == *"$quoted"* ]] || complain "$place: the code below is not a part of $file. Copy it again."
 done < <(grep -noE '<!-- quotes [^ ]+ -->' -- "${pages[@]}" | sed -E 's/^([^:]+:[0-9]+):<!-- quotes ([^ ]+) -->/\1\t\2/')
