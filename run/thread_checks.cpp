@@ -85,10 +85,6 @@ void check_releases(const Procedure& procedure, const std::vector<const ToolOutl
         }
 }
 
-}  // namespace
-
-namespace {
-
 /// What was made along a step's axis before it: the widest radii of holes and taps [m].
 struct Before {
     double hole = 0.0, tap = 0.0;

@@ -422,10 +422,10 @@ Reason Report::because(TextSpan span, std::string message) const {
 }
 
 bool Report::is_reported(const std::string& code, TextSpan span, const std::string& message) const {
+    const SourcePlace place = document_.place(span);
     return std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& d) {
-        if (d.message != message || d.code != code) return false;
-        const SourcePlace place = document_.place(span);
-        return d.place.file == place.file && d.place.line == place.line && d.place.column == place.column;
+        return d.message == message && d.code == code && d.place.file == place.file && d.place.line == place.line &&
+               d.place.column == place.column;
     });
 }
 

@@ -87,6 +87,21 @@ void read_anatomy_file(const Node& node, const std::string& document_file, Proce
 
 // ---- instruments -------------------------------------------------------------------------------------------------
 
+/// The force law of an instrument; null if it is unknown, which is reported where the instrument is.
+const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog) {
+    const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
+        return c.kind == KERF_KIND_FORCE && c.plugin == instrument.force_plugin && c.id == instrument.force;
+    });
+    return found != catalog.end() ? &*found : nullptr;
+}
+
+/// The instrument of a step; null where it is unknown, which is reported there.
+const Instrument* instrument_of(const Step& step, const std::vector<Instrument>& instruments) {
+    const auto found = std::find_if(instruments.begin(), instruments.end(),
+                                    [&](const Instrument& i) { return i.id == step.instrument; });
+    return found != instruments.end() ? &*found : nullptr;
+}
+
 class InstrumentReader {
 public:
     InstrumentReader(const ComponentCatalog& catalog, Report& report) : catalog_(catalog), report_(report) {}
@@ -135,10 +150,8 @@ public:
 
     /// The events of an instrument's force; nothing where the force is unknown.
     [[nodiscard]] std::optional<std::vector<std::string>> events_of(const Instrument& instrument) const {
-        const auto force = std::find_if(catalog_.begin(), catalog_.end(), [&](const ComponentInfo& c) {
-            return c.plugin == instrument.force_plugin && c.kind == KERF_KIND_FORCE && c.id == instrument.force;
-        });
-        if (force == catalog_.end()) return std::nullopt;
+        const ComponentInfo* force = law_of(instrument, catalog_);
+        if (force == nullptr) return std::nullopt;
         std::vector<std::string> ids;
         for (const EventInfo& event : force->events) ids.push_back(event.id);
         return ids;
@@ -355,14 +368,6 @@ void read_bound_values(MapReader& map, const Shape& shape, const std::string& na
 void read_own_bound(MapReader& map, const Shape& shape, const std::string& name, Bound& bound, Report& report) {
     read_bound_values(
         map, shape, name, [&](const char* key) { return std::optional(map.need_of(key)); }, bound, report);
-}
-
-/// The force law of an instrument; null if it is unknown, which is reported where the instrument is.
-const ComponentInfo* law_of(const Instrument& instrument, const ComponentCatalog& catalog) {
-    const auto found = std::find_if(catalog.begin(), catalog.end(), [&](const ComponentInfo& c) {
-        return c.kind == KERF_KIND_FORCE && c.plugin == instrument.force_plugin && c.id == instrument.force;
-    });
-    return found != catalog.end() ? &*found : nullptr;
 }
 
 /// The signal that `node` names; null and reported if the law declares none of this name.
@@ -605,9 +610,8 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
                               report);
     }
     map.quantity("feed", step.feed);
-    const auto used = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
-                                   [&](const Instrument& i) { return i.id == step.instrument; });
-    const ComponentInfo* law = used != procedure.instruments.end() ? law_of(*used, catalog) : nullptr;
+    const Instrument* used = instrument_of(step, procedure.instruments);
+    const ComponentInfo* law = used != nullptr ? law_of(*used, catalog) : nullptr;
     if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report))
             step.goals.push_back(read_goal(goal, law, document, report));
@@ -616,7 +620,7 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
             step.limits.push_back(read_limit(limit, law, procedure, document, report));
     refuse_contradictions(step, item, report);
     const Node* allow = map.find("allow");
-    if (used != procedure.instruments.end()) {
+    if (used != nullptr) {
         if (allow) step.allowed = read_allowed(*allow, *used, report);
         const Node* written = item.find("instrument");
         add_damage_limits(*used, document.place(written ? written->span : item.span), step);
@@ -731,13 +735,6 @@ void refuse_implant(const Node& name, const std::vector<Implant>& implants, Repo
                      (known.empty() ? "the procedure has none. Add one under `implants:`."
                                     : "expected " + listed(known) + "." + or_choose(meant)),
                  meant);
-}
-
-/// The instrument of a step; null where it is unknown, which is reported there.
-const Instrument* instrument_of(const Step& step, const std::vector<Instrument>& instruments) {
-    const auto found = std::find_if(instruments.begin(), instruments.end(),
-                                    [&](const Instrument& i) { return i.id == step.instrument; });
-    return found != instruments.end() ? &*found : nullptr;
 }
 
 /// `until: {torque: 2 N*m}` or `until: {event: implant.head_contact}`; null: the instrument is unknown.
