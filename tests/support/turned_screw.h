@@ -18,22 +18,32 @@
 /// hole along z; its face is z = 0.
 namespace kerf::test {
 
-/// The plugin's screw with some parameters set, of the tool or of the law [SI]. Throws on a name that neither has.
-inline ToolSetup screw_setup(const std::map<std::string, double>& set = {}) {
+/// A driver upright above `entry` that has turned by `angle` [rad] about its shaft, its tip `depth` [m] below.
+inline Pose turned_at(double depth, double angle, Vec3 entry = {0, 0, 0}) {
+    Pose pose = at_depth(depth, 0.0, entry);
+    pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle, 2.0 * pi)});
+    return pose;
+}
+
+/// A tool of the plugin with some parameters set, of the tool or of the law [SI]. Throws on a name that neither has.
+inline ToolSetup threaded(const std::string& tool, const std::map<std::string, double>& set = {}) {
+    constexpr const char* law = "screw_insertion";
     ToolSetup setup;
-    setup.tool = plugins().find("kerf.implant", KERF_KIND_TOOL, "pedicle_screw");
-    setup.force = plugins().find("kerf.implant", KERF_KIND_FORCE, "screw_insertion");
+    setup.tool = plugins().find("kerf.implant", KERF_KIND_TOOL, tool);
+    setup.force = plugins().find("kerf.implant", KERF_KIND_FORCE, law);
     if (setup.tool == nullptr || setup.force == nullptr) throw std::runtime_error("no implant plugin in lib/kerf");
     std::size_t known = 0;
     for (const auto& info : plugins().catalog()) {
-        if (info.plugin != "kerf.implant" || (info.id != "pedicle_screw" && info.id != "screw_insertion")) continue;
-        (info.id == "pedicle_screw" ? setup.tool_parameters : setup.force_parameters) = values(info.parameters, set);
+        if (info.plugin != "kerf.implant" || (info.id != tool && info.id != law)) continue;
+        (info.id == tool ? setup.tool_parameters : setup.force_parameters) = values(info.parameters, set);
         for (const auto& parameter : info.parameters) known += set.contains(parameter.id) ? 1 : 0;
     }
-    if (known != set.size()) throw std::runtime_error("a parameter is set that neither screw nor law has");
+    if (known != set.size()) throw std::runtime_error("a parameter is set that neither tool nor law has");
     if (const std::string why = bind_law(setup); !why.empty()) throw std::runtime_error(why);
     return setup;
 }
+
+inline ToolSetup screw_setup(const std::map<std::string, double>& set = {}) { return threaded("pedicle_screw", set); }
 
 /// A parameter of the tool or of the law, by name [SI].
 inline double parameter(const ToolSetup& setup, std::string_view id) {
@@ -114,11 +124,7 @@ public:
     [[nodiscard]] bool has_seen(std::string_view event) const {
         return std::find(events_.begin(), events_.end(), event) != events_.end();
     }
-    [[nodiscard]] Pose pose() const {
-        Pose pose = at_depth(depth_);
-        pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
-        return pose;
-    }
+    [[nodiscard]] Pose pose() const { return turned_at(depth_, angle_); }
     [[nodiscard]] Rig& rig() noexcept { return rig_; }
 
 private:
@@ -158,8 +164,7 @@ public:
         depth_ = std::min(depth_ + approach * period_,
                           push / spring_.stiffness.along - simulation_.world_from_tool().position.z);
         angle_ += speed * period_;
-        handle_ = at_depth(depth_);
-        handle_.rotation = handle_.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
+        handle_ = turned_at(depth_, angle_);
         return {handle_};
     }
     [[nodiscard]] Simulation& simulation() noexcept { return simulation_; }

@@ -14,25 +14,6 @@
 /// A screw on its driver above a block of one material; the face is z = 0.
 namespace kerf::test {
 
-/// A tool of the plugin with some parameters set, of the tool or of the law.
-inline ToolSetup threaded(const char* tool, const std::map<std::string, double>& set = {}) {
-    ToolSetup setup;
-    setup.tool = plugins().find("kerf.implant", KERF_KIND_TOOL, tool);
-    setup.force = plugins().find("kerf.implant", KERF_KIND_FORCE, "screw_insertion");
-    const auto values = [&](const kerf_component& c) {
-        std::vector<double> v;
-        for (std::uint32_t i = 0; i < c.param_count; ++i)
-            v.push_back(set.contains(c.params[i].id) ? set.at(c.params[i].id) : c.params[i].def);
-        return v;
-    };
-    setup.tool_parameters = values(*setup.tool);
-    setup.force_parameters = values(*setup.force);
-    if (const std::string why = bind_law(setup); !why.empty()) throw std::runtime_error(why);
-    return setup;
-}
-
-inline ToolSetup screw(const std::map<std::string, double>& set = {}) { return threaded("pedicle_screw", set); }
-
 /// A hand that turns the screw and lets it go along the shaft as it will.
 class ScrewRig {
 public:
@@ -41,8 +22,8 @@ public:
     /// With a pilot hole of the radius `hole` [m]; 0: as wide as the core's tip.
     explicit ScrewRig(double density, const std::map<std::string, double>& set = {}, double period = Simulation::dt,
                       double thickness = 55e-3, double hole = 0.0)
-        : rig_(pilot_block(density, thickness, hole > 0.0 ? hole : 0.5 * tip_of(set)), screw(set), at_depth(-0.2e-3),
-               gains(), period),
+        : rig_(pilot_block(density, thickness, hole > 0.0 ? hole : 0.5 * tip_of(set)), screw_setup(set),
+               at_depth(-0.2e-3), gains(), period),
           period_(period),
           thread_(value_of<implant::PedicleScrew>(rig_.setup().tool_parameters).thread()) {
         depth_ = -0.2e-3;
@@ -56,9 +37,7 @@ public:
             // As stiff as bone and thread together: the depth at which nothing pulls is found in a few ticks.
             constexpr double stiffness = 3e7;  // [N/m]
             depth_ += thread_.advance() * by / ticks + std::clamp((push - against_) / stiffness, -2e-6, 2e-6);
-            Pose pose = at_depth(depth_);
-            pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
-            last_ = rig_.tick_direct({pose});
+            last_ = rig_.tick_direct({turned_at(depth_, angle_)});
             against_ = linear(last_.bone_on_tool).z;
             for (std::size_t e = 0; e < last_.event_count; ++e) events_.emplace_back(last_.events[e]);
         }
@@ -78,7 +57,7 @@ public:
 
 private:
     static double tip_of(const std::map<std::string, double>& set) {
-        return value_of<implant::PedicleScrew>(screw(set).tool_parameters).tip_core_diameter;
+        return value_of<implant::PedicleScrew>(screw_setup(set).tool_parameters).tip_core_diameter;
     }
 
     Rig rig_;

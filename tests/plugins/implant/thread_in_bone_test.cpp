@@ -83,9 +83,7 @@ private:
         for (depth_ = -0.5_mm; depth_ < cone;) tick(depth_ += 20e-6);
     }
     void tick(double depth) {
-        Pose pose = at_depth(depth, 0.0, {aside_, 0, 0});
-        pose.rotation = pose.rotation * quat_from_rotation_vector({0, 0, std::remainder(angle_, 2.0 * pi)});
-        const TickResult tick = simulation_.tick_direct({pose});
+        const TickResult tick = simulation_.tick_direct({test::turned_at(depth, angle_, {aside_, 0, 0})});
         for (std::size_t e = 0; e < tick.event_count; ++e) events_.emplace_back(tick.events[e]);
         for (const CutRecord& record : simulation_.closed()) sequences_.push_back(record.sequence);
     }
