@@ -52,7 +52,8 @@ double torque_of(const test::MeasuredScrew& s) {
                                {"flutes", 0.0},
                                {"flute_length", 0.0},
                                {"head_diameter", 12.0_mm}},
-                       .thickness = 40.0_mm});
+                       .thickness = 40.0_mm,
+                       .hole_radius = test::pilot_radius_of(s)});
     screw.insert(25.0_mm / s.pitch, fast);
     return screw.torque();
 }

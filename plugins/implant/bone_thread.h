@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "hole_before.h"
 #include "kerf/plugin.hpp"
 #include "screw_parameters.h"
 #include "screw_thread.h"
@@ -13,15 +14,10 @@ namespace kerf::implant {
 /// A thread's places and what bone there is at them, prepared once and sampled in each tick.
 struct ThreadPlaces {
     int count = 0;
-    std::array<Vec3, 2 * most_pieces> place{};   ///< in the middle of the flanks, then beside the core
-    std::array<double, most_pieces> on_flank{};  ///< [m²] of each, on which bone presses
-    std::array<double, most_pieces> on_core{};   ///< the same of the core
-    std::array<double, most_pieces> radius{};    ///< [m] in the middle of its flank
-    std::array<double, most_pieces> outer{};     ///< [m] radius over its crest
-    std::array<double, most_pieces> core{};      ///< [m] radius of the core there
-    std::array<double, most_pieces> sheared{};   ///< [m²] of each, that shears when it strips
-    std::array<double, most_pieces> across{};    ///< [m²] of its crest, seen along the shaft
-    std::array<double, most_pieces> grip{};      ///< [m] along the shaft
+    std::array<Vec3, most_pieces> way{};      ///< from the axis to each [–], and its z [m]
+    std::array<double, most_pieces> outer{};  ///< [m] radius over its crest
+    std::array<double, most_pieces> core{};   ///< [m] radius of the core there
+    std::array<double, most_pieces> grip{};   ///< [m] along the shaft
 
     double piece = 0.0;  ///< [m] along the shaft from place to place
 
@@ -49,7 +45,7 @@ struct BoneThread {
     double spread = 0.0;         ///< [m] of what grips about there, root of the mean square
     std::int32_t body = -1;      ///< whose bone it is in
 
-    BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track,
+    BoneThread(const ThreadPlaces& places, const ScrewThread& thread, const ThreadTrack& track, const HoleBefore& hole,
                const ScrewParameters& law, const BoneQuery& bone) noexcept;
 };
 

@@ -98,7 +98,7 @@ ScrewInsertion::Notes ScrewInsertion::resist(const HeldThread&, const BoneQuery&
                                              Channels& channels) const noexcept {
     const auto& [thread, places, contact] = state.prepared;
     const ThreadTrack track = ThreadTrack::found(bone, thread, state.held);
-    const BoneThread found(places, thread, track, *this, bone);
+    const BoneThread found(places, thread, track, state.hole, *this, bone);
     const Notes notes{.strength = found.strength,
                       .stiffness = found.stiffness,
                       .engaged = found.engaged,
@@ -223,6 +223,7 @@ void ScrewInsertion::commit(const HeldThread& tool, const BoneQuery& bone, const
     const ScrewThread& thread = state.prepared.thread;
     const Notes& notes = advance.notes;
 
+    state.hole.measure(thread, bone, advance.rate[2] * dt);
     state.is_slipping = false;
     state.torque = 0.0;
     for (std::size_t c = 0; c < advance.channel.size(); ++c)

@@ -4,6 +4,7 @@
 #include "bone_screw.h"
 #include "bone_thread.h"
 #include "dental_implant.h"
+#include "hole_before.h"
 #include "kerf/plugin.hpp"
 #include "pedicle_screw.h"
 #include "screw_contact.h"
@@ -42,6 +43,7 @@ struct ScrewInsertion : ScrewParameters {
         double pushed = 0.0;      ///< [m] that crests without a groove were pushed further than a turn takes them
         std::uint32_t held = KERF_NEW_THREAD;  ///< number of the thread that it is in; KERF_NEW_THREAD: none
         bool is_slipping = false;              ///< in the last tick
+        HoleBefore hole;
         Reported reported;
         Prepared prepared;
     };
@@ -63,7 +65,7 @@ struct ScrewInsertion : ScrewParameters {
         return describe(
             "screw_insertion",
             "A thread that holds bone along its helix until it slips, friction, cutting flutes, core and head.",
-            ScrewParameters::about(), budget_us(100), work({.channels = 16, .points = 410, .queries = 4}),
+            ScrewParameters::about(), budget_us(100), work({.channels = 16, .points = 414, .queries = 5}),
             signal(&Signals::torque,
                    {.id = "torque", .help = "Torque of the bone against the turn.", .unit = unit::N_m}),
             signal(&Signals::turned,

@@ -9,7 +9,8 @@ inline constexpr double reference_density = 1850.0;  ///< [kg/m³] that the coef
 
 /// How bone holds a screw. Strengths grow with the square of the density.
 struct ScrewParameters {
-    double friction, head_friction, compaction, shear, grip_stiffness, chip, crush, wall_stiffness, seat_stiffness;
+    double friction, head_friction, compaction, yield_strain, shear, grip_stiffness, chip, crush, wall_stiffness,
+        seat_stiffness;
     double yield_share, yield_slip, strip_slip, flute_relief, tapped_relief;
 
     static constexpr auto about() {
@@ -34,6 +35,13 @@ struct ScrewParameters {
                                                  .max = 1000_N_per_mm2,
                                                  .def = 233_N_per_mm2,
                                                  .source = "carter-hayes-1977: 68 MPa at 1 g/cm3"}),
+            param(&ScrewParameters::yield_strain,
+                  {.id = "yield_strain",
+                   .help = "By what share of its diameter a core is wider than its hole when the pressure is full.",
+                   .min = 0.001,
+                   .max = 0.5,
+                   .def = 0.018,
+                   .source = "assumed: `compaction` over 17 GPa/(1 + 0.3), a hole in elastic dense bone"}),
             param(&ScrewParameters::shear, {.id = "shear",
                                             .help = "Shear strength of bone between the crests.",
                                             .unit = unit::N_per_mm2,

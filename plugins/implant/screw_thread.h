@@ -52,12 +52,17 @@ struct ScrewThread {
     /// less than the others.
     [[nodiscard]] double core_contact(double z) const noexcept { return pi * core_at(z); }
     [[nodiscard]] double flank_contact(double z) const noexcept {
-        const double o = outer_at(z), c = core_at(z);
-        return 0.25 * pi * (o * o - c * c) / pitch;
+        return flank_between(0.5 * core_at(z), 0.5 * outer_at(z));
+    }
+    /// The same of the part of a flank between two radii [m].
+    [[nodiscard]] double flank_between(double from, double to) const noexcept {
+        return pi * (to * to - from * from) / pitch;
     }
     /// Share of the cylinder over the crests that shears when the thread strips [–]: 0.5 + 0.57735 d_t/P.
     /// Source: [chapman-1996].
-    [[nodiscard]] double shape_factor(double z) const noexcept { return 0.5 + 0.57735 * depth(z) / pitch; }
+    [[nodiscard]] double shape_factor(double z) const noexcept { return shape_factor_of(depth(z)); }
+    /// The same of a crest that is in bone by `depth` [m].
+    [[nodiscard]] double shape_factor_of(double depth) const noexcept { return 0.5 + 0.57735 * depth / pitch; }
     /// Cross-section of the groove that one crest cuts [m²]: a triangle of the thread's depth.
     [[nodiscard]] double groove_area(double z) const noexcept {
         const SinCos flank = sin_cos_exact(flank_angle);

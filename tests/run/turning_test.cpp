@@ -31,7 +31,7 @@ metadata: {id: bored, title: A bored block of bone}
 phantom:
   parts:
     - {id: block, box: {centre: 0 0 0 mm, size: 24 24 40 mm}}
-    - {id: hole, tube: {from: 0 0 25 mm, to: 0 0 -8 mm, radius: 2 mm}, subtract: true}
+    - {id: hole, tube: {from: 0 0 25 mm, to: 0 0 -8 mm, radius: 1.6 mm}, subtract: true}
 tissues:
   - {id: bone, density: 0.3 g/cm3}
 landmarks:

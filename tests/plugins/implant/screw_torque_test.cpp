@@ -28,7 +28,7 @@ std::map<std::string, double> parameters_of(const test::MeasuredScrew& s) {
 TEST(ScrewTorque, OfMeasuredScrewsIsFoundWithNothingFitted) {
     double sum = 0.0;
     for (const test::MeasuredScrew& s : test::weidling) {
-        ScrewRig rig(test::weidling_density, parameters_of(s), Simulation::dt, 40.0_mm);
+        ScrewRig rig(test::weidling_density, parameters_of(s), Simulation::dt, 40.0_mm, test::pilot_radius_of(s));
         rig.insert(25.0_mm / s.pitch, fast);
         const double found = rig.signals().torque, error = std::abs(found / s.torque - 1.0);
         RecordProperty(s.name, std::to_string(found));
@@ -95,6 +95,45 @@ TEST(ScrewTorque, HasTheSignsThatWereMeasured) {
     EXPECT_LT(torque({{"flute_length", 10.0_mm}}), plain);
     EXPECT_GT(torque({{"starts", 2.0}}), plain);
     EXPECT_LT(torque({}, 2.4_mm), plain) << "a hole of 4.8 mm";
+}
+
+/// Torque of 20 mm of thread with a cylindrical core of 4 mm and no flutes, in a hole of `hole` [m] across.
+double torque_in_hole(double hole) {
+    ScrewRig rig(600.0,
+                 {{"core_diameter", 4.0_mm},
+                  {"tip_core_diameter", 4.0_mm},
+                  {"outer_diameter", 6.0_mm},
+                  {"thread_length", 26.0_mm},
+                  {"flutes", 0.0},
+                  {"flute_length", 0.0}},
+                 Simulation::dt, 40.0_mm, 0.5 * hole);
+    rig.insert(20.0_mm / rig.thread().pitch, fast);
+    return rig.signals().torque;
+}
+
+// Bone in front of the crests alone presses on them: π (R² − h²)/P on each length, at (R + h)/2 on average.
+TEST(FitOfAHole, LeavesToTheFlanksWhatIsBetweenHoleAndCrest) {
+    const auto of_flanks = [](double hole) {
+        const double crest = 3.0_mm, inner = 0.5 * hole;
+        return (crest * crest - inner * inner) * (crest + inner);
+    };
+    const double widest = torque_in_hole(5.4_mm);
+    for (const double hole : {4.2_mm, 4.6_mm, 5.0_mm})
+        EXPECT_NEAR(torque_in_hole(hole) / widest, of_flanks(hole) / of_flanks(5.4_mm),
+                    0.06 * of_flanks(hole) / of_flanks(5.4_mm))
+            << hole;
+    EXPECT_EQ(torque_in_hole(6.2_mm), 0.0) << "it meets no bone";
+}
+
+// 2 D_c (R_o + R_c)/2 of the core, for (R_o² − R_c²)/P (R_o + R_c)/2 of the flanks.
+TEST(FitOfAHole, LetsBonePressOnACoreThatIsWider) {
+    const double flanks = torque_in_hole(4.04_mm), pressed = torque_in_hole(3.6_mm);
+    const double pitch = ScrewRig(600.0).thread().pitch;
+    EXPECT_NEAR(pressed / flanks, 1.0 + 4.0_mm * pitch / (9.0_mm * 1.0_mm - 4.0_mm * 1.0_mm), 0.05 * pressed / flanks);
+    EXPECT_NEAR(torque_in_hole(3.2_mm), pressed, 0.02 * pressed) << "the pressure is full by then";
+    const double half = torque_in_hole(3.964_mm);  // 0.9 %
+    EXPECT_GT(half, flanks + 0.3 * (pressed - flanks));
+    EXPECT_LT(half, flanks + 0.7 * (pressed - flanks));
 }
 
 /// Turned until the head is `force` on its seat, or for so many radians.

@@ -22,6 +22,10 @@ inline constexpr MeasuredScrew weidling[] = {
     {"6-6.5", 6.5e-3, 4.45e-3, 2.8e-3, 500e-6, 1.20},  {"6-7.5", 7.5e-3, 5.10e-3, 2.8e-3, 605e-6, 1.67},
 };
 
+/// Radius of a hole for it [m], 10 % narrower than its core. All twelve compact bone; by how much is not known, and the
+/// pressure of the law is full from 2 % on.
+inline double pilot_radius_of(const MeasuredScrew& s) { return 0.45 * s.core; }
+
 /// 25 mm of thread behind a short tip; nothing is known of its flutes, so it has none.
 inline implant::ScrewThread thread_of(const MeasuredScrew& s) {
     return {.outer = s.outer,
