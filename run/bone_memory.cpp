@@ -26,7 +26,8 @@ double bone_memory(const Anatomy& anatomy, double spacing) {
     if (!is_finite(low) || !is_finite(high)) return 0.0;
     std::vector<std::function<double(Vec3)>> borders{[&](Vec3 p) { return distance_to(anatomy.phantom, p); }};
     for (std::size_t t = 0; t + 1 < anatomy.tissues.size(); ++t)
-        borders.emplace_back([&, t](Vec3 p) { return distance_to(anatomy.phantom, p) + anatomy.tissues[t].thickness; });
+        borders.emplace_back(
+            [&, t](Vec3 p) { return distance_to(anatomy.tissues[t], -distance_to(anatomy.phantom, p), p); });
     return fields_memory({low, high}, spacing, borders, false).bytes;
 }
 

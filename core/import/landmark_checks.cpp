@@ -125,7 +125,7 @@ void check_landmarks(const Anatomy& anatomy, const Body& body, Diagnostics& diag
     check_sides(anatomy, diagnostics);
     check_points(anatomy, body, diagnostics);
     for (const Zone& zone : anatomy.zones)
-        if (const double share = share_in_bone(body, zone); share > most_of_zone)
+        if (const double share = share_in_bone(body, zone); share > most_of_zone && !zone.is_tissue)
             diagnostics.push_back(
                 warning_at(in_anatomy(anatomy, {"zones", zone.id}), "W0614",
                            rounded(100.0 * share, 0) + " % of the zone `" + zone.id +

@@ -199,8 +199,11 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
         const bool is_base = &tissue == &anatomy.tissues.back();
         const Material& material = body.materials[static_cast<std::size_t>(&tissue - anatomy.tissues.data())];
         std::string note = "Tissue " + tissue.id + ": ";
-        note +=
-            is_base ? "what the others leave" : rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not measured";
+        if (is_base) note += "what the others leave";
+        if (tissue.thickness > 0.0) note += rounded(tissue.thickness * 1e3, 2) + " mm, prescribed, not measured";
+        if (!tissue.solids.empty())
+            note += (tissue.thickness > 0.0 ? ", within " : "within ") + std::to_string(tissue.solids.size()) +
+                    (tissue.solids.size() == 1 ? " solid" : " solids");
         note += material.densities.is_empty() ? "; " + rounded(material.density * 1e-3, 2) + " g/cm3 everywhere."
                                               : "; density by place.";
         report.notes.push_back(std::move(note));
@@ -267,12 +270,12 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
         room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
 
     const Distance bone = !has_rooms ? outer : [&](Vec3 p) { return std::max(outer(p), -room(p)); };
-    const Distance& depth = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
+    const Distance& face = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
     std::vector<Distance> borders{bone};
     if (has_rooms) borders.push_back(room);
     for (const Tissue& tissue : anatomy.tissues)
         if (&tissue != &anatomy.tissues.back())
-            borders.emplace_back([&depth, &tissue](Vec3 p) { return -depth(p) - tissue.thickness; });
+            borders.emplace_back([&face, &tissue](Vec3 p) { return distance_to(tissue, -face(p), p); });
     if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
 
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
@@ -303,9 +306,8 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
                 if (!material.densities.is_empty()) material.density = material.densities.largest();
             }
         }
-        // A shell lies between the surface and its own thickness below it.
-        const Distance below = [&](Vec3 p) { return -depth(p) - tissue.thickness; };
-        if (!is_base) material.border = LevelSet::build(grid, say(below, "distances to the border of " + tissue.id));
+        const Distance border = [&](Vec3 p) { return distance_to(tissue, -face(p), p); };
+        if (!is_base) material.border = LevelSet::build(grid, say(border, "distances to the border of " + tissue.id));
         body.materials.push_back(std::move(material));
     }
     check_landmarks(anatomy, body, diagnostics);

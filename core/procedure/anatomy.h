@@ -39,8 +39,9 @@ struct PhantomPart {
 struct Tissue {
     std::string id;
     double density = 1850.0;  ///< [kg/m³]
-    double thickness = 0.0;   ///< [m] a shell under the surface; 0: everything that is left
+    double thickness = 0.0;   ///< [m] a shell under the surface; 0: no shell
     std::string source;
+    std::vector<Solid> solids{};  ///< it is in their union; empty: wherever its shell is, or everything that is left
 };
 
 struct LandmarkPoint {
@@ -73,6 +74,7 @@ struct MarkupsFile {
 struct Zone {
     std::string id;
     std::vector<Solid> solids;  ///< their union
+    bool is_tissue = false;     ///< of a tissue: it is meant to lie in bone
 };
 
 struct PhantomSource {

@@ -65,14 +65,26 @@ Solid read_elliptic_tube(const Node& node, const std::string& name, Report& repo
     return tube;
 }
 
+Solid read_solid(const Node& node, const std::string& name, Report& report) {
+    if (node.key == "box") return read_box(node, name, report);
+    if (node.key == "tube") return read_tube(node, name, report);
+    return read_elliptic_tube(node, name, report);
+}
+
 /// The one solid that a map names by its key.
 Solid read_solid(MapReader& map, Report& report) {
     const Node* node = map.one_of();
-    if (!node) return BoxSolid{};
-    const std::string name = map.name_of(node->key);
-    if (node->key == "box") return read_box(*node, name, report);
-    if (node->key == "tube") return read_tube(*node, name, report);
-    return read_elliptic_tube(*node, name, report);
+    return node ? read_solid(*node, map.name_of(node->key), report) : BoxSolid{};
+}
+
+std::vector<Solid> read_solids(const Node& node, const std::string& name, Report& report) {
+    std::vector<Solid> solids;
+    for (const Node& solid : read_list(node, name, report)) {
+        MapReader map(solid, shapes::tissue_solid, name, report);
+        solids.push_back(read_solid(map, report));
+        map.finish();
+    }
+    return solids;
 }
 
 std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
@@ -172,12 +184,16 @@ std::vector<Tissue> read_tissues(const Node& node, bool has_density_line, Report
         else if (density)
             report.error(Code::degenerate, density->key_span,
                          "The last tissue has two densities: this one and `ct.density`. Remove one.");
-        const Node* thickness = is_base ? map.find("thickness") : map.required("thickness");
-        if (!is_base)
-            map.quantity("thickness", tissue.thickness);
-        else if (thickness)
-            report.error(Code::degenerate, thickness->key_span,
-                         "The last tissue has a thickness, but it fills all that the others leave. Remove it.");
+        const Node* solids = map.find("solids");
+        const Node* thickness = is_base || solids ? map.find("thickness") : map.required("thickness");
+        if (thickness && !is_base) map.quantity("thickness", tissue.thickness);
+        if (solids && !is_base) tissue.solids = read_solids(*solids, map.name_of("solids"), report);
+        if (is_base)
+            for (const Node* own : {thickness, solids})
+                if (own)
+                    report.error(Code::degenerate, own->key_span,
+                                 "The last tissue has " + (own == solids ? std::string("solids") : "a thickness") +
+                                     ", but it fills all that the others leave. Remove it.");
         tissue.source = map.text("source");
         map.finish();
         tissues.push_back(std::move(tissue));
@@ -264,7 +280,25 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     map.finish();
 }
 
-std::vector<Zone> read_zones(const Node& node, Report& report) {
+/// Adds the solids of the tissue that `name` names.
+void add_solids_of(const Node& name, const std::vector<Tissue>& tissues, Zone& zone, Report& report) {
+    const std::optional<std::string> id = read_id(name, "tissue", report);
+    if (!id) return;
+    std::vector<std::string> known;
+    for (const Tissue& tissue : tissues) {
+        if (!tissue.solids.empty()) known.push_back(tissue.id);
+        if (tissue.solids.empty() || tissue.id != *id) continue;
+        zone.solids.insert(zone.solids.end(), tissue.solids.begin(), tissue.solids.end());
+        zone.is_tissue = true;
+        return;
+    }
+    report.error(Code::unknown_word, name.span,
+                 "No tissue `" + *id + "` has solids; " +
+                     (known.empty() ? "no tissue of this anatomy has any. Give it `solids:`, or write solids here."
+                                    : "known are " + listed(known) + ". " + or_choose(closest(*id, known, report))));
+}
+
+std::vector<Zone> read_zones(const Node& node, const std::vector<Tissue>& tissues, Report& report) {
     std::vector<Zone> zones;
     UniqueIds ids;
     for (const Node& item : read_named(&node, "zones", ids, report)) {
@@ -272,7 +306,11 @@ std::vector<Zone> read_zones(const Node& node, Report& report) {
         zone.id = item.key;
         for (const Node& solid : read_list(item, item.key, report)) {
             MapReader map(solid, shapes::zone_solid, item.key, report);
-            zone.solids.push_back(read_solid(map, report));
+            const Node* found = map.one_of();
+            if (found && found->key == "tissue")
+                add_solids_of(*found, tissues, zone, report);
+            else if (found)
+                zone.solids.push_back(read_solid(*found, map.name_of(found->key), report));
             map.finish();
         }
         zones.push_back(std::move(zone));
@@ -314,7 +352,7 @@ std::optional<AnatomyDraft> draft_of_text(const std::string& file, std::string t
             if (const Node* node = map.find("tissues"))
                 anatomy->tissues = read_tissues(*node, anatomy->ct && anatomy->ct->density, report);
             if (const Node* node = map.find("landmarks")) read_landmarks(*node, *anatomy, report);
-            if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, report);
+            if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, anatomy->tissues, report);
             map.finish();
             draft->is_sound = !has_error(found);
         }

@@ -561,10 +561,21 @@ const Shape elliptic_tube{"elliptic_tube",
                                "The direction in which `height` is measured; towards the head if not given.", "0 0 1"},
                           }};
 
+const Shape tissue_solid{
+    "tissue_solid",
+    "One solid of a tissue.",
+    {
+        {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
+        {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
+        {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
+         "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+    }};
+
 const Shape zone_solid{
     "zone_solid",
     "One solid of a zone.",
     {
+        {one_of, "tissue", id(), "All solids of a tissue, as of the roots of teeth.", "root"},
         {one_of, "box", map(box), "A box.", "{centre: 0 0 0 mm, size: 44 35 28 mm}"},
         {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
         {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
@@ -674,11 +685,16 @@ const Shape mesh{
     }};
 
 const Shape tissue{"tissue",
-                   "The tissues of bone: shells from the surface inwards, the last one fills the rest.",
+                   "The tissues of bone: shells from the surface inwards, or solids. The first one has precedence, the "
+                   "last one fills the "
+                   "rest.",
                    {
                        {required, "id", id(), "Its name.", "cortical"},
                        {optional, "thickness", length(0.1_mm, 20.0_mm),
-                        "Of the shell; the last tissue has none, all others need it.", "1.5 mm"},
+                        "Of the shell. The last tissue has none; all others need it, or `solids`.", "1.5 mm"},
+                       {optional, "solids", list(map(tissue_solid)),
+                        "Where it is: their union, and of that the shell if there is a `thickness`. Not of the last.",
+                        "[{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]"},
                        {optional, "density", density(0.05_g_per_cm3, 3.0_g_per_cm3),
                         "Needed, unless `ct.density` gives it to the last tissue.", "1.85 g/cm3"},
                        {optional, "source", text(), "The source of its figures.", "Silva et al. 1994."},

@@ -17,6 +17,6 @@ extern const Shape anatomy;
 extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;
 extern const Shape ct, labels, kept_piece, density_line;
 extern const Shape mesh, repair, canal;
-extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, zone_solid;
+extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;
 
 }  // namespace kerf::shapes

@@ -71,6 +71,11 @@ double distance_to_any(const std::vector<Solid>& solids, Vec3 p) noexcept {
     return d;
 }
 
+double distance_to(const Tissue& tissue, double depth, Vec3 p) noexcept {
+    const double in_shell = tissue.thickness > 0.0 ? depth - tissue.thickness : -HUGE_VAL;
+    return tissue.solids.empty() ? in_shell : std::max(in_shell, distance_to_any(tissue.solids, p));
+}
+
 double distance_to(const PhantomSource& phantom, Vec3 p) noexcept {
     double d = HUGE_VAL;
     for (const auto& part : phantom.parts) {

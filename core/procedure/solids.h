@@ -14,6 +14,10 @@ namespace kerf {
 /// To the union of solids; +infinity for none.
 [[nodiscard]] double distance_to_any(const std::vector<Solid>& solids, Vec3 point) noexcept;
 
+/// To where a tissue is, which is no base [m]: its shell, its solids, or what both have in common.
+/// @param depth  [m] of the place under the surface that shells lie under
+[[nodiscard]] double distance_to(const Tissue& tissue, double depth, Vec3 point) noexcept;
+
 /// To a phantom: parts united and subtracted in their order.
 [[nodiscard]] double distance_to(const PhantomSource& phantom, Vec3 point) noexcept;
 

@@ -50,5 +50,26 @@ TEST(MakeBody, TellsHowFarItIsWithEachOfItsParts) {
     }
 }
 
+TEST(MakeBody, PutsATissueWhereItsSolidsAre) {
+    // Given a rod of root in the block, and a cortex under the half of its top that is at positive x
+    Anatomy anatomy = shelled_block();
+    anatomy.tissues = {{"root", 2100.0, 0.0, "", {TubeSolid{{0, 0, -20.0_mm}, {0, 0, 20.0_mm}, 3.0_mm}}},
+                       {"cortical", 1850.0, 2.0_mm, "", {BoxSolid{{10.0_mm, 0, 0}, {20.0_mm, 40.0_mm, 40.0_mm}}}},
+                       {"cancellous", 250.0, 0.0, ""}};
+    Diagnostics diagnostics;
+    ImportReport report;
+    const auto body = make_body(anatomy, 0.5_mm, diagnostics, &report);
+    ASSERT_TRUE(body) << to_text(diagnostics);
+    const auto is_in = [&](std::size_t tissue, Vec3 at) {
+        return body->materials[tissue].border.at(locate(*body, at)) < 0.0;
+    };
+    EXPECT_TRUE(is_in(0, {2.5_mm, 0, 0}));
+    EXPECT_FALSE(is_in(0, {3.5_mm, 0, 0}));
+    EXPECT_TRUE(is_in(1, {6.0_mm, 0, 8.5_mm}));
+    EXPECT_FALSE(is_in(1, {6.0_mm, 0, 7.5_mm})) << "below the shell";
+    EXPECT_FALSE(is_in(1, {-6.0_mm, 0, 8.5_mm})) << "beside its solid";
+    EXPECT_NE(report.notes.at(1).find("within 1 solid;"), std::string::npos) << report.notes.at(1);
+}
+
 }  // namespace
 }  // namespace kerf

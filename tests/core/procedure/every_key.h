@@ -61,7 +61,9 @@ private:
                                                         : chosen_of(shapes::limit);
         // The last tissue has no thickness, and no density of its own where the image gives it one.
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
-        const std::string base = has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}";
+        const std::string base =
+            ", {id: root, solids: [{box: {centre: 0 0 0 mm, size: 44 35 28 mm}}], density: 2 g/cm3}" +  // of zones, too
+            std::string(has_density ? ", {id: cancellous}" : ", {id: cancellous, density: 0.25 g/cm3}");
         const bool has_tissues = !key.value.item.empty() && key.value.item[0].shape == &shapes::tissue;
         if (key.value.kind == ValueShape::Kind::yes_no)
             return "false";  // `subtract: true` has nothing to take away from

@@ -86,6 +86,33 @@ TEST(ReadAnatomy, RefusesAThicknessOfTheBase) {
 TEST(ReadAnatomy, RefusesAShellWithoutThickness) {
     expect_refused(Code::missing_key, "{id: cortical, thickness: 1.5 mm,", "«{»id: cortical,");
 }
+TEST(ReadAnatomy, GivesATissueItsSolidsAndAZoneThoseOfATissue) {
+    const std::string tooth = "{tube: {from: 0 0 0 mm, to: 0 0 9 mm, radius: 2 mm}}";
+    std::string text = replaced(faultless, "  - {id: cancellous,",
+                                "  - {id: root, solids: [" + tooth +
+                                    "], density: 2 g/cm3}\n"
+                                    "  - {id: crest, solids: [" +
+                                    tooth +
+                                    "], thickness: 1 mm, density: 2 g/cm3}\n"
+                                    "  - {id: cancellous,");
+    text = replaced(text, "canal: [", "roots: [{tissue: root}]\n  canal: [");
+    Diagnostics diagnostics;
+    const std::optional<Anatomy> anatomy = read_anatomy_text("bone.yaml", text, diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    EXPECT_EQ(anatomy->tissues.at(1).thickness, 0.0);
+    EXPECT_EQ(std::get<TubeSolid>(anatomy->tissues.at(1).solids.at(0)).radius, 2.0_mm);
+    EXPECT_EQ(anatomy->tissues.at(2).thickness, 1.0_mm);
+    EXPECT_EQ(std::get<TubeSolid>(anatomy->zones.at(0).solids.at(0)).radius, 2.0_mm);
+    EXPECT_TRUE(anatomy->zones.at(0).is_tissue);
+    EXPECT_FALSE(anatomy->zones.at(1).is_tissue);
+}
+TEST(ReadAnatomy, RefusesSolidsOfTheBase) {
+    expect_refused(Code::degenerate, "{id: cancellous,",
+                   "{id: cancellous, «solids»: [{box: {centre: 0 0 0 mm, size: 1 1 1 mm}}],");
+}
+TEST(ReadAnatomy, RefusesAZoneOfATissueWithoutSolids) {
+    expect_refused(Code::unknown_word, "canal: [", "canal: [{tissue: «cortical»}, ");
+}
 TEST(ReadAnatomy, RefusesABoxWithoutSize) {
     expect_refused(Code::out_of_range, "size: 40 30 20 mm", "size: «40 0 20 mm»");
 }
