@@ -236,12 +236,17 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
     offsets.add("entry-offset", "entry_offset", axis.entry_offset, "at the entry.");
     offsets.add("narrowest-offset", "narrowest_offset", axis.narrowest_offset, at_waist);
     offsets.add("end-offset", "end_offset", axis.end_offset, "at its tip.");
-    const std::string name = "gertzbein-robbins";
-    rows.length(name, screw.breach.worst(), rows.half_voxel(), "grade " + gertzbein_robbins(screw.least, screw.most),
-                "How far the screw's thread, " + quantity_text(screw.diameter, "mm") +
-                    " wide, leaves the bone, and its grade by it.");
+    const std::string how_far =
+        "How far the screw's thread, " + quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
+    const bool is_in_vertebra = !screw.by_place.empty();  // both grades are of screws in pedicles
+    const std::string name = is_in_vertebra ? "gertzbein-robbins" : "thread-outside";
+    if (is_in_vertebra)
+        rows.length(name, screw.breach.worst(), rows.half_voxel(),
+                    "grade " + gertzbein_robbins(screw.least, screw.most), how_far + ", and its grade by it.");
+    else
+        rows.length(name, screw.breach.worst(), rows.half_voxel(), "info", how_far + ".");
     add_sides(name, screw.breach, frame, rows);
-    if (!screw.by_place.empty())
+    if (is_in_vertebra)
         rows.length("heary", screw.breach.worst(), rows.half_voxel(), "grade " + screw.by_place,
                     "The same, and its grade by where it leaves the bone.");
 }

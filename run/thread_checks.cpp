@@ -89,17 +89,36 @@ void check_releases(const Procedure& procedure, const std::vector<const ToolOutl
 struct Before {
     double hole = 0.0, tap = 0.0;
 };
-/// An opening of the cortex is no hole for the tip: one that counts goes at least half as deep.
+/// The widest of what a tool cuts with, no farther than `behind` [m] its tip: the radius of its hole so far above the
+/// ground [m].
+double radius_behind(const ToolOutline& tool, double behind) noexcept {
+    double widest = 0.0;
+    for (std::size_t i = 0; i < tool.cutting_count; ++i) {
+        const kerf_profile_point& end = tool.profile[i];
+        if (-end.z <= behind) {
+            widest = std::max(widest, end.radius);
+        } else if (i > 0) {
+            const kerf_profile_point& from = tool.profile[i - 1];
+            const double share = (behind + from.z) / (from.z - end.z);
+            return std::max(widest, from.radius + share * (end.radius - from.radius));
+        }
+    }
+    return widest;
+}
+
+/// An opening of the cortex is no hole for the thread: what counts is the width half as deep as the thread goes.
 Before before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
     Before found;
     for (std::size_t b = 0; b < step; ++b) {
         const ToolOutline& tool = *tools[b];
         if (procedure.steps[b].axis != procedure.steps[step].axis || tool.cutting_count == 0) continue;
         if (tool.has_thread() && !tool.is_implant()) found.tap = std::max(found.tap, tool.thread_radius);
-        const double depth = asked_depth(procedure.steps[b]);
-        const bool is_deep = depth == -HUGE_VAL || depth >= 0.5 * asked_depth(procedure.steps[step]);
-        if (!tool.has_thread() && !tool.cutting.is_prism() && is_deep)
+        if (tool.has_thread() || tool.cutting.is_prism()) continue;
+        const double depth = asked_depth(procedure.steps[b]), half = 0.5 * asked_depth(procedure.steps[step]);
+        if (depth == -HUGE_VAL || half == -HUGE_VAL)
             found.hole = std::max(found.hole, tool.cutting.largest_radius());
+        else if (depth >= half)
+            found.hole = std::max(found.hole, radius_behind(tool, depth - half));
     }
     return found;
 }
