@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dental implant, run whole in both jaws.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kerf/units.hpp"
+#include "tests/support/drill_rig.h"
+#include "tests/support/watched_run.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+std::optional<Scene> jaw(const std::string& variant, const std::vector<std::string>& settings = {},
+                         const std::string& anatomy = "") {
+    Diagnostics diagnostics;
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml", .anatomy = anatomy};
+    request.changes = {variant, settings};
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    EXPECT_TRUE(made) << to_text(diagnostics);
+    return made;
+}
+
+test::WatchedRun followed(const Scene& scene, const std::string& rehearsal) {
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return test::watched_run(scene, test::plugins(), request);
+}
+
+struct Ending {
+    const char *variant, *rehearsal, *device;
+};
+
+class DentalImplant : public testing::TestWithParam<Ending> {};
+
+TEST_P(DentalImplant, EndsAsExpected) {
+    const auto& [variant, rehearsal, device] = GetParam();
+    const auto scene = jaw(variant, {std::string("haptics.device=") + device});
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = followed(*scene, rehearsal);
+    std::string reasons;
+    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
+    EXPECT_TRUE(run.is_as_expected) << reasons;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    With, DentalImplant,
+    testing::Values(Ending{"", "expert", "premium-1.5-6dof"}, Ending{"", "expert", "touch"},
+                    Ending{"", "expert", "desktop"}, Ending{"", "expert", "omega.6"},
+                    Ending{"", "overtightened", "premium-1.5-6dof"}, Ending{"", "too-deep", "touch"},
+                    Ending{"upper-jaw", "expert", "premium-1.5-6dof"}, Ending{"upper-jaw", "expert", "touch"},
+                    Ending{"upper-jaw", "expert", "desktop"}, Ending{"upper-jaw", "expert", "omega.6"},
+                    Ending{"upper-jaw", "stripped", "omega.6"}, Ending{"upper-jaw", "sinus", "desktop"}),
+    [](const auto& ending) {
+        std::string name = std::string(ending.param.variant) + "_" + ending.param.rehearsal + "_" + ending.param.device;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+        return name;
+    });
+
+/// The largest torque about the shaft in the last step, before a time.
+double largest_torque(const Scene& scene, const test::WatchedRun& run, double before) {
+    const auto last = static_cast<std::int32_t>(scene.procedure.steps.size()) - 1;
+    double largest = 0.0;
+    for (const TickRow& row : run.ticks)
+        if (row.step == last && row.time < before) largest = std::max(largest, std::abs(row.torque));
+    return largest;
+}
+
+// 20 to 60 N·cm without a torque stop; 35 to 45 N·cm is where the expert stops. Nothing of the law was fitted to it.
+TEST(DentalImplantTorque, IsThatOfImplantsInALowerJaw) {
+    const auto scene = jaw("");
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = followed(*scene, "expert");
+    const auto seats = std::find_if(run.events.begin(), run.events.end(),
+                                    [](const EventRow& event) { return event.id == "implant.head_contact"; });
+    ASSERT_NE(seats, run.events.end());
+    const double going_in = largest_torque(*scene, run, seats->time), at_the_end = largest_torque(*scene, run, 1e9);
+    EXPECT_GT(going_in, 0.20);
+    EXPECT_LT(going_in, 0.60);
+    EXPECT_GT(at_the_end, 0.35);
+    EXPECT_LT(at_the_end, 0.45);
+}
+
+// 02-08: a sudden rise at the crest, less in the cancellous bone, an abrupt rise at the floor of the sinus, and nothing
+// behind it.
+TEST(DentalImplantThrust, RisesAtBothCorticesAndIsGoneBehindTheSinusFloor) {
+    const auto scene = jaw("upper-jaw");
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = followed(*scene, "sinus");
+    const auto mean_between = [&](double from, double to) {
+        double sum = 0.0;
+        int count = 0;
+        for (const TickRow& row : run.ticks) {
+            if (row.step != 0 || row.depth < from || row.depth >= to || row.feed_rate <= 0.0) continue;
+            sum += row.thrust;
+            ++count;
+        }
+        return count > 0 ? sum / count : -1.0;
+    };
+    constexpr double point = 0.6_mm;  // of a bit of 2 mm
+    const double crest = mean_between(point, 1.0_mm), inside = mean_between(3.0_mm, 11.0_mm),
+                 floor = mean_between(12.0_mm + point, 13.0_mm), behind = mean_between(13.0_mm + point, 14.0_mm);
+    EXPECT_GT(crest, 2.0 * inside);
+    EXPECT_GT(floor, 2.0 * inside);
+    EXPECT_GT(inside, 0.1);
+    EXPECT_NEAR(behind, 0.0, 0.05);
+}
+
+TEST(DentalImplantInARealJaw, IsInsertedByTheExpert) {
+    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    const auto scene = jaw("", {}, KERF_SOURCE_DIR "/tests/real-data/mandible.yaml");
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = followed(*scene, "expert");
+    EXPECT_EQ(run.summary.verdict, Verdict::pass);
+    EXPECT_LT(largest_torque(*scene, run, 1e9), 0.45);
+}
+
+TEST(DentalImplantHole, IsRefusedWhereItIsWiderThanTheThread) {
+    Diagnostics diagnostics;
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml"};
+    request.changes = {"", {"instruments.final.parameters.diameter=4.2 mm"}};
+    static_cast<void>(check_documents(request, test::plugins(), diagnostics));
+    EXPECT_NE(to_text(diagnostics).find("E0517"), std::string::npos) << to_text(diagnostics);
+}
+
+}  // namespace
+}  // namespace kerf
