@@ -5,71 +5,107 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/plugin/unit.h"
 #include "core/procedure/quantity.h"
-#include "kerf/units.hpp"
+#include "core/procedure/telling_digits.h"
 
 namespace kerf {
 
 namespace {
 
-using namespace literals;
-
-std::string millimetres(double metres) {
-    char text[32];
-    const long tenths = static_cast<long>(metres * 1e4 + (metres >= 0.0 ? 0.5 : -0.5));
-    std::snprintf(text, sizeof text, "%s%ld.%ld mm", tenths < 0 ? "-" : "", std::labs(tenths) / 10,
-                  std::labs(tenths) % 10);
-    return text;
+/// A number with so many decimals, half away from zero. Zero has no sign.
+std::string with_decimals(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    const double nearest = std::round(value * scale) / scale;
+    char text[400];
+    const auto end =
+        std::to_chars(text, text + sizeof text, nearest == 0.0 ? 0.0 : nearest, std::chars_format::fixed, decimals).ptr;
+    return {text, end};
 }
 
-std::string in_degrees(double angle) { return quantity_text(std::round(angle / 0.1_deg) * 0.1_deg, "deg"); }
+std::string millimetres(double metres, int decimals = 1) { return with_decimals(metres * 1e3, decimals) + " mm"; }
 
-/// A value in its unit, four digits.
-std::string rounded(double value, const std::string& unit) {
+/// A value in its unit with so many significant digits.
+std::string rounded(double value, const std::string& unit, int digits = 4) {
     const double per_unit = parse_unit(unit).value_or(Unit{}).factor;
     char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value / per_unit, std::chars_format::general, 4).ptr;
+    const auto end = std::to_chars(text, text + sizeof text, value / per_unit, std::chars_format::general, digits).ptr;
     return std::string(text, end) + (unit.empty() ? "" : " ") + unit;
 }
 
+/// A value in its unit, without zeros behind the last decimal.
+std::string trimmed(double value, const std::string& unit, int decimals) {
+    const double step = std::pow(10.0, -decimals) * parse_unit(unit).value_or(Unit{}).factor;
+    return quantity_text(std::round(value / step) * step, unit);
+}
+
+constexpr int most_digits = 12;
+
+/// Digits with which no end of `bound` has the text of `value` unless it is equal.
+template <class TextOf>
+int digits_beside(double value, const Bound& bound, int digits, const TextOf& text_of) {
+    int most = digits;
+    for (const auto& end : {bound.at_least, bound.at_most})
+        if (end) most = std::max(most, telling_digits(value, *end, digits, most_digits, text_of));
+    return most;
+}
+
 /// ", must be at least 100 N, at most 200 N".
-std::string bounds_text(const Bound& bound, const std::string& unit) {
+template <class TextOf>
+std::string bounds_text(const Bound& bound, const TextOf& text_of) {
     std::string text = ", must be ";
-    if (bound.at_least) text += "at least " + rounded(*bound.at_least, unit);
+    if (bound.at_least) text += "at least " + text_of(*bound.at_least);
     if (bound.at_least && bound.at_most) text += " and ";
-    if (bound.at_most) text += "at most " + rounded(*bound.at_most, unit);
+    if (bound.at_most) text += "at most " + text_of(*bound.at_most);
     return text;
 }
 
 /// What a limit was broken with, after its own sentence.
 std::string how_far(const LimitState& limit) {
     const std::string& quantity = limit.limit->quantity;
-    if (quantity == "clearance") return limit.worst < 0.0 ? " Deepest: " + millimetres(-limit.worst) + "." : "";
-    if (quantity == "depth") return " Depth: " + millimetres(limit.worst) + ".";
-    if (quantity == "thrust") return " Thrust: " + quantity_text(std::round(limit.worst), "N") + ".";
-    if (quantity == "plane_angle" || quantity == "hole_angle") return " Angle: " + in_degrees(limit.worst) + ".";
-    if (quantity == "excess_removal")
-        return " Beyond the planned hole: " + quantity_text(std::round(limit.worst * 100.0) * 0.01, "%") + ".";
-    if (quantity == "time_in_air") return " In air: " + quantity_text(std::round(limit.worst * 10.0) * 0.1, "s") + ".";
-    if (quantity == "torque") return " Torque: " + rounded(limit.worst, "N m") + ".";
-    if (quantity == "lateral_force") return " Across the shaft: " + rounded(limit.worst, "N") + ".";
-    if (quantity == "speed") return " Speed: " + rounded(limit.worst, "mm/s") + ".";
-    if (quantity == "removed_volume") return " Removed: " + rounded(limit.worst, "mm3") + ".";
-    if (quantity == "duration") return " Duration: " + rounded(limit.worst, "s") + ".";
+    const auto told = [&](const char* what, int digits, const auto& text_of) {
+        return what + text_of(limit.worst, digits_beside(limit.worst, limit.limit->bound, digits, text_of)) + ".";
+    };
+    const auto with_digits = [&](const char* what, const std::string& unit) {
+        return told(what, 4, [&](double value, int digits) { return rounded(value, unit, digits); });
+    };
+    const auto with_steps = [&](const char* what, const std::string& unit, int decimals) {
+        return told(what, decimals, [&](double value, int more) { return trimmed(value, unit, more); });
+    };
+    const auto length = [&](const char* what) { return told(what, 1, millimetres); };
+
+    if (quantity == "clearance")
+        return limit.worst < 0.0
+                   ? told(" Deepest: ", 1, [](double value, int decimals) { return millimetres(-value, decimals); })
+                   : "";
+    if (quantity == "depth") return length(" Depth: ");
+    if (quantity == "thrust") return with_steps(" Thrust: ", "N", 0);
+    if (quantity == "plane_angle" || quantity == "hole_angle") return with_steps(" Angle: ", "deg", 1);
+    if (quantity == "excess_removal") return with_steps(" Beyond the planned hole: ", "%", 0);
+    if (quantity == "time_in_air") return with_steps(" In air: ", "s", 1);
+    if (quantity == "torque") return with_digits(" Torque: ", "N m");
+    if (quantity == "lateral_force") return with_digits(" Across the shaft: ", "N");
+    if (quantity == "speed") return with_digits(" Speed: ", "mm/s");
+    if (quantity == "removed_volume") return with_digits(" Removed: ", "mm3");
+    if (quantity == "duration") return with_digits(" Duration: ", "s");
     if (quantity == "signal")
-        return " `" + limit.limit->signal.id + "`: " + rounded(limit.worst, limit.limit->signal.unit) + ".";
+        return with_digits((" `" + limit.limit->signal.id + "`: ").c_str(), limit.limit->signal.unit);
     if (quantity == "damage") return "";
-    const char* what = quantity == "flatness" ? " Uneven by: "
-                       : quantity == "plunge" ? " Plunged: "
-                       : quantity == "breach" ? " Beyond the bone: "
-                                              : " Off by: ";
-    return what + millimetres(limit.worst) + ".";
+    if (quantity == "flatness") return length(" Uneven by: ");
+    if (quantity == "plunge") return length(" Plunged: ");
+    if (quantity == "breach") return length(" Beyond the bone: ");
+    return length(" Off by: ");
+}
+
+/// "`name` 59.98 mm, must be at least 60.00 mm".
+template <class TextOf>
+std::string missed_bound(const std::string& name, double value, const Bound& bound, int digits, const TextOf& text_of) {
+    const int enough = digits_beside(value, bound, digits, text_of);
+    return name + text_of(value, enough) + bounds_text(bound, [&](double end) { return text_of(end, enough); });
 }
 
 std::string what_was_missed(const Goal& goal, const StepState& state) {
@@ -80,23 +116,22 @@ std::string what_was_missed(const Goal& goal, const StepState& state) {
     if (goal.quantity == "separated") return "the bone did not come apart";
     if (goal.quantity == "held") return "the piece was never held";
     if (goal.quantity == "moved")
-        return "the piece was moved " + millimetres(state.moved) + ", must be at least " +
-               millimetres(*goal.bound.at_least);
+        return missed_bound("the piece was moved ", state.moved, {goal.bound.at_least, {}}, 1, millimetres);
     if (goal.quantity == "removed_volume")
-        return "removed " + rounded(state.removed, "mm3") + bounds_text(goal.bound, "mm3");
+        return missed_bound("removed ", state.removed, goal.bound, 4,
+                            [](double value, int digits) { return rounded(value, "mm3", digits); });
     if (goal.quantity == "signal") {
         const auto signal = std::find_if(state.signals.begin(), state.signals.end(),
                                          [&](const SignalState& s) { return s.signal->id == goal.signal.id; });
         const std::string name = "the signal `" + goal.signal.id + "`";
         if (signal == state.signals.end() || !signal->is_seen) return name + " was never reported";
-        const std::string& unit = goal.signal.unit;
-        return name + " was between " + rounded(signal->least, unit) + " and " + rounded(signal->greatest, unit) +
-               bounds_text(goal.bound, unit);
+        const auto text_of = [&](double value, int digits) { return rounded(value, goal.signal.unit, digits); };
+        const int enough = std::max(digits_beside(signal->least, goal.bound, 4, text_of),
+                                    digits_beside(signal->greatest, goal.bound, 4, text_of));
+        return name + " was between " + text_of(signal->least, enough) + " and " + text_of(signal->greatest, enough) +
+               bounds_text(goal.bound, [&](double end) { return text_of(end, enough); });
     }
-    std::string text = "depth " + millimetres(std::max(0.0, state.deepest));
-    if (goal.bound.at_least) text += ", must be at least " + millimetres(*goal.bound.at_least);
-    if (goal.bound.at_most) text += ", must be at most " + millimetres(*goal.bound.at_most);
-    return text;
+    return missed_bound("depth ", std::max(0.0, state.deepest), goal.bound, 1, millimetres);
 }
 
 }  // namespace

@@ -143,6 +143,29 @@ TEST(RunResult, DescribesAMissedGoal) {
               "Step `insert`: removed 300 mm3, must be at least 500 mm3.");
 }
 
+TEST(RunResult, TellsAValueFromItsBound) {
+    const auto missed = [](const char* quantity, double at_least, double reached) {
+        Judged judged({{quantity, {at_least, {}}, {}}}, {});
+        judged.shown = {in_bone(reached), in_air()};
+        return only_reason(judged.summary());
+    };
+    EXPECT_EQ(missed("depth", 60e-3, 59.98e-3), "Step `insert`: depth 59.98 mm, must be at least 60.00 mm.");
+    EXPECT_EQ(missed("depth", 60e-3, 59.8e-3), "Step `insert`: depth 59.8 mm, must be at least 60.0 mm.");
+
+    const auto broken = [](const char* quantity, double at_most, const Observation& now) {
+        Judged judged({entry}, {{.quantity = quantity, .bound = {{}, at_most}, .reason = "Careful."}});
+        judged.shown = {now, in_air()};
+        return only_reason(judged.summary());
+    };
+    Observation now = in_bone(38.04e-3);
+    now.thrust = 60.2;
+    now.torque = 3.00004;
+    EXPECT_EQ(broken("depth", 38e-3, now), "Step `insert`: Careful. Depth: 38.04 mm.");
+    EXPECT_EQ(broken("thrust", 60.0, now), "Step `insert`: Careful. Thrust: 60.2 N.");
+    EXPECT_EQ(broken("thrust", 50.0, now), "Step `insert`: Careful. Thrust: 60 N.");
+    EXPECT_EQ(broken("torque", 3.0, now), "Step `insert`: Careful. Torque: 3.00004 N m.");
+}
+
 // ---- what a rehearsal expects
 
 TEST(RunResult, IncompleteIsExpectedOnlyWhereGoalsAreMissed) {
