@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -D INPUT=<file> -D OUTPUT=<file.cpp> -D NAME=<variable> -P embed_text.cmake
+#
+# Writes a source that defines kerf::NAME with the bytes of INPUT. They are listed one by one: compilers limit the
+# length of a string literal, and not that of an array.
+cmake_minimum_required(VERSION 3.25)
+
+file(READ "${INPUT}" bytes HEX)
+if(bytes STREQUAL "")
+  message(FATAL_ERROR "${INPUT} is empty: there is nothing to embed")
+endif()
+string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${bytes}")
+string(REPEAT "......." 16 sixteen)
+string(REGEX REPLACE "(${sixteen})" "\\1\n" bytes "${bytes}")
+get_filename_component(input_name "${INPUT}" NAME)
+
+file(WRITE "${OUTPUT}" "// Made from ${input_name} by embed_text.cmake.
+#include <string_view>
+
+namespace kerf {
+namespace {
+constexpr char bytes[] = {
+${bytes}};
+}  // namespace
+
+extern const std::string_view ${NAME};
+constinit const std::string_view ${NAME}(bytes, sizeof bytes);
+
+}  // namespace kerf
+")
