@@ -321,7 +321,7 @@ ExitCode report(const CommandLine& line) {
     std::string error;
     const auto run = read_run(line.source, error);
     if (!run) return complain(error, exit_bad_input);
-    if (error = write_page(file, report_html(run->summary, run->drawn)); !error.empty())
+    if (error = write_page(file, report_html(run->summary, run->drawn, run->procedure)); !error.empty())
         return complain(error + (line.out.empty() ? " Give another place with `--out`." : ""), exit_bad_input);
     if (!run->missing.empty()) print_error(run->missing + "\n");
     print(file + "\n");

@@ -18,7 +18,7 @@ namespace {
 std::string write_report(const std::string& folder) {
     std::string error;
     const auto run = read_run(folder + "/session.db", error, true);
-    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn))
+    return run ? write_file(folder + "/report.html", report_html(run->summary, run->drawn, run->procedure))
                : folder + "/report.html could not be made: " + error;
 }
 
@@ -54,6 +54,8 @@ SessionHeader header_of(const Scene& scene, const RunRequest& request, const Run
     header.anatomy = summary.anatomy;
     header.rehearsal = summary.rehearsal;
     header.hand = summary.hand;
+    for (const Variant& variant : scene.procedure.variants)
+        if (variant.id == scene.procedure.variant) header.variant_title = variant.title;
     header.procedure_text = scene.procedure.text;
     header.anatomy_hash = scene.anatomy_hash;
     header.anatomy_notes = scene.import.notes;

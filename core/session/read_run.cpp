@@ -119,6 +119,8 @@ void Reading::read_keys() {
     summary.hand = key("run.hand");
     summary.device = key("condition.device");
     summary.variant = key("condition.variant");
+    run_.procedure = recorded_procedure(key("procedure_text"), summary.rehearsal);
+    run_.procedure.variant_title = key("run.variant_title");
     summary.force_scale = number_of("condition.force_scale");
     summary.coupling_stiffness = number_of("condition.coupling_stiffness");
 }

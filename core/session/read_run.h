@@ -5,16 +5,18 @@
 #include <string>
 
 #include "core/session/drawn_run.h"
+#include "core/session/recorded_procedure.h"
 #include "core/session/recording.h"
 
 namespace kerf {
 
 /// What a session holds of a run: all that its page shows.
 struct RecordedRun {
-    RunSummary summary;   ///< of a run that was cut short: what is known of it, with the verdict incomplete and that as
-                          ///< its reason
-    DrawnRun drawn;       ///< without bone for a run that was cut short
-    std::string missing;  ///< what the session lacks, for people; empty for a whole one
+    RunSummary summary;  ///< of a run that was cut short: what is known of it, with the verdict incomplete and that as
+                         ///< its reason
+    DrawnRun drawn;      ///< without bone for a run that was cut short
+    RecordedProcedure procedure;  ///< as far as its text could be read
+    std::string missing;          ///< what the session lacks, for people; empty for a whole one
 };
 
 /// Reads a session file without changing it or its folder, one row at a time. Error: not a session, another schema,

@@ -51,6 +51,7 @@ struct SessionConditions {
 /// Everything known before the first tick.
 struct SessionHeader {
     std::string procedure, procedure_version, anatomy, rehearsal, hand;  ///< as in RunSummary
+    std::string variant_title{};  ///< the text of a variant no longer has it; empty for none
     std::string procedure_text;
     std::uint64_t anatomy_hash = 0;          ///< of the anatomy's text and data files
     std::vector<std::string> anatomy_notes;  ///< what import did, for people

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <utility>
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include "core/procedure/plain_numbers.h"
@@ -14,15 +15,13 @@
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
 #include "core/session/report_page.h"
+#include "core/session/report_steps.h"
+#include "kerf/assert.hpp"
 
 namespace kerf {
 namespace {
 
 constexpr std::size_t most_events_listed = 500;
-
-std::string with_unit(const std::string& number, const std::string& unit) {
-    return unit.empty() ? number : number + " " + html_escaped(unit_for_people(unit));
-}
 
 struct VerdictWord {
     const char* symbol;
@@ -43,24 +42,58 @@ VerdictWord for_people(Verdict verdict) {
     return {"!", "Invalid"};
 }
 
-std::string header_html(const RunSummary& summary) {
-    const VerdictWord verdict = for_people(summary.verdict);
-    std::string subtitle;
-    const auto add = [&](const std::string& what) {
-        if (!what.empty()) subtitle += (subtitle.empty() ? "" : " · ") + html_escaped(what);
-    };
-    add(summary.anatomy);
-    add(summary.rehearsal.empty() ? "" : "rehearsal " + summary.rehearsal);
-    add(summary.variant.empty() ? "" : "variant " + summary.variant);
-    add(summary.procedure_version.empty() ? "" : "version " + summary.procedure_version);
+/// The procedure's title; its id where no title was recorded.
+const std::string& heading(const RunSummary& summary, const RecordedProcedure& procedure) {
+    return procedure.title.empty() ? summary.procedure : procedure.title;
+}
 
-    std::string html = "<header class=\"top\"><div><h1>" + html_escaped(summary.procedure) + "</h1><p class=\"soft\">" +
-                       subtitle + "</p></div><div class=\"verdict " + to_text(summary.verdict) +
-                       "\"><span class=\"word\">" + verdict.symbol + " " + verdict.word +
+/// Escaped text; what stands between backticks is code.
+std::string marked(const std::string& text) {
+    std::string html;
+    bool is_code = false;
+    const std::string safe = html_escaped(text);
+    for (std::size_t i = 0; i < safe.size(); ++i) {
+        const bool is_paired = is_code || safe.find('`', i + 1) != std::string::npos;
+        if (safe[i] != '`' || !is_paired) {
+            html += safe[i];
+            continue;
+        }
+        html += is_code ? "</code>" : "<code>";
+        is_code = !is_code;
+    }
+    return html;
+}
+
+/// Titles for people; ids in small print.
+std::string titles_html(const RunSummary& summary, const RecordedProcedure& procedure) {
+    std::string html = "<h1>" + html_escaped(heading(summary, procedure)) + "</h1>";
+    const auto add_title = [&](const char* what, const std::string& title) {
+        if (!title.empty())
+            html += std::string("<p><span class=\"soft\">") + what + ":</span> " + html_escaped(title) + "</p>";
+    };
+    add_title("Variant", procedure.variant_title);
+    add_title("Rehearsal", procedure.rehearsal_title);
+
+    std::string ids;
+    const auto add_id = [&](const char* what, const std::string& id) {
+        if (!id.empty()) ids += (ids.empty() ? "" : " · ") + html_escaped(what + id);
+    };
+    add_id("", procedure.title.empty() ? "" : summary.procedure);
+    add_id("version ", summary.procedure_version);
+    add_id("variant ", summary.variant);
+    add_id("rehearsal ", summary.rehearsal);
+    add_id("anatomy ", summary.anatomy);
+    return html + "<p class=\"soft small\">" + ids + "</p>";
+}
+
+std::string header_html(const RunSummary& summary, const RecordedProcedure& procedure) {
+    const VerdictWord verdict = for_people(summary.verdict);
+    std::string html = "<header class=\"top\"><div>" + titles_html(summary, procedure) + "</div><div class=\"verdict " +
+                       to_text(summary.verdict) + "\"><span class=\"word\">" + verdict.symbol + " " + verdict.word +
                        "</span><p class=\"score\">Score " + sensible_number(std::round(summary.score)) +
                        " of 100</p></div></header>\n";
-    html += std::string("<ul class=\"reasons ") + to_text(summary.verdict) + "\">";
-    for (const std::string& reason : summary.reasons) html += "<li>" + html_escaped(reason) + "</li>";
+    html += std::string("<ul class=\"reasons ") + to_text(summary.verdict) + "\" aria-label=\"Reasons\">";
+    for (const std::string& reason : summary.reasons) html += "<li>" + marked(reason) + "</li>";
     if (summary.reasons.empty())
         html += summary.verdict == Verdict::pass ? "<li>Every step was done and no limit was broken.</li>"
                                                  : "<li>No reason was recorded.</li>";
@@ -83,78 +116,60 @@ std::string legend_html(const RunSummary& summary, const char* title) {
     return html + "</div>";
 }
 
-std::string facts_html(const RunSummary& summary) {
-    std::string html = "<section><h2>The run</h2><dl class=\"facts\">";
-    const auto add = [&](const char* name, const std::string& safe_value) {
-        if (!safe_value.empty()) html += std::string("<div><dt>") + name + "</dt><dd>" + safe_value + "</dd></div>";
-    };
-    add("Duration", sensible_number(summary.duration) + " s");
-    add("Bone removed", sensible_number(summary.removed * 1e9) + " mm³");
-    for (const auto& [tissue, volume] : summary.removed_by_tissue)
-        add(("of it " + html_escaped(tissue)).c_str(), sensible_number(volume * 1e9) + " mm³");
-    add("Hand", html_escaped(summary.hand));
-    add("Device", html_escaped(summary.device));
-    add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
-    if (summary.coupling_stiffness > 0.0)
-        add("Coupling", sensible_number(summary.coupling_stiffness * 1e-3) + " N/mm at the device");
-    add("Ticks", std::to_string(summary.ticks));
-    add("Hash", summary.hash == 0 ? "" : "<code>" + hex16(summary.hash) + "</code>");
-    return html + "</dl><p class=\"soft small\" style=\"margin:12px 0 0\">Forces are those of the bone, in newtons; "
-                  "the hand felt them "
-                  "times the force scale.</p></section>\n";
-}
-
-std::string metric_row_html(const MetricRow& metric) {
-    const double value = metric.value / metric.per_unit;
-    const bool is_uncertain = metric.uncertainty > 0.0;
-    const double uncertainty = is_uncertain ? metric.uncertainty / metric.per_unit : -1.0;
-    std::string number = sensible_number(value, uncertainty);
-    if (is_uncertain) number += " ± " + sensible_number(uncertainty, uncertainty);
-
-    std::string scope = html_escaped(metric.scope);
-    if (metric.occurrences > 1)
-        scope += ", " + std::to_string(metric.occurrence) + " of " + std::to_string(metric.occurrences);
-    const bool is_known_status = metric.status == "ok" || metric.status == "broken" || metric.status == "info";
-    return "<tr><td><code>" + html_escaped(metric.id) + "</code>" +
-           (metric.help.empty() ? "" : "<br><span class=\"soft small\">" + html_escaped(metric.help) + "</span>") +
-           "</td><td>" + scope + "</td><td class=\"number\">" + with_unit(number, metric.unit) + "</td><td class=\"" +
-           (is_known_status ? metric.status : "info") + "\">" + html_escaped(metric.status) + "</td></tr>";
-}
-
-std::string metrics_html(const RunSummary& summary, bool of_simulation, const char* title) {
-    std::string rows;
-    for (const MetricRow& metric : summary.metrics)
-        if (is_of_simulation(metric) == of_simulation) rows += metric_row_html(metric);
-    if (rows.empty()) return {};
-    return std::string("<section><h2>") + title +
-           "</h2><div class=\"wide\"><table><thead><tr><th>Metric</th><th>Where</th>"
-           "<th class=\"number\">Value</th><th>Status</th></tr></thead><tbody>" +
-           rows + "</tbody></table></div></section>\n";
-}
-
-std::string steps_html(const RunSummary& summary) {
-    if (summary.steps.empty()) return {};
-    std::string html =
-        "<section><h2>Steps</h2><div class=\"wide\"><table><thead><tr><th>Step</th><th>Done</th>"
-        "<th class=\"number\">From</th><th class=\"number\">To</th><th>Limits broken</th></tr></thead><tbody>";
-    for (const StepRow& step : summary.steps) {
-        std::string limits;
-        for (const std::string& limit : step.broken_limits)
-            limits += (limits.empty() ? "" : "<br>") + html_escaped(limit);
-        const bool was_begun = step.end > step.start || step.done;
-        html += "<tr><td>" + html_escaped(step.title.empty() ? step.id : step.title) + "</td><td class=\"" +
-                (step.done ? "ok\">✓ done" : "soft\">not done") + "</td><td class=\"number\">" +
-                (was_begun ? sensible_number(step.start) + " s" : "–") + "</td><td class=\"number\">" +
-                (was_begun ? sensible_number(step.end) + " s" : "–") + "</td><td class=\"" +
-                (limits.empty() ? "soft\">none" : "broken\">" + limits) + "</td></tr>";
+/// A list of facts; empty values are left out.
+class FactList {
+public:
+    void add(const std::string& name, const std::string& safe_value) {
+        if (!safe_value.empty()) html_ += "<div><dt>" + html_escaped(name) + "</dt><dd>" + safe_value + "</dd></div>";
     }
-    return html + "</tbody></table></div></section>\n";
+    [[nodiscard]] std::string html() const { return "<dl class=\"facts\">" + html_ + "</dl>"; }
+
+private:
+    std::string html_;
+};
+
+std::string facts_html(const RunSummary& summary) {
+    FactList facts;
+    facts.add("Duration", sensible_number(summary.duration) + " s");
+    facts.add("Bone removed", sensible_number(summary.removed * 1e9) + " mm³");
+    for (const auto& [tissue, volume] : summary.removed_by_tissue)
+        facts.add("of it " + tissue, sensible_number(volume * 1e9) + " mm³");
+    facts.add("Hand", html_escaped(summary.hand));
+    facts.add("Device", html_escaped(summary.device));
+    facts.add("Force scale", force_scale_text(summary.force_scale) + " device newton per bone newton");
+    return "<section><h2>The run</h2>" + facts.html() + "</section>\n";
+}
+
+/// What says how good the simulation is, and nothing of the operation.
+std::string simulation_html(const RunSummary& summary) {
+    FactList facts;
+    if (summary.coupling_stiffness > 0.0)
+        facts.add("Coupling", sensible_number(summary.coupling_stiffness * 1e-3) + " N/mm at the device");
+    facts.add("Ticks", std::to_string(summary.ticks));
+    facts.add("Hash", summary.hash == 0 ? "" : "<code>" + hex16(summary.hash) + "</code>");
+    return "<section><details><summary>Checks of the simulation</summary>" + checks_html(summary) + facts.html() +
+           "</details></section>\n";
+}
+
+/// The greatest loads, in words: a reader without the plots has them, too.
+std::string peaks_html(const std::vector<TickRow>& rows) {
+    double thrust = 0.0, torque = 0.0, lateral = 0.0;
+    for (const TickRow& row : rows) {
+        thrust = std::max(thrust, row.thrust);
+        torque = std::max(torque, std::abs(row.torque));
+        lateral = std::max(lateral, lateral_force(row));
+    }
+    return "<p>Greatest thrust " + sensible_number(thrust) + "\u00a0N, torque about the shaft " +
+           sensible_number(torque * 1e3) + "\u00a0N·mm, force across the shaft " + sensible_number(lateral) +
+           "\u00a0N.</p><p class=\"soft small\">Forces are those of the bone. The hand felt them times the force "
+           "scale.</p>";
 }
 
 std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
     std::string html = "<section class=\"plots\"><h2>Forces</h2>";
     if (run.ticks() == 0) return html + "<p>No ticks were recorded.</p></section>\n";
 
+    html += peaks_html(run.plotted());
     html += "<noscript><figure>" + thrust_over_depth_svg(run.pictured()) +
             "<figcaption class=\"soft small\">Scripts are off: the other plots and the bone in 3D are not "
             "shown.</figcaption></figure></noscript>";
@@ -187,26 +202,6 @@ std::string plots_html(const RunSummary& summary, const DrawnRun& run) {
     return html + "</div></section>\n";
 }
 
-std::string bone_html() {
-    std::string html = "<section><h2>The bone after the run</h2><p id=\"bone-text\">The bone in 3D needs scripts. The "
-                       "same surface is in bone.stl.</p>"
-                       "<div id=\"bone-view\" hidden><div class=\"bone\"><canvas id=\"bone\" role=\"img\" "
-                       "aria-label=\"The bone in 3D\"></canvas>"
-                       "<svg viewBox=\"0 0 74 74\" aria-hidden=\"true\">";
-    for (const auto& [name, colour] : {std::pair{"L", "#c0504d"}, {"P", "#5a9a4a"}, {"S", "#4a7ebb"}})
-        html += std::string("<line id=\"axis-") + name + "\" x1=\"37\" y1=\"37\" x2=\"37\" y2=\"37\" stroke=\"" +
-                colour + "\" stroke-width=\"2\"/><text id=\"axis-name-" + name + "\">" + name + "</text>";
-    return html + "</svg></div><div class=\"controls\"><label>Cut away <input type=\"range\" id=\"cut-at\" min=\"0\" "
-                  "max=\"100\" step=\"0.5\" "
-                  "value=\"0\"></label><label>across <select id=\"cut-axis\"><option value=\"0\">left – "
-                  "right</option><option value=\"1\">front – "
-                  "back</option><option value=\"2\">head – foot</option></select></label><label><input "
-                  "type=\"checkbox\" id=\"cut-flip\"> from "
-                  "the other side</label><span class=\"soft small\">Drag to turn, wheel to zoom, Shift and drag to "
-                  "move, double-click to begin "
-                  "again. L left, P posterior, S superior.</span></div></div></section>\n";
-}
-
 std::string events_html(const DrawnRun& run) {
     const std::vector<EventRow>& events = run.events();
     if (events.empty()) return {};
@@ -228,37 +223,46 @@ std::string events_html(const DrawnRun& run) {
     return html + "</details></section>\n";
 }
 
-std::string footer_html(const RunSummary& summary) {
-    std::string html = std::string("<footer><p><strong>") + notice_line + ".</strong></p><p>";
+std::string versions_html(const RunSummary& summary) {
+    std::string html;
     for (std::size_t i = 0; i < summary.versions.size(); ++i)
         html += (i == 0 ? "" : " · ") + html_escaped(summary.versions[i].first + " " + summary.versions[i].second);
-    return html + "</p></footer>\n";
+    return html;
+}
+
+/// The skeleton with each `{{name}}` replaced by the part of that name. Parts are not searched for names.
+std::string filled(std::string_view skeleton, const std::map<std::string_view, std::string>& parts) {
+    std::string page;
+    for (std::size_t at = 0; at < skeleton.size();) {
+        const std::size_t begin = skeleton.find("{{", at), end = skeleton.find("}}", begin);
+        page += skeleton.substr(at, begin - at);
+        if (begin == std::string_view::npos || end == std::string_view::npos) break;
+        const auto part = parts.find(skeleton.substr(begin + 2, end - begin - 2));
+        KERF_ASSERT(part != parts.end(), "give report.html only the parts that report_html makes");
+        if (part != parts.end()) page += part->second;
+        at = end + 2;
+    }
+    return page;
 }
 
 }  // namespace
 
-std::string report_html(const RunSummary& summary, const DrawnRun& run) {
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-                       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-                       "'unsafe-inline'; script-src 'unsafe-inline'\">"
-                       "<title>" +
-                       html_escaped(summary.procedure) + ": " + to_text(summary.verdict) + "</title><style>";
-    html += report_style;
-    html += "</style></head><body><main>\n";
-    html += header_html(summary);
-    html += facts_html(summary);
-    html += metrics_html(summary, false, "Measured");
-    html += steps_html(summary);
-    html += plots_html(summary, run);
-    html += bone_html();
-    html += metrics_html(summary, true, "Checks of the simulation");
-    html += events_html(run);
-    html += "</main>\n" + footer_html(summary);
-    html +=
-        "<script type=\"application/json\" id=\"run-data\">" + report_data_json(summary, run) + "</script>\n<script>";
-    html += report_script;
-    return html + "</script></body></html>\n";
+std::string report_html(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
+    return filled(report_skeleton,
+                  {{"title", html_escaped(heading(summary, procedure)) + ": " + to_text(summary.verdict)},
+                   {"style", std::string(report_style)},
+                   {"header", header_html(summary, procedure)},
+                   {"bone-legend", legend_html(summary, "Tissue")},
+                   {"forces", plots_html(summary, run)},
+                   {"holes", holes_html(summary)},
+                   {"steps", steps_html(summary, run, procedure)},
+                   {"facts", facts_html(summary)},
+                   {"checks", simulation_html(summary)},
+                   {"events", events_html(run)},
+                   {"notice", notice_line},
+                   {"versions", versions_html(summary)},
+                   {"data", report_data_json(summary, run)},
+                   {"script", std::string(report_script)}});
 }
 
 }  // namespace kerf

@@ -4,13 +4,17 @@
 #include <string>
 
 #include "core/session/drawn_run.h"
+#include "core/session/recorded_procedure.h"
 #include "core/session/recording.h"
 
 namespace kerf {
 
-/// The run as one HTML page for people: verdict, metrics, steps, plots, the bone in 3D. It needs no network, and
-/// without scripts it still shows everything but the moving parts. At most 20 000 rows are drawn; extremes are kept.
-/// Where the run has no bone, the page says so.   [any]
-[[nodiscard]] std::string report_html(const RunSummary& summary, const DrawnRun& run);
+/// Returns the run as one HTML page for people: verdict and reasons, the bone in 3D, forces, holes and screws, steps
+/// with goals and limits, checks of the simulation. It needs no network. Without scripts it lacks only the plots over
+/// time and the 3D view. At most 20 000 rows are drawn; extremes are kept. Where the run has no bone, the page says so.
+/// [any]
+/// @param procedure   its titles and bounds; without them the page has ids, and metrics without their bounds
+[[nodiscard]] std::string report_html(const RunSummary& summary, const DrawnRun& run,
+                                      const RecordedProcedure& procedure = {});
 
 }  // namespace kerf

@@ -14,6 +14,7 @@
 
 #include "core/procedure/plain_numbers.h"
 #include "core/procedure/printable_lines.h"
+#include "core/procedure/telling_digits.h"
 
 namespace kerf {
 namespace {
@@ -96,6 +97,15 @@ Json mesh_json(const DrawnSurface& surface, Vec3 look) {
             {"isShort", surface.is_short()},      {"triangles", base64(surface.triangles)}};
 }
 
+constexpr int most_decimals = 12;  ///< of a value beside its bound
+
+/// With "−" for minus, and none for zero.
+std::string with_minus(std::string digits) {
+    if (!digits.starts_with('-')) return digits;
+    const bool is_zero = digits.find_first_not_of("-0.") == std::string::npos;
+    return digits.replace(0, 1, is_zero ? "" : "−");
+}
+
 }  // namespace
 
 std::string base64(std::span<const unsigned char> bytes) {
@@ -135,7 +145,7 @@ std::string html_escaped(std::string_view text) {
     return safe;
 }
 
-std::string sensible_number(double value, double uncertainty) {
+std::string sensible_number(double value, double uncertainty, std::span<const double> bounds) {
     if (!std::isfinite(value)) return "–";
     const auto decimals_for = [](double size, int digits) {
         return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 6);
@@ -149,27 +159,38 @@ std::string sensible_number(double value, double uncertainty) {
         decimals = decimals_for(std::abs(value), 3);
     }
     const PlainNumbers point;
-    char digits[64];
-    std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
-    std::string text(digits);
+    const auto text_of = [](double number, int places) {
+        char digits[400];
+        std::snprintf(digits, sizeof digits, "%.*f", places, number);
+        return std::string(digits);
+    };
+    int enough = decimals;
+    for (const double bound : bounds)
+        enough = std::max(enough, telling_digits(value, bound, decimals, most_decimals, text_of));
+    std::string text = text_of(value, enough);
 
     if (!is_known && text.find('.') != std::string::npos) {
         text.erase(text.find_last_not_of('0') + 1);
         if (text.back() == '.') text.pop_back();
     }
-    if (text.front() == '-') {
-        const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
-        text.replace(0, 1, is_zero ? "" : "−");
-    }
-    return text;
+    return with_minus(std::move(text));
+}
+
+std::string number_as_written(double value) {
+    if (!std::isfinite(value)) return "–";
+    const PlainNumbers point;
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.10g", value);
+    return with_minus(digits);
 }
 
 std::string unit_for_people(const std::string& unit) {
-    constexpr std::array<std::pair<const char*, const char*>, 7> pretty{{{"mm2", "mm²"},
+    constexpr std::array<std::pair<const char*, const char*>, 8> pretty{{{"mm2", "mm²"},
                                                                          {"mm3", "mm³"},
                                                                          {"um", "µm"},
                                                                          {"deg", "°"},
                                                                          {"N*m", "N·m"},
+                                                                         {"N m", "N·m"},
                                                                          {"N*mm", "N·mm"},
                                                                          {"Nmm", "N·mm"}}};
     for (const auto& [plain, nice] : pretty)

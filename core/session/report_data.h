@@ -22,8 +22,12 @@ namespace kerf {
 [[nodiscard]] std::string html_escaped(std::string_view text);
 
 /// As many digits as mean something: one or two of the uncertainty where it is known (> 0), else three of the value.
-/// "−" for minus, "–" for what is not finite.   [any]
-[[nodiscard]] std::string sensible_number(double value, double uncertainty = -1.0);
+/// "−" for minus, "–" for what is not finite. There are more digits where the value would have the text of one of its
+/// `bounds` without being equal to it.   [any]
+[[nodiscard]] std::string sensible_number(double value, double uncertainty = -1.0, std::span<const double> bounds = {});
+
+/// Returns a number as a document has it, at most ten digits, with the same signs.   [any]
+[[nodiscard]] std::string number_as_written(double value);
 
 /// A unit as people write it: mm³ for mm3, N·m for N*m. Others as they are.   [any]
 [[nodiscard]] std::string unit_for_people(const std::string& unit);

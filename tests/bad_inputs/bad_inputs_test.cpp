@@ -235,7 +235,7 @@ Ending as_report(const Input& input, const std::string& folder) {
     if (!run) return {"refused", error, error.empty() ? "no word why" : ""};
     const bool is_whole =
         run->drawn.ticks() == 200 && std::abs(run->drawn.last()->device_from_handle.position.x - 0.0199) < 1e-12;
-    const std::string page = report_html(run->summary, run->drawn);
+    const std::string page = report_html(run->summary, run->drawn, run->procedure);
     if (page.find(notice_line) == std::string::npos) return {"loaded", "", "the page has no notice"};
     return {run->missing.empty() ? "loaded" : "loaded as incomplete", run->missing,
             is_whole ? "" : "the ticks are not those that were recorded"};

@@ -112,6 +112,23 @@ TEST(ReadRun, ThePageMadeOfASessionIsThePageOfTheRunByteForByte) {
     EXPECT_TRUE(page_of(*run) == report_html(summary, test::drawn_run(ticks, events, bone)));
 }
 
+TEST(ReadRun, ReadsTitlesFromTheRecordedProcedure) {
+    const TemporaryFolder folder;
+    const RunSummary summary = test::synthetic_summary();
+    SessionHeader header = header_of(summary);
+    header.procedure_text = "metadata: {title: Pilot hole}\nrehearsals: [{id: too-deep, title: A deep one}]\n";
+    header.variant_title = "The left side";
+    auto created = Recorder::create(folder / "session.db", header);
+    ASSERT_EQ(created.recorder->finish(summary), "");
+
+    std::string error;
+    const auto run = read_run(folder / "session.db", error);
+    ASSERT_TRUE(run) << error;
+    EXPECT_EQ(run->procedure.title, "Pilot hole");
+    EXPECT_EQ(run->procedure.rehearsal_title, "A deep one");
+    EXPECT_EQ(run->procedure.variant_title, "The left side");
+}
+
 TEST(ReadRun, WhatWasCutShortHasAPageThatSaysSo) {
     const TemporaryFolder folder;
     recorder_of(folder / "session.db", test::synthetic_summary(), test::synthetic_ticks(50), test::synthetic_events())

@@ -17,8 +17,10 @@
 #include <vector>
 
 #include "core/procedure/printable_lines.h"
+#include "core/session/recorded_procedure.h"
 #include "core/session/recorder.h"
 #include "core/session/report_data.h"
+#include "core/session/report_page.h"
 #include "synthetic_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -53,6 +55,14 @@ TEST(SensibleNumber, StopsWhereTheUncertaintyBegins) {
     EXPECT_EQ(sensible_number(31.23456, 0.5), "31.2");
     EXPECT_EQ(sensible_number(31.23456, 0.13), "31.23");
     EXPECT_EQ(sensible_number(31.23456, 4.0), "31");
+}
+
+TEST(SensibleNumber, DiffersFromABoundThatItDoesNotEqual) {
+    const std::vector<double> bounds{60.0};
+    EXPECT_EQ(sensible_number(59.98, 0.5, bounds), "59.98");
+    EXPECT_EQ(sensible_number(59.98, -1.0, bounds), "59.98");
+    EXPECT_EQ(sensible_number(60.0, 0.5, bounds), "60.0");
+    EXPECT_EQ(sensible_number(58.98, 0.5, bounds), "59.0");
 }
 
 TEST(SensibleNumber, HasThreeDigitsWhenNothingIsKnownOfIt) {
@@ -124,6 +134,13 @@ TEST(Thinning, TakesFewerRowsThanExpected) {
     EXPECT_EQ(thinned(rows, 20'000, 24'000).back().tick, 23'999u);
 }
 
+TEST(ReportPage, IsEmbeddedByteForByte) {
+    const std::string folder = KERF_SOURCE_DIR "/core/session/page/";
+    EXPECT_TRUE(report_skeleton == test::contents_of(folder + "report.html"));
+    EXPECT_TRUE(report_style == test::contents_of(folder + "report.css"));
+    EXPECT_TRUE(report_script == test::contents_of(folder + "report.js"));
+}
+
 TEST(Report, IsOnePageThatFetchesNothing) {
     const std::string html = synthetic_report();
     const std::string without_names = std::regex_replace(html, std::regex("http://www\\.w3\\.org/2000/svg"), "");
@@ -138,7 +155,7 @@ TEST(Report, SaysTheVerdictInAWordAndTheReasons) {
     const std::string html = synthetic_report();
     EXPECT_TRUE(holds(html, "✗ Fail"));
     EXPECT_TRUE(holds(html, "The bit came within 0.4 mm of the spinal canal"));
-    EXPECT_TRUE(holds(html, "31.23 ± 0.13 mm"));
+    EXPECT_TRUE(holds(html, "31.23 ± 0.13\u00a0mm"));
     EXPECT_TRUE(holds(html, notice_line));
 }
 
@@ -155,13 +172,177 @@ TEST(Report, AHostileNameStaysText) {
     summary.versions = {{hostile, hostile}};
 
     // When the page is made
+    summary.metrics[1].scope = summary.metrics[2].scope = summary.steps[1].id = hostile;
+    summary.metrics[1].id = hostile + ".clearance." + hostile;
+    summary.metrics[2].id = hostile + ".gertzbein-robbins";
+    RecordedProcedure procedure{hostile, hostile, hostile, {{hostile, {}, {}}}};
+    procedure.steps[0].goals = procedure.steps[0].limits = {{.quantity = hostile, .of = hostile, .unit = hostile}};
+    procedure.steps[0].limits[0].at_most = 1.0;
+    procedure.steps[0].limits[0].reason = summary.steps[1].broken_limits.emplace_back(hostile);
     const std::string html =
-        report_html(summary, test::drawn_run(test::synthetic_ticks(50), {{1, 0.0, hostile, hostile}}));
+        report_html(summary, test::drawn_run(test::synthetic_ticks(50), {{1, 0.0, hostile, hostile}}), procedure);
 
     // Then the page has the two scripts it should have, and no element of theirs
     EXPECT_EQ(count_of(html, "<script"), 2u);
     EXPECT_EQ(count_of(html, "</script"), 2u);
     EXPECT_FALSE(holds(html, "<img"));
+}
+
+// ---- the procedure's titles and bounds
+
+constexpr const char* drilling_text = R"yaml(
+metadata: {id: pilot, title: Pilot hole & more}
+steps:
+  - id: pilot-hole
+    goals: [{entry: {}}, {depth: {at_least: 30 mm}}]
+    limits:
+      - {depth: {at_most: 31 mm}, reason: Too deep.}
+      - {clearance: {zone: canal, at_least: 0 mm}, reason: In the canal.}
+      - {breach: {diameter: 6.5 mm, at_most: 2 mm}, reason: Out of the bone.}
+  - id: withdraw
+    goals: [{entry: {}}]
+rehearsals:
+  - {id: expert, title: As planned}
+  - {id: too-deep, title: One millimetre too deep}
+)yaml";
+
+RunSummary drilled(double depth) {
+    RunSummary summary;
+    summary.procedure = "pilot";
+    summary.verdict = Verdict::fail;
+    summary.steps = {{"pilot-hole", "Drill", true, 0.0, 12.0, {"depth", "drilling.bit_overbent"}},
+                     {"withdraw", "Withdraw", false, 0.0, 12.0, {}}};
+    summary.metrics = {{"pilot-hole.depth", 1, "pilot-hole", 1, 1, depth, "mm", 1e-3, 0.13e-3, "info", "how deep"},
+                       {"pilot-hole.clearance.canal", 1, "pilot-hole", 1, 1, 2e-3, "mm", 1e-3, -1.0, "ok", ""},
+                       {"pilot-hole.hole-angle", 1, "pilot-hole", 1, 1, 0.0, "deg", 0.0174532925, -1.0, "info", ""},
+                       {"bone.grooves", 1, "run", 1, 1, 1e-9, "mm3", 1e-9, -1.0, "info", ""},
+                       {"bone.balance", 1, simulation_scope, 1, 1, 0.0, "%", 0.01, -1.0, "", ""}};
+    return summary;
+}
+
+std::string drilled_report(double depth, const std::string& text = drilling_text) {
+    return report_html(drilled(depth), test::drawn_run({}, {{1, 8.5, "limit_broken", "drilling.bit_overbent"}}),
+                       recorded_procedure(text, "too-deep"));
+}
+
+/// The row of a table that holds `part`, without the words between its cells.
+std::string row_with(const std::string& html, const std::string& part) {
+    const std::size_t at = html.find(part);
+    if (at == std::string::npos) return "no row has " + part;
+    const std::size_t begin = html.rfind("<tr", at), end = html.find("</tr>", at);
+    return std::regex_replace(html.substr(begin, end - begin), std::regex("<[^>]*>"), "|");
+}
+
+TEST(RecordedProcedure, ReadsTitlesGoalsAndLimits) {
+    const RecordedProcedure procedure = recorded_procedure(drilling_text, "too-deep");
+    EXPECT_EQ(procedure.title, "Pilot hole & more");
+    EXPECT_EQ(procedure.rehearsal_title, "One millimetre too deep");
+    ASSERT_EQ(procedure.steps.size(), 2u);
+    const RecordedStep& step = procedure.steps[0];
+    ASSERT_EQ(step.goals.size(), 2u);
+    EXPECT_EQ(step.goals[1].quantity, "depth");
+    EXPECT_DOUBLE_EQ(step.goals[1].at_least.value(), 30e-3);
+    ASSERT_EQ(step.limits.size(), 3u);
+    EXPECT_EQ(step.limits[1].name(), "canal");
+    EXPECT_EQ(step.limits[1].reason, "In the canal.");
+    EXPECT_DOUBLE_EQ(step.limits[2].diameter.value(), 6.5e-3);
+    EXPECT_EQ(step.limits[2].unit, "mm");
+}
+
+TEST(RecordedProcedure, LeavesOutWhatItCannotRead) {
+    for (const char* text : {"", "{", "a", "- a", "steps: a", "steps: {a: [b]}", "steps: [a, [b], {goals: {a: b}}]",
+                             "metadata: [title]", "steps: [{id: a, limits: [{depth: {at_most: 3}}, depth]}]"})
+        EXPECT_EQ(recorded_procedure(text, "").title, "") << text;
+    const RecordedProcedure odd =
+        recorded_procedure("steps: [{id: a, limits: [{depth: {at_most: 3 parsec, at_least: [1]}}]}]", "");
+    EXPECT_FALSE(odd.steps.at(0).limits.at(0).at_most);
+    EXPECT_FALSE(odd.steps.at(0).limits.at(0).at_least);
+}
+
+TEST(Report, HasTitlesForPeopleAndIdsInSmallPrint) {
+    const std::string html = drilled_report(31.5e-3);
+    EXPECT_TRUE(holds(html, "<h1>Pilot hole &amp; more</h1>"));
+    EXPECT_TRUE(holds(html, "Rehearsal:</span> One millimetre too deep<"));
+    EXPECT_TRUE(holds(html, "<p class=\"soft small\">pilot</p>"));
+    EXPECT_TRUE(holds(report_html(drilled(0.0), DrawnRun()), "<h1>pilot</h1>")) << "no title was recorded";
+}
+
+TEST(Report, ShowsABoundBesideItsValue) {
+    const std::string html = drilled_report(31.5e-3);
+    EXPECT_TRUE(holds(row_with(html, "at most 31"), "31.50 ± 0.13\u00a0mm|")) << row_with(html, "at most 31");
+    EXPECT_TRUE(holds(row_with(html, "at most 31"), "✗ broken"));
+    EXPECT_TRUE(holds(row_with(html, "at most 31"), "Too deep."));
+    EXPECT_TRUE(holds(row_with(html, "at least 30"), "✓ reached"));
+    EXPECT_TRUE(holds(row_with(html, "at least 0"), "✓ kept"));
+    EXPECT_TRUE(holds(row_with(html, "at most 2"), "– not measured")) << row_with(html, "at most 2");
+    EXPECT_LT(html.find("at most 31"), html.find("at least 30")) << "what failed comes first";
+}
+
+TEST(Report, ShowsTheDigitsThatTellAValueFromItsBound) {
+    EXPECT_TRUE(holds(row_with(drilled_report(31.000004e-3), "at most 31"), "31.000004"));
+    EXPECT_TRUE(holds(row_with(drilled_report(31e-3), "at least 30"), "|31.00 ±"));
+}
+
+TEST(Report, ListsAnEventThatBrokeAStep) {
+    const std::string row = row_with(drilled_report(31.5e-3), "drilling.bit_overbent");
+    EXPECT_TRUE(holds(row, "Drilling bit overbent")) << row;
+    EXPECT_TRUE(holds(row, "at 8.5\u00a0s")) << row;
+    EXPECT_TRUE(holds(row, "✗ broken")) << row;
+}
+
+TEST(Report, AStepThatNeverBeganHasNoTimes) {
+    const std::string html = drilled_report(31.5e-3);
+    const std::string step = html.substr(html.find("<h3>Withdraw"), 200);
+    EXPECT_TRUE(holds(step, "✗ not begun")) << step;
+    EXPECT_FALSE(holds(step, " s to ")) << step;
+}
+
+TEST(Report, HasOneRowForEachHoleAndScrew) {
+    RunSummary summary = drilled(31.5e-3);
+    summary.steps.push_back({"insert", "Insert", true, 13.0, 20.0, {}});
+    summary.metrics.push_back(
+        {"insert.gertzbein-robbins", 1, "insert", 1, 1, 1e-3, "mm", 1e-3, 0.125e-3, "grade A/B", ""});
+    summary.metrics.push_back({"insert.left.pull-out", 1, "insert", 1, 1, 490.15, "N", 1.0, -1.0, "info", ""});
+    const std::string html = report_html(summary, DrawnRun());
+    const std::string hole = row_with(html, "<th scope=\"row\">Drill<"),
+                      screw = row_with(html, "<th scope=\"row\">Insert<");
+    EXPECT_TRUE(holds(hole, "✗ 31.50\u00a0mm") || holds(hole, "✗\u00a031.50\u00a0mm")) << hole;
+    EXPECT_TRUE(holds(screw, "A/B")) << screw;
+    EXPECT_TRUE(holds(screw, "490\u00a0N")) << screw;
+}
+
+TEST(Report, FoldsTheChecksOfTheSimulation) {
+    const std::string html = drilled_report(31.5e-3);
+    const std::size_t begin = html.find("<details><summary>Checks of the simulation");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string checks = html.substr(begin, html.find("</details>", begin) - begin);
+    EXPECT_TRUE(holds(checks, "bone.balance"));
+    EXPECT_FALSE(holds(checks, "bone.grooves"));
+    EXPECT_EQ(count_of(html, "<code>bone.balance</code>"), 1u);
+    EXPECT_EQ(count_of(html, "<code>bone.grooves</code>"), 1u);
+}
+
+TEST(Report, ReasonsShowNamesAsCode) {
+    RunSummary summary = drilled(31.5e-3);
+    summary.reasons = {"Step `a<b`: deep.", "One ` alone."};
+    const std::string html = report_html(summary, DrawnRun());
+    EXPECT_TRUE(holds(html, "<li>Step <code>a&lt;b</code>: deep.</li>"));
+    EXPECT_TRUE(holds(html, "<li>One ` alone.</li>"));
+}
+
+TEST(Report, HasEachPartOfThePageOnce) {
+    const std::string html = synthetic_report();
+    EXPECT_FALSE(holds(html, "{{"));
+    for (const char* part : {"<h1>", "<style>", "id=\"bone\"", "id=\"plot-depth\"", "id=\"run-data\"", "<footer>"})
+        EXPECT_EQ(count_of(html, part), 1u) << part;
+    const std::vector<std::string> order{"class=\"reasons", "id=\"bone\"", "<h2>Forces", "<h2>Steps", "<h2>The run"};
+    EXPECT_TRUE(std::ranges::is_sorted(order, {}, [&](const std::string& part) { return html.find(part); }));
+}
+
+TEST(Report, ANameOfAPartStaysText) {
+    RunSummary summary = drilled(31.5e-3);
+    summary.procedure = "{{data}}{{";
+    EXPECT_TRUE(holds(report_html(summary, DrawnRun()), "<h1>{{data}}{{</h1>"));
 }
 
 TEST(Report, TheDataInItIsJsonWithAllRows) {
@@ -183,11 +364,11 @@ TEST(Report, AZoneThatWasEnteredIsBadNewsAndBoneThatWasEnteredIsNot) {
     EXPECT_EQ(data["events"][1]["isBad"], true);
 }
 
-TEST(Report, BothPlotsWithColoursSayWhatTheyStandFor) {
+TEST(Report, EachPictureWithColoursHasALegend) {
     const std::string html = report_html(test::synthetic_summary(), test::drawn_run(test::synthetic_ticks(50)));
     EXPECT_TRUE(holds(html, "Tissue first met at each depth:"));
     EXPECT_TRUE(holds(html, "Tissue under the tip:"));
-    EXPECT_EQ(count_of(html, "</i>cortical</span>"), 2u);
+    EXPECT_EQ(count_of(html, "</i>cortical</span>"), 3u);
 }
 
 TEST(Report, AForceScaleIsAFraction) {

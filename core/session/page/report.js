@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: Apache-2.0
+"use strict";
+document.documentElement.classList.add("js");
+const data = JSON.parse(document.getElementById("run-data").textContent);
+const decode = (text, Type) => new Type(Uint8Array.from(atob(text), c => c.charCodeAt(0)).buffer);
+const byId = id => document.getElementById(id);
+const inkOf = name => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+const clamp = (v, low, high) => Math.min(high, Math.max(low, v));
+
+// ---- numbers --------------------------------------------------------------------------------------------------
+
+/// Three digits that mean something, with a real minus sign.
+function sensible(v) {
+  if (!Number.isFinite(v)) return "–";
+  const power = powerFor(Math.abs(v)), digits = v / 10 ** power;
+  const decimals = v === 0 ? 0 : clamp(2 - Math.floor(Math.log10(Math.abs(digits))), 0, 4);
+  return withMinus(digits.toFixed(decimals)) + (power ? "\u00a0·\u00a0" + powerOfTen(power) : "");
+}
+const withMinus = text => /^-[0.]*$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
+
+/// The power of a thousand in which numbers up to `size` are short; 0 where they are as they stand.
+function powerFor(size) { return size > 0 && (size < 1e-3 || size >= 1e6) ? 3 * Math.floor(Math.log10(size) / 3) : 0; }
+const powerOfTen = power => "10" + [...String(power)].map(c => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]).join("");
+/// What an axis says of itself: "thrust in N", or "thrust in 10⁻⁹ N" where its numbers are short by that.
+function axisTitle(name, unit, power) {
+  const scaled = [power ? powerOfTen(power) : "", unit].filter(word => word).join(" ");
+  return scaled ? name + " in " + scaled : name;
+}
+
+/// About `count` round numbers from `low` to `high`, their texts, and the power of ten in which those are.
+function roundTicks(low, high, count) {
+  const raw = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map(f => f * power).find(s => s >= raw * 0.999);
+  const ticks = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) ticks.push(i * step);
+  const shortBy = powerFor(Math.max(Math.abs(low), Math.abs(high))), scale = 10 ** shortBy;
+  const decimals = clamp(-Math.floor(Math.log10(step / scale) + 1e-9), 0, 6);
+  return { ticks, texts: ticks.map(v => withMinus((v / scale).toFixed(decimals))), power: shortBy };
+}
+
+// ---- plots ----------------------------------------------------------------------------------------------------
+
+const rows = data.rows, count = rows.count;
+for (const name of ["time", "thrust", "torque", "sent", "lateral", "depth"]) rows[name] = decode(rows[name], Float32Array);
+rows.tissue = decode(rows.tissue, Int8Array);
+for (const signal of data.signals) signal.values = decode(signal.values, Float32Array);
+
+const colourOf = tissue => tissue >= 0 && tissue < data.tissues.length ? data.tissues[tissue].colour : null;
+const margin = { left: 58, right: 14, bottom: 22 };
+const plots = [];
+let cursor = -1;  // index of a row, shared by all plots
+
+function rangeOf(values, from, to, accept) {
+  let low = Infinity, high = -Infinity;
+  for (let i = from; i < to; ++i) if (accept(i) && Number.isFinite(values[i])) { low = Math.min(low, values[i]); high = Math.max(high, values[i]); }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+class Axis {  // what several plots share along x
+  constructor(low, high) { this.whole = [low, high > low ? high : low + 1]; this.reset(); }
+  reset() { this.view = [...this.whole]; }
+}
+
+class Plot {
+  constructor(id, axis, options) {
+    Object.assign(this, { canvas: byId(id), axis, ...options });
+    this.selection = null;
+    this.top = this.namesEvents ? 42 : 24;  // the names of events stand between title and plot
+    plots.push(this);
+    if (!this.isStrip) this.listen();
+  }
+
+  listen() {
+    const at = e => clamp(e.clientX - this.canvas.getBoundingClientRect().left, margin.left, this.width - margin.right);
+    this.canvas.addEventListener("pointerdown", e => { this.canvas.setPointerCapture(e.pointerId); this.selection = [at(e), at(e)]; });
+    this.canvas.addEventListener("pointermove", e => {
+      if (this.selection) this.selection[1] = at(e);
+      cursor = this.nearest(at(e), e.clientY - this.canvas.getBoundingClientRect().top);
+      later(drawAll);
+    });
+    const release = zooms => () => {
+      const s = this.selection;
+      this.selection = null;
+      if (zooms && s && Math.abs(s[1] - s[0]) > 6) this.axis.view = s.map(px => this.xAt(px)).sort((a, b) => a - b);
+      later(drawAll);
+    };
+    this.canvas.addEventListener("pointerup", release(true));
+    this.canvas.addEventListener("pointercancel", release(false));
+    this.canvas.addEventListener("pointerleave", () => { if (!this.selection) { cursor = -1; later(drawAll); } });
+    this.canvas.addEventListener("dblclick", () => { this.axis.reset(); later(drawAll); });
+  }
+
+  px(x) { const [a, b] = this.axis.view; return margin.left + (x - a) / (b - a) * (this.width - margin.left - margin.right); }
+  xAt(px) { const [a, b] = this.axis.view; return a + (px - margin.left) / (this.width - margin.left - margin.right) * (b - a); }
+  py(y) { const [a, b] = this.yView; return this.height - margin.bottom - (y - a) / (b - a) * (this.height - this.top - margin.bottom); }
+
+  nearest(px, py) {
+    if (this.isTime) return indexAt(this.xAt(px));
+    let best = -1, least = Infinity;
+    for (let i = 0; i < count; ++i) {
+      const d = (this.px(this.x[i]) - px) ** 2 + 0.05 * (this.py(this.y[i]) - py) ** 2;
+      if (d < least) { least = d; best = i; }
+    }
+    return best;
+  }
+
+  draw() {
+    const ratio = window.devicePixelRatio || 1;
+    this.width = this.canvas.clientWidth; this.height = this.canvas.clientHeight;
+    this.canvas.width = Math.round(this.width * ratio); this.canvas.height = Math.round(this.height * ratio);
+    const g = this.g = this.canvas.getContext("2d");
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g.font = "12px system-ui, 'Noto Sans', 'DejaVu Sans', sans-serif";
+    if (this.isStrip) { this.drawTissues(3, 12); return; }
+
+    const [from, to] = this.isTime ? this.visible() : [0, count];
+    const [low, high] = rangeOf(this.y, from, to, i => this.x[i] >= this.axis.view[0] && this.x[i] <= this.axis.view[1]);
+    const bottom = Math.min(0, low), top = Math.max(0, high), room = (top - bottom || 1) * 0.06;
+    this.yView = [bottom - (bottom < 0 ? room : 0), top + (top > 0 ? room : 1)];
+
+    this.drawFrame();
+    if (this.isTime) this.drawEvents();
+    g.save();
+    g.beginPath(); g.rect(margin.left, this.top, this.width - margin.left - margin.right, this.height - this.top - margin.bottom); g.clip();
+    if (this.hasBands) this.drawBands();
+    this.drawLine(from, to);
+    this.drawCursor();
+    if (this.selection) {
+      g.fillStyle = inkOf("wash");
+      g.fillRect(Math.min(...this.selection), 0, Math.abs(this.selection[1] - this.selection[0]), this.height);
+    }
+    g.restore();
+  }
+
+  visible() { return [Math.max(0, indexAt(this.axis.view[0]) - 1), Math.min(count, indexAt(this.axis.view[1]) + 2)]; }
+
+  drawFrame() {
+    const g = this.g, right = this.width - margin.right, base = this.height - margin.bottom;
+    g.lineWidth = 1; g.strokeStyle = inkOf("grid"); g.fillStyle = inkOf("soft");
+    const y = roundTicks(...this.yView, (base - this.top) / 34);
+    g.textAlign = "right"; g.textBaseline = "middle";
+    for (const [i, v] of y.ticks.entries()) {
+      const py = Math.round(this.py(v)) + 0.5;
+      g.beginPath(); g.moveTo(margin.left, py); g.lineTo(right, py); g.stroke();
+      g.fillText(y.texts[i], margin.left - 8, py);
+    }
+    const x = roundTicks(...this.axis.view, (right - margin.left) / 90), xTitle = axisTitle(this.xName, this.xUnit, x.power);
+    g.textAlign = "center"; g.textBaseline = "top";
+    for (const [i, v] of x.ticks.entries()) {
+      const px = Math.round(this.px(v)) + 0.5;
+      g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, base); g.stroke();
+      if (px < right - g.measureText(xTitle).width - 20) g.fillText(x.texts[i], px, base + 6);
+    }
+    g.textAlign = "right"; g.fillText(xTitle, right, base + 6);
+    g.strokeStyle = inkOf("line");
+    const zero = Math.round(this.py(0)) + 0.5;
+    g.beginPath(); g.moveTo(margin.left, zero); g.lineTo(right, zero); g.stroke();
+    g.fillStyle = inkOf("ink"); g.textAlign = "left"; g.textBaseline = "top";
+    g.fillText(axisTitle(this.name, this.unit, y.power), margin.left, 4);
+  }
+
+  drawLine(from, to) {
+    const g = this.g;
+    g.strokeStyle = inkOf("accent"); g.lineWidth = 1.5; g.lineJoin = "round";
+    g.beginPath();
+    for (let i = from; i < to; ++i) g.lineTo(this.px(this.x[i]), this.py(this.y[i]));
+    g.stroke();
+  }
+
+  drawEvents() {
+    const g = this.g;
+    let freeFrom = -Infinity;
+    for (const event of data.events) {
+      const px = Math.round(this.px(event.time)) + 0.5;
+      if (px < margin.left || px > this.width - margin.right) continue;
+      g.strokeStyle = g.fillStyle = inkOf(event.isBad ? "bad" : "soft"); g.lineWidth = 1;
+      g.setLineDash(event.isBad ? [] : [3, 3]);
+      g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, this.height - margin.bottom); g.stroke();
+      g.setLineDash([]);
+      const name = event.id.replaceAll("_", " "), width = g.measureText(name).width;
+      if (!this.namesEvents || px < freeFrom) continue;
+      const isTight = px + width + 4 > this.width - margin.right;
+      if (isTight && px - width - 4 < freeFrom) continue;
+      g.textAlign = isTight ? "right" : "left"; g.textBaseline = "bottom";
+      g.fillText(name, px, this.top - 3);
+      freeFrom = px + width + 12;
+    }
+  }
+
+  /// Behind thrust over depth: the tissue first met at each depth.
+  drawBands() {
+    const g = this.g;
+    let deepest = -Infinity, begin = 0, tissue = -1;
+    const fill = () => {
+      const start = this.px(Math.max(begin, this.axis.view[0])), end = this.px(deepest), colour = colourOf(tissue);
+      if (colour && end > start) { g.fillStyle = colour; g.fillRect(start, this.top, end - start, this.height); }
+    };
+    g.globalAlpha = 0.24;
+    for (let i = 0; i < count; ++i) {
+      if (rows.depth[i] <= deepest) continue;
+      if (rows.tissue[i] !== tissue) { fill(); begin = Math.max(deepest, rows.depth[0]); tissue = rows.tissue[i]; }
+      deepest = rows.depth[i];
+    }
+    fill();
+    g.globalAlpha = 1;
+  }
+
+  drawTissues(top, height) {
+    const g = this.g, right = this.width - margin.right;
+    g.fillStyle = inkOf("grid"); g.fillRect(margin.left, top, right - margin.left, height);
+    for (let px = margin.left; px < right; ++px) {
+      const colour = colourOf(rows.tissue[indexAt(this.xAt(px + 0.5))]);
+      if (colour) { g.fillStyle = colour; g.fillRect(px, top, 1, height); }
+    }
+    if (cursor >= 0) { g.fillStyle = inkOf("ink"); g.fillRect(this.px(rows.time[cursor]), top - 2, 1, height + 4); }
+  }
+
+  drawCursor() {
+    if (cursor < 0) return;
+    const g = this.g, px = this.px(this.x[cursor]), py = this.py(this.y[cursor]);
+    g.strokeStyle = inkOf("ink"); g.lineWidth = 1; g.globalAlpha = 0.5;
+    g.beginPath(); g.moveTo(px, this.top); g.lineTo(px, this.height - margin.bottom); g.stroke();
+    g.globalAlpha = 1; g.fillStyle = inkOf("accent-2");
+    g.beginPath(); g.arc(px, py, 4, 0, 7); g.fill();
+  }
+}
+
+/// The last row at or before a time.
+function indexAt(time) {
+  let low = 0, high = count - 1;
+  while (low < high) { const middle = (low + high + 1) >> 1; if (rows.time[middle] <= time) low = middle; else high = middle - 1; }
+  return low;
+}
+
+function drawReadout() {
+  const parts = [];
+  if (cursor >= 0) {
+    const i = cursor, add = (name, text) => parts.push([name, text]);
+    add("time", rows.time[i].toFixed(2) + " s");
+    add("depth", sensible(rows.depth[i]) + " mm");
+    add("thrust", sensible(rows.thrust[i]) + " N");
+    add("torque", sensible(rows.torque[i]) + " N·mm");
+    if (rows.sent[i]) add("torque sent", sensible(rows.sent[i]) + " N·mm");
+    add("lateral", sensible(rows.lateral[i]) + " N");
+    add("tissue", rows.tissue[i] < 0 ? "none" : (data.tissues[rows.tissue[i]] || { name: "?" }).name);
+    const [a, b] = timeAxis.view, near = data.events.find(e => Math.abs(e.time - rows.time[i]) < (b - a) * 0.006);
+    if (near) add("event", near.id.replaceAll("_", " ") + (near.detail ? ": " + near.detail : ""));
+  }
+  byId("readout").replaceChildren(...parts.flatMap(([name, text]) => {
+    const value = document.createElement("b");
+    value.textContent = text;
+    return [name + "\u00a0", value, "   "];
+  }));
+}
+
+let isWaiting = false;
+function later(draw) { if (!isWaiting) { isWaiting = true; requestAnimationFrame(() => { isWaiting = false; draw(); }); } }
+function drawAll() { for (const plot of plots) plot.draw(); drawReadout(); }
+
+const timeAxis = new Axis(count ? rows.time[0] : 0, count ? rows.time[count - 1] : 1);
+if (count) {
+  const [shallow, deep] = rangeOf(rows.depth, 0, count, () => true);
+  const depthAxis = new Axis(Math.max(shallow, -0.15 * Math.max(deep, 1)), Math.max(deep * 1.03, shallow + 1e-3));
+  const time = { x: rows.time, xName: "time", xUnit: "s", isTime: true };
+  new Plot("plot-depth", depthAxis, { x: rows.depth, y: rows.thrust, xName: "depth", xUnit: "mm", name: "thrust", unit: "N", hasBands: true });
+  new Plot("plot-1", timeAxis, { ...time, y: rows.thrust, name: "thrust", unit: "N", namesEvents: true });
+  new Plot("plot-2", timeAxis, { ...time, y: rows.torque, name: "torque about the shaft", unit: "N·mm" });
+  new Plot("plot-3", timeAxis, { ...time, y: rows.lateral, name: "force across the shaft", unit: "N" });
+  new Plot("plot-4", timeAxis, { ...time, y: rows.depth, name: "depth", unit: "mm" });
+  new Plot("plot-strip", timeAxis, { isStrip: true });
+  if (data.signals.length) {
+    const choice = byId("signal"), over = byId("signal-over");
+    const torque = data.signals.findIndex(s => s.name === "torque"), angle = data.signals.findIndex(s => s.unit === "°");
+    const varies = s => s >= 0 && data.signals[s].values.some(v => v !== data.signals[s].values[0]);
+    if (varies(torque) && varies(angle)) { choice.value = torque; over.value = angle; }  // how surgeons look at a screw
+    else choice.value = Math.max(0, data.signals.findIndex((_, s) => varies(s)));
+    const plot = new Plot("plot-5", timeAxis, { ...time, y: data.signals[0].values, name: "", unit: "" });
+    const across = s => ({ x: s.values, xName: s.name, xUnit: s.unit, isTime: false, axis: new Axis(...rangeOf(s.values, 0, count, () => true)) });
+    const choose = () => {
+      const s = data.signals[choice.value], x = data.signals[over.value];
+      Object.assign(plot, { y: s.values, name: s.name, unit: s.unit }, x ? across(x) : { ...time, axis: timeAxis });
+      later(drawAll);
+    };
+    for (const select of [choice, over]) select.addEventListener("change", choose);
+    choose();
+  }
+  drawAll();
+  window.addEventListener("resize", () => later(drawAll));
+}
+
+// ---- the bone -------------------------------------------------------------------------------------------------
+
+const vertexShader = `#version 300 es
+in vec3 position, normal; in float tissue;
+uniform mat4 clipFromBone; uniform vec3 colours[16]; uniform float unit;
+out vec3 at, facing, colour;
+void main() { at = position * unit; facing = normal; colour = colours[int(clamp(tissue, 0.0, 15.0))];
+  gl_Position = clipFromBone * vec4(at, 1.0); }`;
+const fragmentShader = `#version 300 es
+precision highp float;
+in vec3 at, facing, colour; out vec4 result;
+uniform vec4 cut; uniform vec3 eye;
+void main() {
+  if (dot(cut.xyz, at) > cut.w) discard;
+  vec3 n = normalize(facing), toEye = normalize(eye - at);
+  bool isInside = !gl_FrontFacing;               // looking at the inner side of the surface, through the cut
+  if (isInside) n = -n;
+  float light = 0.46 + 0.46 * max(dot(n, toEye), 0.0) + 0.08 * n.z;
+  vec3 c = isInside ? mix(colour, vec3(0.45, 0.2, 0.16), 0.55) : colour;
+  result = vec4(c * light, 1.0); }`;
+
+function multiply(a, b) {  // column-major 4 × 4
+  const c = new Float32Array(16);
+  for (let i = 0; i < 4; ++i) for (let j = 0; j < 4; ++j) for (let k = 0; k < 4; ++k) c[4 * j + i] += a[4 * k + i] * b[4 * j + k];
+  return c;
+}
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const towards = view => [Math.cos(view.pitch) * Math.cos(view.yaw), Math.cos(view.pitch) * Math.sin(view.yaw), Math.sin(view.pitch)];
+const unitOf = a => { const l = Math.hypot(...a) || 1; return a.map(v => v / l); };
+
+function showBone() {
+  const mesh = data.mesh, canvas = byId("bone"), fallback = byId("bone-text");
+  if (!mesh) { fallback.textContent = "This run left no surface to show."; return; }
+  const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, preserveDrawingBuffer: true });
+  if (!gl) { fallback.textContent = "The bone in 3D needs WebGL 2, which is off in this browser. The same surface is in bone.stl."; return; }
+  fallback.hidden = true; byId("bone-view").hidden = false;
+
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text); gl.compileShader(shader); gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program); gl.useProgram(program);
+  const feed = (name, values, size, type, isNormalised) => {
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW);
+    const slot = gl.getAttribLocation(program, name);
+    gl.enableVertexAttribArray(slot); gl.vertexAttribPointer(slot, size, type, isNormalised, 0, 0);
+  };
+  feed("position", decode(mesh.positions, Int16Array), 4, gl.SHORT, false);   // padded to four
+  feed("normal", decode(mesh.normals, Int8Array), 4, gl.BYTE, true);
+  feed("tissue", decode(mesh.tissue, Uint8Array), 1, gl.UNSIGNED_BYTE, false);
+  const triangles = decode(mesh.triangles, mesh.isShort ? Uint16Array : Uint32Array);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer()); gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+  gl.enable(gl.DEPTH_TEST);
+
+  const uniform = name => gl.getUniformLocation(program, name);
+  const colours = new Float32Array(48).fill(0.8);
+  data.tissues.slice(0, 16).forEach((t, i) => colours.set([1, 3, 5].map(k => parseInt(t.colour.slice(k, k + 2), 16) / 255), 3 * i));
+  gl.uniform3fv(uniform("colours"), colours);
+  gl.uniform1f(uniform("unit"), mesh.unit);
+
+  const half = mesh.halfSize, radius = Math.hypot(...half);
+  const look = mesh.look, start = { yaw: Math.atan2(look[1], look[0]) + 0.45, pitch: clamp(Math.asin(clamp(look[2], -1, 1)) + 0.35, -1.1, 1.1), distance: radius };
+  {  // near enough to fill the picture: every corner of the box around the bone lies within it
+    const back = towards(start), right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
+    const tall = 0.92 * Math.tan(0.26), wide = tall * canvas.clientWidth / Math.max(1, canvas.clientHeight);
+    for (let i = 0; i < 8; ++i) {
+      const corner = half.map((h, axis) => (i >> axis) & 1 ? h : -h);
+      start.distance = Math.max(start.distance, dot(corner, back) + Math.abs(dot(corner, right)) / wide, dot(corner, back) + Math.abs(dot(corner, up)) / tall);
+    }
+  }
+  let view = { ...start, shift: [0, 0] };
+  const toFirstEye = towards(start);  // the half nearer to the first view goes, so that one sees into the rest
+  const axisChoice = byId("cut-axis"), slider = byId("cut-at"), flip = byId("cut-flip");
+
+  function draw() {
+    const ratio = window.devicePixelRatio || 1;
+    canvas.width = Math.round(canvas.clientWidth * ratio); canvas.height = Math.round(canvas.clientHeight * ratio);
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+
+    const back = towards(view);
+    const right = unitOf(cross([0, 0, 1], back)), up = cross(back, right);
+    const centre = [0, 1, 2].map(i => right[i] * view.shift[0] + up[i] * view.shift[1]);
+    const eye = [0, 1, 2].map(i => centre[i] + back[i] * view.distance);
+    const eyeFromBone = new Float32Array([right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1]);
+    const near = Math.max(view.distance - 2 * radius - Math.hypot(...view.shift), view.distance * 0.02), far = view.distance + 2 * radius + Math.hypot(...view.shift);
+    const f = 1 / Math.tan(0.26), aspect = canvas.width / Math.max(1, canvas.height);
+    const clipFromEye = new Float32Array([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0]);
+    gl.uniformMatrix4fv(uniform("clipFromBone"), false, multiply(clipFromEye, eyeFromBone));
+    gl.uniform3fv(uniform("eye"), eye);
+
+    const axis = Number(axisChoice.value), sign = (toFirstEye[axis] < 0) === flip.checked ? 1 : -1, normal = [0, 0, 0];
+    normal[axis] = sign;
+    gl.uniform4f(uniform("cut"), ...normal, half[axis] * (1.001 - 2.002 * Number(slider.value) / 100));
+    gl.drawElements(gl.TRIANGLES, triangles.length, mesh.isShort ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT, 0);
+
+    // Which way the patient lies: left, posterior, superior
+    [["L", [1, 0, 0]], ["P", [0, 1, 0]], ["S", [0, 0, 1]]].forEach(([name, v]) => {
+      const x = 37 + 24 * dot(right, v), y = 37 - 24 * dot(up, v), line = byId("axis-" + name), text = byId("axis-name-" + name);
+      line.setAttribute("x2", x); line.setAttribute("y2", y);
+      text.setAttribute("x", 37 + 31 * dot(right, v)); text.setAttribute("y", 37 - 31 * dot(up, v));
+    });
+  }
+
+  let held = null;
+  canvas.addEventListener("pointerdown", e => { held = [e.clientX, e.clientY, e.shiftKey || e.button === 2]; canvas.setPointerCapture(e.pointerId); });
+  canvas.addEventListener("pointermove", e => {
+    if (!held) return;
+    const dx = e.clientX - held[0], dy = e.clientY - held[1], scale = view.distance * 0.53 / canvas.clientHeight;
+    if (held[2]) { view.shift[0] -= dx * scale; view.shift[1] += dy * scale; }
+    else { view.yaw -= dx * 0.008; view.pitch = clamp(view.pitch + dy * 0.008, -1.55, 1.55); }
+    held[0] = e.clientX; held[1] = e.clientY;
+    requestAnimationFrame(draw);
+  });
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => { held = null; });
+  canvas.addEventListener("contextmenu", e => e.preventDefault());
+  canvas.addEventListener("wheel", e => { e.preventDefault(); view.distance = clamp(view.distance * Math.exp(e.deltaY * 0.001), radius * 0.15, radius * 20); requestAnimationFrame(draw); }, { passive: false });
+  canvas.addEventListener("dblclick", () => { view = { ...start, shift: [0, 0] }; requestAnimationFrame(draw); });
+  canvas.addEventListener("keydown", e => {
+    const keys = { ArrowLeft: [0.1, 0, 1], ArrowRight: [-0.1, 0, 1], ArrowUp: [0, 0.1, 1], ArrowDown: [0, -0.1, 1], "+": [0, 0, 0.9], "-": [0, 0, 1 / 0.9] };
+    if (!keys[e.key]) return;
+    e.preventDefault();
+    const [yaw, pitch, nearer] = keys[e.key];
+    view.yaw += yaw; view.pitch = clamp(view.pitch + pitch, -1.55, 1.55); view.distance = clamp(view.distance * nearer, radius * 0.15, radius * 20);
+    requestAnimationFrame(draw);
+  });
+  for (const input of [axisChoice, slider, flip]) input.addEventListener("input", () => requestAnimationFrame(draw));
+  window.addEventListener("resize", () => requestAnimationFrame(draw));
+  window.addEventListener("beforeprint", draw);
+  draw();
+}
+showBone();
+
+// Paper is white, whatever the screen is, and nothing on it can be unfolded.
+const folded = [...document.querySelectorAll("details:not([open])")];
+window.addEventListener("beforeprint", () => {
+  document.documentElement.classList.add("light");
+  for (const one of folded) one.dataset.wasOpen = one.open, one.open = true;
+  if (count) drawAll();
+});
+window.addEventListener("afterprint", () => {
+  document.documentElement.classList.remove("light");
+  for (const one of folded) one.open = one.dataset.wasOpen === "true";
+  if (count) drawAll();
+});

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/session/drawn_run.h"
+#include "core/session/recorded_procedure.h"
+#include "core/session/recording.h"
+
+/// The tables of report.html, as HTML.
+namespace kerf {
+
+/// One row for each hole, and one for each screw or implant. Empty where there is neither.   [any]
+[[nodiscard]] std::string holes_html(const RunSummary& summary);
+
+/// The steps: goals and limits with what was measured, failing ones first, then the other metrics of the step. At last
+/// the metrics of no step.   [any]
+[[nodiscard]] std::string steps_html(const RunSummary& summary, const DrawnRun& run,
+                                     const RecordedProcedure& procedure);
+
+/// The metrics that check the simulation. Empty without any.   [any]
+[[nodiscard]] std::string checks_html(const RunSummary& summary);
+
+}  // namespace kerf
