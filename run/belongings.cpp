@@ -1,16 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/belongings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "core/field/bone_surface.h"
+#include "core/procedure/fracture.h"
 #include "core/procedure/solids.h"
 
 namespace kerf {
 
 namespace {
+
+/// [m] of the box around it.
+Vec3 middle_of(const Zone& zone) {
+    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
+    for (const Solid& solid : zone.solids) {
+        const Box box = bounds_of(solid);
+        low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), std::min(low.z, box.low.z)};
+        high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y), std::max(high.z, box.high.z)};
+    }
+    return 0.5 * (low + high);
+}
 
 void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
              const PresentBone& bone) {
@@ -40,8 +53,9 @@ void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
 
 Belongings belongings_of(const Scene& scene) {
     Belongings belongings;
-    belongings.owners.zone.assign(scene.anatomy.zones.size(), 0);
-    belongings.owners.step.assign(scene.frames.size(), 0);
+    for (const Zone& zone : scene.anatomy.zones)
+        belongings.owners.zone.push_back(body_at(scene.anatomy, middle_of(zone)));
+    for (const AxisFrame& frame : scene.frames) belongings.owners.step.push_back(body_at(scene.anatomy, frame.entry));
     belongings.pass_on = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
                                   const PresentBone& bone) { pass_on(owners, from, bodies, scene, bone); };
     return belongings;

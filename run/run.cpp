@@ -113,6 +113,8 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
     if (files_ != nullptr) observers_.insert(observers_.begin(), files_.get());
     outcome_.summary = std::move(summary);
     simulation_.look_for_pieces(crumb, belongings_of(*scene_));
+    if (scene_->fragment) simulation_.begin_with(*scene_->fragment, scene_->world_from_fragment);
+    pass_owners_on();
     for (std::size_t step = 0; step < scene_->procedure.steps.size(); ++step)
         if (scene_->tool(step).outline.is_implant()) monitor_.stays(step);
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);

@@ -137,11 +137,33 @@ void add_signals(const StepState& state, StepRows& rows) {
     }
 }
 
+/// Where things were when the step had ended.
+void add_places(const StepState& state, StepRows& rows) {
+    if (state.reduction && state.step->is_with_piece()) {
+        rows.length("reduction-offset", state.reduction->offset, -1.0, rows.status_of("reduction_offset"),
+                    "Distance of the fragment from its place in the whole bone, at the fracture.");
+        rows.row("reduction-angle", state.reduction->angle, "deg", 1.0_deg, rows.status_of("reduction_angle"),
+                 "By how much the fragment is turned from there.");
+    }
+    for (const LimitState& limit : state.limits) {
+        const char* status = limit.broken_at ? "broken" : "ok";
+        if (!limit.is_seen) continue;
+        if (limit.limit->quantity == "axes_angle")
+            rows.row("axes-angle." + limit.limit->landmark, limit.worst, "deg", 1.0_deg, status,
+                     "Between the axes " + limit.limit->landmark + " and " + limit.limit->other + ".");
+        if (limit.limit->quantity == "tip_apex")
+            rows.length("tip-apex", limit.worst, rows.half_voxel(), status,
+                        "Distance of the tip from " + limit.limit->landmark +
+                            " as seen from the front, plus the same as seen from the side.");
+    }
+}
+
 /// What is reported only where a goal or limit asks for it.
 void add_asked(const StepState& state, StepRows& rows) {
     add_loads(state, rows);
     add_removed_volume(state, rows);
     add_signals(state, rows);
+    add_places(state, rows);
 }
 
 void add_wall(const StepState& state, StepRows& rows) {

@@ -84,7 +84,9 @@ std::string how_far(const LimitState& limit) {
                    : "";
     if (quantity == "depth") return length(" Depth: ");
     if (quantity == "thrust") return with_steps(" Thrust: ", "N", 0);
-    if (quantity == "plane_angle" || quantity == "hole_angle") return with_steps(" Angle: ", "deg", 1);
+    if (quantity == "plane_angle" || quantity == "hole_angle" || quantity == "reduction_angle" ||
+        quantity == "axes_angle")
+        return with_steps(" Angle: ", "deg", 1);
     if (quantity == "excess_removal") return with_steps(" Beyond the planned hole: ", "%", 0);
     if (quantity == "time_in_air") return with_steps(" In air: ", "s", 1);
     if (quantity == "torque") return with_digits(" Torque: ", "N m");
@@ -95,6 +97,7 @@ std::string how_far(const LimitState& limit) {
     if (quantity == "signal")
         return with_digits((" `" + limit.limit->signal.id + "`: ").c_str(), limit.limit->signal.unit);
     if (quantity == "damage") return "";
+    if (quantity == "tip_apex") return length(" Tip to apex: ");
     if (quantity == "flatness") return length(" Uneven by: ");
     if (quantity == "plunge") return length(" Plunged: ");
     if (quantity == "breach") return length(" Beyond the bone: ");

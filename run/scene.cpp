@@ -10,7 +10,9 @@
 
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
+#include "core/import/break_bone.h"
 #include "core/import/make_body.h"
+#include "core/procedure/fracture.h"
 #include "run/implant_body.h"
 #include "run/run_checks.h"
 #include "run/thread_checks.h"
@@ -175,6 +177,11 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     check_force_scale(scene.procedure, *scene.device, scene.work_force, diagnostics);
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
         check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
+    if (scene.anatomy.fracture) {
+        scene.fragment = break_bone(scene.body, scene.anatomy, diagnostics);
+        if (!scene.fragment) return std::nullopt;
+        scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);
+    }
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return scene;
@@ -196,7 +203,10 @@ HandPlan plan_of(const Rehearsal& rehearsal, const Scene& scene) {
     plan.plant = simulated_hand::in_bone(plan.plant, scene.gains.force_scale);
     plan.intent.reaction = rehearsal.reaction;
 
-    const auto pose_at = [&](const Waypoint& waypoint) { return scene.frames[waypoint.step].pose_at(waypoint); };
+    const auto pose_at = [&](const Waypoint& waypoint) {
+        const Pose planned = scene.frames[waypoint.step].pose_at(waypoint);
+        return waypoint.is_displaced ? scene.world_from_fragment * planned : planned;
+    };
     plan.start = pose_at(rehearsal.path.front());
     plan.inputs.push_back(rehearsal.path.front().inputs);
     for (std::size_t i = 1; i < rehearsal.path.size(); ++i) {

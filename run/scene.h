@@ -24,11 +24,13 @@ namespace kerf {
 struct Scene {
     Procedure procedure;
     Anatomy anatomy;
-    Body body;
-    std::vector<AxisFrame> frames;          ///< one per step
-    std::vector<double> share_in_bone;      ///< of each step's axis behind its entry [–]
-    std::vector<Tool> tools;                ///< those that steps use
-    std::vector<std::size_t> tool_of_step;  ///< for each step: which of them
+    Body body;                                   ///< of a fractured bone what is behind the fracture
+    std::optional<Body> fragment{};              ///< the rest of it: body 1
+    Pose world_from_fragment = identity_pose();  ///< at first
+    std::vector<AxisFrame> frames;               ///< one per step, in the whole bone
+    std::vector<double> share_in_bone;           ///< of each step's axis behind its entry [–]
+    std::vector<Tool> tools;                     ///< those that steps use
+    std::vector<std::size_t> tool_of_step;       ///< for each step: which of them
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
     std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve through which its instrument works
     std::vector<Body> implants;                ///< that a hand may bring in, in the tool's frame

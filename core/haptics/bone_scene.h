@@ -47,6 +47,11 @@ public:
     void leave_bone();
     /// These threads are in bone while the tool touches none: what the next cut is taken back to.   [worker]
     void know_threads(const BodyThreads& threads) noexcept { threads_ = threads; }
+    /// What was done so far cannot be taken back any more.   [worker]
+    void forget_changes() noexcept {
+        undo_.clear();
+        redo_.clear();
+    }
     [[nodiscard]] bool is_in_a_cut() const noexcept { return begun_.has_value(); }
     [[nodiscard]] bool can(Turn turn) const noexcept { return !moments(turn).empty(); }
 

@@ -101,6 +101,11 @@ std::string Simulation::insert(const Body& body, const Pose& world_from_body, bo
     return why_not;
 }
 
+void Simulation::begin_with(const Body& body, const Pose& world_from_body) {
+    static_cast<void>(insert(body, world_from_body, true));  // the second body, of the same tissues
+    scene_.forget_changes();
+}
+
 std::string Simulation::fuse() {
     if (held() < 0) return "nothing is held";
     take_separations_due(true);

@@ -50,6 +50,9 @@ public:
     /// The body that each zone and step belongs to now.
     [[nodiscard]] const Owners& owners() const noexcept { return scene_.owners(); }
 
+    /// Puts another body of the same tissues into the scene, which must outlive it, and cannot be taken back by `undo`.
+    /// Pre: no tick was done.
+    void begin_with(const Body& body, const Pose& world_from_body);
     /// Puts another body into the scene, which must outlive it; if it is not `cuttable`, it stops what would cut it.
     /// Returns why it cannot be, or nothing: there are sixteen, or its tissues are others.
     /// @param rigid_to  body that it is rigid to; none: it moves by itself

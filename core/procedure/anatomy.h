@@ -77,6 +77,15 @@ struct Zone {
     bool is_tissue = false;     ///< of a tissue: it is meant to lie in bone
 };
 
+/// A flat break through the bone. What is in front of it is a fragment, which lies elsewhere at first.
+struct Fracture {
+    Vec3 at{}, normal{};  ///< [m]; unit, into the fragment
+    double gap = 0.5e-3;  ///< [m] of bone that is lost
+    Vec3 shift{};         ///< [m] of the fragment
+    Vec3 about{0, 0, 1};  ///< unit, through `at`
+    double turn = 0.0;    ///< [rad] of the fragment, before the shift
+};
+
 struct PhantomSource {
     std::vector<PhantomPart> parts;
 };
@@ -143,6 +152,7 @@ struct Anatomy {
     std::vector<LandmarkPlane> planes;
     std::vector<MarkupsFile> markups;  ///< not yet among the above: core/import/markups reads them
     std::vector<Zone> zones;
+    std::optional<Fracture> fracture{};
 };
 
 }  // namespace kerf

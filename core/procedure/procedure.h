@@ -84,15 +84,17 @@ struct Limit {
     /// "time_in_air" [s] or "damage" (an event that spoils the tool). Forces are the bone's, unscaled.
     /// When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m]; of the
     /// hole it left: "hole_angle" [rad], "entry_offset", "narrowest_offset", "end_offset", "breach" [m] or
-    /// "excess_removal" [–].
+    /// "excess_removal" [–]; of where things are then: "reduction_offset" [m], "reduction_angle", "axes_angle" [rad] or
+    /// "tip_apex" [m].
     std::string quantity{};
     std::string zone{};  ///< for "clearance"
     Bound bound{};
     std::string reason{};  ///< the sentence a trainee reads when it is broken
     SourcePlace place{};
-    std::string event{};    ///< for "damage"
-    double diameter = 0.0;  ///< [m] for "breach": of the cylinder that is to lie in the hole
-    NamedSignal signal{};   ///< for "signal"
+    std::string event{};              ///< for "damage"
+    double diameter = 0.0;            ///< [m] for "breach": of the cylinder that is to lie in the hole
+    std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point
+    NamedSignal signal{};             ///< for "signal"
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {
@@ -102,6 +104,11 @@ struct Limit {
     [[nodiscard]] bool is_of_hole() const noexcept {
         return quantity == "hole_angle" || quantity == "entry_offset" || quantity == "narrowest_offset" ||
                quantity == "end_offset" || quantity == "breach" || quantity == "excess_removal";
+    }
+    /// Where parts of the bone and the tool are.
+    [[nodiscard]] bool is_of_places() const noexcept {
+        return quantity == "reduction_offset" || quantity == "reduction_angle" || quantity == "axes_angle" ||
+               quantity == "tip_apex";
     }
     /// How rehearsals and results call it.
     [[nodiscard]] const std::string& name() const noexcept {
@@ -124,11 +131,14 @@ struct Step {
 
     /// Whether anything is to be reached in bone, and not only with a piece of it. A signal belongs to either.
     [[nodiscard]] bool cuts() const noexcept {
-        const auto is_of_piece = [](const Goal& goal) { return goal.quantity == "held" || goal.quantity == "moved"; };
-        const bool has_piece = std::any_of(goals.begin(), goals.end(), is_of_piece);
         return std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
-            return !is_of_piece(goal) && (goal.quantity != "signal" || !has_piece);
+            return !is_of_piece(goal) && (goal.quantity != "signal" || !is_with_piece());
         });
+    }
+    /// Whether a piece is to be held or moved.
+    [[nodiscard]] bool is_with_piece() const noexcept { return std::any_of(goals.begin(), goals.end(), is_of_piece); }
+    [[nodiscard]] static bool is_of_piece(const Goal& goal) noexcept {
+        return goal.quantity == "held" || goal.quantity == "moved";
     }
     /// Whether a depth is to be reached in bone.
     [[nodiscard]] bool has_depth() const noexcept {
@@ -148,6 +158,7 @@ struct Waypoint {
     double cranial_angle = 0.0;       ///< [rad] the same, from the axis towards the patient's head
     double aside = 0.0;               ///< [m] sideways in the step's plane, along the tool's x
     double tilt = 0.0;                ///< [rad] about the axis, out of the step's plane
+    bool is_displaced = false;        ///< where the fracture has moved it to
     std::size_t step = 0;             ///< whose frame
     std::optional<double> speed{};    ///< [m/s] on the way there; none: the hand's feed or approach
     std::optional<double> push{};     ///< [N] on the way there; none: the hand's

@@ -236,6 +236,15 @@ std::vector<MarkupsFile> read_markups(const Node& node, Report& report) {
     return files;
 }
 
+/// Unit; one without length is refused.
+Vec3 read_direction(MapReader& map, const std::string& key, Report& report) {
+    const Vec3 direction = map.vector(key).value_or(Vec3{0, 0, 1});
+    if (length(direction) > 1e-6) return normalized(direction);
+    report.error(Code::degenerate, map.span(),
+                 map.name_of(key) + " has no length. Give it a direction, as in `0 0 1`.");
+    return {0, 0, 1};
+}
+
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     MapReader map(node, shapes::landmarks, "landmarks", report);
     UniqueIds ids;  // a step names a landmark without saying of which sort
@@ -266,12 +275,7 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         LandmarkPlane landmark;
         landmark.id = item.key;
         landmark.at = plane.vector("at").value_or(Vec3{});
-        if (const auto normal = plane.vector("normal")) {
-            landmark.normal = normalized(*normal);
-            if (!(length(*normal) > 1e-6))
-                report.error(Code::degenerate, plane.span(),
-                             item.key + ".normal has no length. Give it a direction, as in `0 0 1`.");
-        }
+        landmark.normal = read_direction(plane, "normal", report);
         landmark.tolerance = plane.quantity("tolerance");
         plane.finish();
         anatomy.planes.push_back(std::move(landmark));
@@ -318,6 +322,23 @@ std::vector<Zone> read_zones(const Node& node, const std::vector<Tissue>& tissue
     return zones;
 }
 
+Fracture read_fracture(const Node& node, Report& report) {
+    MapReader map(node, shapes::fracture, "fracture", report);
+    Fracture fracture;
+    fracture.at = map.vector("at").value_or(Vec3{});
+    fracture.normal = read_direction(map, "normal", report);
+    map.quantity("gap", fracture.gap);
+    fracture.shift = map.vector("shift").value_or(Vec3{});
+    if (const Node* turn = map.find("turn")) {
+        MapReader turned(*turn, shapes::fracture_turn, "fracture.turn", report);
+        fracture.turn = turned.quantity("by");
+        fracture.about = read_direction(turned, "about", report);
+        turned.finish();
+    }
+    map.finish();
+    return fracture;
+}
+
 }  // namespace
 
 namespace {
@@ -353,6 +374,7 @@ std::optional<AnatomyDraft> draft_of_text(const std::string& file, std::string t
                 anatomy->tissues = read_tissues(*node, anatomy->ct && anatomy->ct->density, report);
             if (const Node* node = map.find("landmarks")) read_landmarks(*node, *anatomy, report);
             if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, anatomy->tissues, report);
+            if (const Node* node = map.find("fracture")) anatomy->fracture = read_fracture(*node, report);
             map.finish();
             draft->is_sound = !has_error(found);
         }

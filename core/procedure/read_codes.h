@@ -77,6 +77,8 @@ enum class Code {
     missing_tissue = 503,
     axis_is_a_point = 504,
     missing_midline = 505,
+    missing_fracture = 519,
+    other_landmark = 520,  ///< a limit needs an axis, or a point
     not_a_plane = 506,     ///< a step's `plane` is a point or an axis of the anatomy
     axis_off_plane = 507,  ///< a step's axis leads out of its plane
     needs_plane = 508,     ///< something is measured in the plane of a step that names none

@@ -475,6 +475,19 @@ Limit read_limit(const Node& item, const ComponentInfo* law, const Procedure& pr
                 refuse_undeclared(Code::undeclared_zone, *zone, "zone", procedure.needs_zones, document, report);
         }
         if (quantity->key == "breach") limit.diameter = bound.quantity("diameter");
+        const auto landmark = [&](const char* key) {
+            const Node* name = bound.find(key);
+            const std::string id = name ? read_id(*name, bound.name_of(key), report).value_or("") : "";
+            if (!id.empty() && !contains(procedure.needs_landmarks, id))
+                refuse_undeclared(Code::undeclared_landmark, *name, "landmark", procedure.needs_landmarks, document,
+                                  report);
+            return id;
+        };
+        if (quantity->key == "tip_apex") limit.landmark = landmark("apex");
+        if (quantity->key == "axes_angle") {
+            limit.landmark = landmark("of");
+            limit.other = landmark("to");
+        }
         if (limit.quantity == "signal")
             read_signal(bound, law, limit.signal, limit.bound, report);
         else
@@ -777,6 +790,7 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
     waypoint.quantity("medial_angle", at.medial_angle);
     waypoint.quantity("cranial_angle", at.cranial_angle);
     at.is_across_surface = waypoint.word("direction") == "surface";
+    at.is_displaced = waypoint.yes_no("displaced");
     if (waypoint.find("speed")) at.speed = waypoint.quantity("speed");
     if (waypoint.find("push")) at.push = waypoint.quantity("push");
     if (const Node* stop = waypoint.find("stop")) {
@@ -1183,6 +1197,54 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
 }
 
 /// What is held or moved must have come apart before: in an earlier step, or by an earlier goal of the same.
+/// What is of a fracture needs one, and a landmark of the sort that a limit measures.
+void check_places(const Procedure& procedure, const Anatomy& anatomy, const std::vector<std::string>& axes,
+                  const std::vector<std::string>& points, const Document& document, Report& report) {
+    const Node* steps = document.root.find("steps");
+    const auto refuse_whole_bone = [&](TextSpan span, const std::string& what) {
+        report.error(Code::missing_fracture, span,
+                     "The anatomy has no fracture, which " + what + " needs. Add `fracture:` there, or remove this.",
+                     {}, in_anatomy(anatomy, {"metadata"}, "the anatomy is here."));
+    };
+    for (std::size_t s = 0; s < procedure.steps.size(); ++s)
+        for (std::size_t l = 0; l < procedure.steps[s].limits.size(); ++l) {
+            const Limit& limit = procedure.steps[s].limits[l];
+            if (!limit.is_of_places()) continue;
+            const Node* step = steps && s < steps->children.size() ? &steps->children[s] : nullptr;
+            const Node* limits = step ? step->find("limits") : nullptr;
+            const Node* node =
+                limits && l < limits->children.size() ? limits->children[l].find(limit.quantity) : nullptr;
+            const auto span_of = [&](const char* key) {
+                const Node* value = node ? node->find(key) : nullptr;
+                return value ? value->span : TextSpan{};
+            };
+            const auto need = [&](const char* key, const std::string& id, const std::vector<std::string>& sort,
+                                  const std::string& what) {
+                if (!contains(sort, id))
+                    report.error(Code::other_landmark, span_of(key),
+                                 "The landmark `" + id + "` is no " + what + " of the anatomy; its " + what +
+                                     (what == "axis" ? "es are " : "s are ") + listed(sort) + ". Name one of them.");
+            };
+            if (limit.quantity == "axes_angle") {
+                need("of", limit.landmark, axes, "axis");
+                need("to", limit.other, axes, "axis");
+            } else if (limit.quantity == "tip_apex") {
+                need("apex", limit.landmark, points, "point");
+            } else if (!anatomy.fracture) {
+                refuse_whole_bone(node ? node->key_span : TextSpan{}, "the limit `" + limit.quantity + "`");
+            }
+        }
+    if (anatomy.fracture) return;
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
+        const std::vector<Waypoint>& path = procedure.rehearsals[r].path;
+        const auto displaced = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.is_displaced; });
+        if (displaced == path.end()) continue;
+        const std::vector<const Node*> nodes = waypoint_nodes(document, r);
+        const auto index = static_cast<std::size_t>(displaced - path.begin());
+        refuse_whole_bone(index < nodes.size() ? nodes[index]->span : TextSpan{}, "`displaced`");
+    }
+}
+
 void check_pieces(const Procedure& procedure, const Document& document, Report& report) {
     const Node* steps = document.root.find("steps");
     for (std::size_t s = 0; s < procedure.steps.size(); ++s)
@@ -1327,7 +1389,8 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     }
 
     check_planes(procedure, document, report);
-    check_pieces(procedure, document, report);
+    if (!anatomy.fracture) check_pieces(procedure, document, report);
+    check_places(procedure, anatomy, axes, points, document, report);
 
     if (contains(points, midline)) return;
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {

@@ -194,6 +194,38 @@ const Shape offset_bound{
         {required, "at_most", length(0.05_mm, 20.0_mm), "No farther than this.", "1 mm"},
     }};
 
+const Shape reduction_offset_bound{
+    "reduction_offset_bound",
+    "How far the fragment of a fracture is from its place in the whole bone.",
+    {
+        {required, "at_most", length(0.05_mm, 200.0_mm), "No farther than this.", "2 mm"},
+    }};
+
+const Shape reduction_angle_bound{
+    "reduction_angle_bound",
+    "By how much it is turned from there.",
+    {
+        {required, "at_most", quantity(dimension::angle, "deg", 0.1_deg, 180.0_deg), "No more than this.", "5 deg"},
+    }};
+
+const Shape axes_angle_bound{
+    "axes_angle_bound",
+    "The angle between two axes, each with the part of the bone that its middle is in.",
+    {
+        {required, "of", id(), "One axis of `needs.landmarks`, from `from` to `to`.", "right_pedicle"},
+        {required, "to", id(), "The other one.", "right_pedicle"},
+        {any_of, "at_least", quantity(dimension::angle, "deg", 0.0, 180.0_deg), "No less than this.", "120 deg"},
+        {any_of, "at_most", quantity(dimension::angle, "deg", 0.0, 180.0_deg), "No more than this.", "135 deg"},
+    }};
+
+const Shape tip_apex_bound{
+    "tip_apex_bound",
+    "The distance of the tip from a point as seen from the front, plus the same as seen from the side.",
+    {
+        {required, "apex", id(), "A point of `needs.landmarks`.", "midline"},
+        {required, "at_most", length(0.1_mm, 200.0_mm), "No more than this.", "25 mm"},
+    }};
+
 const Shape flatness_bound{"flatness_bound",
                            "Distance between two parallel planes that enclose the cut's wall.",
                            {
@@ -339,6 +371,17 @@ const Shape limit{
          "{diameter: 6.5 mm, at_most: 2 mm}"},
         {one_of, "excess_removal", map(excess_bound),
          "The bone removed beyond the planned hole, measured when the step has ended.", "{at_most: 50 %}"},
+        {one_of, "reduction_offset", map(reduction_offset_bound),
+         "The distance of a fracture's fragment from its place, at the fracture, measured when the step has ended.",
+         "{at_most: 2 mm}"},
+        {one_of, "reduction_angle", map(reduction_angle_bound),
+         "The rotation of a fracture's fragment from its place, measured when the step has ended.", "{at_most: 5 deg}"},
+        {one_of, "axes_angle", map(axes_angle_bound),
+         "The angle between two axes, such as neck and shaft, measured when the step has ended.",
+         "{of: right_pedicle, to: right_pedicle, at_most: 135 deg}"},
+        {one_of, "tip_apex", map(tip_apex_bound),
+         "The tip-apex distance of a screw in a femoral head, measured when the step has ended.",
+         "{apex: midline, at_most: 25 mm}"},
         {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
         {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
          "{at_most: 1 s}"},
@@ -442,6 +485,8 @@ const Shape waypoint{
         {optional, "aside", length(-100.0_mm, 100.0_mm), "Sideways in the step's plane, along the tool's x.", "2 mm"},
         {optional, "tilt", quantity(dimension::angle, "deg", -90.0_deg, 90.0_deg),
          "The rotation of the blade about the axis, out of the step's plane.", "6 deg"},
+        {optional, "displaced", yes_no(),
+         "Where the anatomy's fracture has moved it to, and not where it is in the whole bone.", "true", "false"},
         {optional, "speed", speed(), "The speed that the hand aims at on its way here; if not given, its own.",
          "0.5 mm/s"},
         {optional, "push", quantity(dimension::force, "N", 0.1_N, hardest_push),
@@ -757,6 +802,27 @@ const Shape landmarks{
          "[{file: scans/entry.mrk.json, tolerance: 2 mm}]"},
     }};
 
+const Shape fracture_turn{
+    "fracture_turn",
+    "How a fragment is turned about the fracture's `at`.",
+    {
+        {required, "by", quantity(dimension::angle, "deg", -180.0_deg, 180.0_deg), "The angle.", "12 deg"},
+        {required, "about", vector(dimension::none, "", -1.0, 1.0), "The direction of the axis.", "0 1 0"},
+    }};
+
+const Shape fracture{
+    "fracture",
+    "A flat break through the bone. Landmarks and zones are those of the whole bone.",
+    {
+        {required, "at", position(), "A point of the break.", "0 0 120 mm"},
+        {required, "normal", vector(dimension::none, "", -1.0, 1.0),
+         "The direction of its normal, into the fragment that has moved.", "0 0 1"},
+        {optional, "gap", length(0.1_mm, 20.0_mm), "The bone that is lost between the parts.", "0.5 mm", "0.5 mm"},
+        {optional, "shift", vector(dimension::length, "mm", -200.0_mm, 200.0_mm),
+         "How far the fragment has moved (LPS).", "5 -3 8 mm"},
+        {optional, "turn", map(fracture_turn), "How the fragment has turned.", "{by: 12 deg, about: 0 1 0}"},
+    }};
+
 const Shape anatomy{
     "anatomy",
     "Bone, tissues, and named positions.",
@@ -772,6 +838,7 @@ const Shape anatomy{
          "[{id: cortical, thickness: 1.5 mm, density: 1.85 g/cm3}, {id: cancellous, density: 0.25 g/cm3}]"},
         {required, "landmarks", map(landmarks), "Named positions that procedures use.",
          "{axes: {right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}}"},
+        {optional, "fracture", map(fracture), "A break that parts the bone in two.", "{at: 0 0 120 mm, normal: 0 0 1}"},
         {optional, "zones", named(list(map(zone_solid))), "Regions that limits name, each the union of solids.",
          "{canal: [{tube: {from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}}]}"},
     }};

@@ -9,12 +9,13 @@ namespace kerf::shapes {
 
 extern const Shape implant, procedure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
-extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound;
+extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound, axes_angle_bound;
 extern const Shape signal_bound, removed_goal;
 extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, follow, variant;
 
 extern const Shape anatomy;
 extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;
+extern const Shape fracture, fracture_turn;
 extern const Shape ct, labels, kept_piece, density_line;
 extern const Shape mesh, repair, canal;
 extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;

@@ -207,6 +207,11 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     if (state.has_reached_all() && is_over && now.held < 0) {
         is_released_ = false;
         state.end = time;
+        state.reduction = reduction_of(*anatomy_, now.world_from_body);
+        for (auto& limit : state.limits)
+            if (const auto value =
+                    measured_at_end(*limit.limit, *anatomy_, now.world_from_body, now.world_from_tool.position))
+                hold(limit, *value, time);
         news_.emplace_back("step_done", state.step->id);
         ++current_;
     }
@@ -222,8 +227,9 @@ std::optional<double> StepMonitor::measured(const LimitState& limit, const StepS
     if (quantity == "removed_volume") return now.removed;
     if (quantity == "duration") return now.time - *state.start;
     if (quantity == "signal") return value_of(asked.signal, now);
-    if (!now.is_running) return {};                                                   // a still tool harms nothing
-    if (asked.is_of_wall() || asked.is_of_hole() || quantity == "damage") return {};  // judged when it is there
+    if (!now.is_running) return {};  // a still tool harms nothing
+    if (asked.is_of_wall() || asked.is_of_hole() || asked.is_of_places() || quantity == "damage")
+        return {};  // judged when it is there
     if (quantity == "clearance") return clearance_to(limit, now, cutting);
     if (quantity == "thrust") return now.thrust;
     if (quantity == "plunge") return state.advance.plunge;
@@ -250,7 +256,7 @@ bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Ob
     if (goal.quantity == "signal") return state.was_there[index];
     if (goal.quantity == "removed_volume") return is_within(goal.bound, state.removed);
     if (goal.quantity == "entry") return state.has_cut_bone();
-    if (goal.quantity == "separated") return now.world_from_body.size() > 1;
+    if (goal.quantity == "separated") return now.world_from_body.size() > (anatomy_->fracture ? 2 : 1);
     if (goal.quantity == "held") return now.held == static_cast<int>(owners_.step[current_]);
     if (goal.quantity == "moved") return state.moved >= goal.bound.at_least.value_or(0.0);
     return state.has_cut_bone() && is_within(goal.bound, state.deepest);

@@ -16,6 +16,7 @@
 #include "core/haptics/owners.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/procedure.h"
+#include "core/procedure/reduction.h"
 
 /// Steps in file order, their goals and limits, tick by tick. A pure function of what it is shown.
 namespace kerf {
@@ -128,11 +129,12 @@ struct StepState {
     bool has_met_bone_still = false;   ///< it stood on bone without running
     TipProgress advance;               ///< while it cut
     TipSpeed tip_speed;
-    std::optional<CutWall> wall;        ///< that its cut left, measured when it had ended
-    std::optional<HoleResult> drilled;  ///< the hole that it left, likewise
-    double removed = 0.0;               ///< [m³] in this step
-    std::vector<SignalState> signals;   ///< each that the step names, once
-    std::vector<bool> was_there;        ///< for each goal on a signal: the signal was within its bound in some tick
+    std::optional<CutWall> wall;         ///< that its cut left, measured when it had ended
+    std::optional<HoleResult> drilled;   ///< the hole that it left, likewise
+    std::optional<Reduction> reduction;  ///< of a fracture when the step had ended
+    double removed = 0.0;                ///< [m³] in this step
+    std::vector<SignalState> signals;    ///< each that the step names, once
+    std::vector<bool> was_there;         ///< for each goal on a signal: the signal was within its bound in some tick
 
     bool is_released_at_end = false;  ///< its tool stays in the bone
     double moved = 0.0;               ///< [m] the farthest that the bone at the entry was from where it had been

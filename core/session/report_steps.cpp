@@ -163,9 +163,10 @@ bool is_within(double value, const RecordedDemand& demand) {
 
 /// Quantities of the finished cut or hole. The others are watched in every tick.
 bool is_measured_at_end(const std::string& quantity) {
-    constexpr std::array<std::string_view, 9> at_end{"plane_angle", "plane_offset", "flatness",
-                                                     "hole_angle",  "entry_offset", "narrowest_offset",
-                                                     "end_offset",  "breach",       "excess_removal"};
+    constexpr std::array<std::string_view, 13> at_end{
+        "plane_angle",      "plane_offset", "flatness", "hole_angle",     "entry_offset",
+        "narrowest_offset", "end_offset",   "breach",   "excess_removal", "reduction_offset",
+        "reduction_angle",  "axes_angle",   "tip_apex"};
     return std::find(at_end.begin(), at_end.end(), quantity) != at_end.end();
 }
 
