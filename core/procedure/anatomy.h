@@ -27,7 +27,11 @@ struct EllipticTubeSolid {
     double width = 0.0, height = 0.0;
     Vec3 up{0, 0, 1};
 };  ///< full axes [m]
-using Solid = std::variant<BoxSolid, TubeSolid, EllipticTubeSolid>;
+struct SphereSolid {
+    Vec3 centre{};
+    double radius = 0.0;
+};  ///< [m]
+using Solid = std::variant<BoxSolid, TubeSolid, EllipticTubeSolid, SphereSolid>;
 
 struct PhantomPart {
     std::string id;

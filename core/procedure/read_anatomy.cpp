@@ -65,9 +65,19 @@ Solid read_elliptic_tube(const Node& node, const std::string& name, Report& repo
     return tube;
 }
 
+Solid read_sphere(const Node& node, const std::string& name, Report& report) {
+    MapReader map(node, shapes::sphere, name, report);
+    SphereSolid sphere;
+    sphere.centre = map.vector("centre").value_or(Vec3{});
+    sphere.radius = map.quantity("radius");
+    map.finish();
+    return sphere;
+}
+
 Solid read_solid(const Node& node, const std::string& name, Report& report) {
     if (node.key == "box") return read_box(node, name, report);
     if (node.key == "tube") return read_tube(node, name, report);
+    if (node.key == "sphere") return read_sphere(node, name, report);
     return read_elliptic_tube(node, name, report);
 }
 

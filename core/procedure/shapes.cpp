@@ -606,6 +606,13 @@ const Shape elliptic_tube{"elliptic_tube",
                                "The direction in which `height` is measured; towards the head if not given.", "0 0 1"},
                           }};
 
+const Shape sphere{"sphere",
+                   "A ball.",
+                   {
+                       {required, "centre", position(), "Its centre.", "0 0 0 mm"},
+                       {required, "radius", extent(), "From its centre to its surface.", "23 mm"},
+                   }};
+
 const Shape tissue_solid{
     "tissue_solid",
     "One solid of a tissue.",
@@ -614,6 +621,7 @@ const Shape tissue_solid{
         {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
         {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
          "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+        {one_of, "sphere", map(sphere), "A ball.", "{centre: 0 0 0 mm, radius: 23 mm}"},
     }};
 
 const Shape zone_solid{
@@ -625,6 +633,7 @@ const Shape zone_solid{
         {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
         {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
          "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+        {one_of, "sphere", map(sphere), "A ball.", "{centre: 0 0 0 mm, radius: 23 mm}"},
     }};
 
 const Shape part{"part",
@@ -635,6 +644,7 @@ const Shape part{"part",
                      {one_of, "tube", map(tube), "A round rod.", "{from: 0 26 -30 mm, to: 0 26 30 mm, radius: 8 mm}"},
                      {one_of, "elliptic_tube", map(elliptic_tube), "A rod with an elliptic section.",
                       "{from: -20 34 5 mm, to: -14 12 5 mm, width: 10 mm, height: 15 mm}"},
+                     {one_of, "sphere", map(sphere), "A ball.", "{centre: 0 0 0 mm, radius: 23 mm}"},
                      {optional, "source", text(), "The source of its figures.", "Panjabi 1992."},
                      {optional, "subtract", yes_no(), "Taken away instead of added.", "true"},
                  }};

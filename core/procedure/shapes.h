@@ -14,7 +14,7 @@ extern const Shape signal_bound, removed_goal;
 extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, follow, variant;
 
 extern const Shape anatomy;
-extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube;
+extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube, sphere;
 extern const Shape fracture, fracture_turn;
 extern const Shape ct, labels, kept_piece, density_line;
 extern const Shape mesh, repair, canal;

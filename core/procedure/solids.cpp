@@ -61,7 +61,8 @@ double distance_to(const Solid& solid, Vec3 p) noexcept {
                        const double wall = k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(rx, ry);
                        return capped(std::max(wall, -std::min(rx, ry)),
                                      std::abs(a.at - 0.5 * a.length) - 0.5 * a.length);
-                   }},
+                   },
+                   [&](const SphereSolid& sphere) { return length(p - sphere.centre) - sphere.radius; }},
         solid);
 }
 
@@ -95,7 +96,8 @@ Box bounds_of(const Solid& solid) noexcept {
                        return Box{box.centre - 0.5 * box.size, box.centre + 0.5 * box.size};
                    },
                    [&](const TubeSolid& t) { return tube(t.from, t.to, t.radius); },
-                   [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); }},
+                   [&](const EllipticTubeSolid& t) { return tube(t.from, t.to, 0.5 * std::max(t.width, t.height)); },
+                   [&](const SphereSolid& s) { return tube(s.centre, s.centre, s.radius); }},
         solid);
 }
 

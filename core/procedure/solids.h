@@ -8,7 +8,8 @@
 /// Distances to the implicit solids that phantoms and zones are made of.
 namespace kerf {
 
-/// Signed distance [m], negative inside; exact for box and tube, a lower bound outside an elliptic tube.   [any] pure.
+/// Signed distance [m], negative inside; exact for box, tube and sphere, a lower bound outside an elliptic tube. [any]
+/// pure.
 [[nodiscard]] double distance_to(const Solid& solid, Vec3 point) noexcept;
 
 /// To the union of solids; +infinity for none.

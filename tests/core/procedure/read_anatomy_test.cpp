@@ -61,6 +61,20 @@ TEST(ReadAnatomy, GivesSiValues) {
     EXPECT_EQ(anatomy->zones.at(0).solids.size(), 1u);
 }
 
+TEST(ReadAnatomy, ReadsASphere) {
+    Diagnostics diagnostics;
+    const auto anatomy = read_anatomy_text(
+        "bone.yaml",
+        replaced(faultless, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}", "sphere: {centre: 1 2 3 mm, radius: 2 cm}"),
+        diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    const auto& sphere = std::get<SphereSolid>(anatomy->phantom.parts[0].solid);
+    EXPECT_TRUE(sphere.centre == (Vec3{1.0_mm, 2.0_mm, 3.0_mm}));
+    EXPECT_EQ(sphere.radius, 20.0_mm);
+}
+TEST(ReadAnatomy, RefusesASphereWithoutRadius) {
+    expect_refused(Code::missing_key, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}", "«sphere»: {centre: 1 2 3 mm}");
+}
 TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
 TEST(ReadAnatomy, RefusesAPartOfTwoShapes) {
     expect_refused(Code::one_of, "20 mm}, source: A book.",
