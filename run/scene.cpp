@@ -11,6 +11,7 @@
 #include "core/field/fnv1a.h"
 #include "core/haptics/work_force.h"
 #include "core/import/break_bone.h"
+#include "core/import/fit_landmarks.h"
 #include "core/import/make_body.h"
 #include "core/procedure/fracture.h"
 #include "run/implant_body.h"
@@ -131,6 +132,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     auto body = make_body(scene.anatomy, scene.procedure.spacing, diagnostics, &import, options);
     if (!body || has_error(diagnostics)) return std::nullopt;
     scene.body = std::move(*body);
+    use_fits(scene.anatomy, import);
+    check_axes_in_planes(scene.procedure, scene.anatomy, diagnostics);
     for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
         check_blade_fits(scene.procedure, instrument_of(scene, tool).id, scene.tools[tool].outline.cutting,
                          scene.body.region, diagnostics);

@@ -15,6 +15,7 @@
 #include "core/import/bone_mask.h"
 #include "core/import/data_file.h"
 #include "core/import/fields_memory.h"
+#include "core/import/fit_landmarks.h"
 #include "core/import/image/segments.h"
 #include "core/import/planned_region.h"
 #include "core/import/voxel_density.h"
@@ -306,8 +307,23 @@ void doubt_values(const Anatomy& anatomy, const VoxelImage& part, std::vector<st
 
 // ---- all of it ------------------------------------------------------------------------------------------------------
 
-std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagnostics& diagnostics,
+/// What must be read: the planned axes, and wherever fits look for the bone.
+Box region_to_read(const Anatomy& anatomy, const Box& available) {
+    const Box planned = planned_region(anatomy.axes, available);
+    if (is_empty(planned) || !has_fits(anatomy)) return planned;
+    const Box fits = region_of_fits(anatomy);
+    const auto joined = [](Vec3 a, Vec3 b, const auto& which) {
+        return Vec3{which(a.x, b.x), which(a.y, b.y), which(a.z, b.z)};
+    };
+    const auto smaller = [](double a, double b) { return std::min(a, b); };
+    const auto larger = [](double a, double b) { return std::max(a, b); };
+    return {joined(available.low, joined(planned.low, fits.low, smaller), larger),
+            joined(available.high, joined(planned.high, fits.high, larger), smaller)};
+}
+
+std::optional<CtBone> made(const Anatomy& written, const Sources& sources, Diagnostics& diagnostics,
                            const ImportOptions& options) {
+    Anatomy anatomy = written;
     const CtSource& ct = *anatomy.ct;
     if (sources.scan.is_sheared())
         throw Refusal{"E0632",
@@ -315,7 +331,7 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
                       "the image's axes are not at right angles, as after a tilted gantry. "
                       "Resample the image onto a straight grid."};
     CtBone bone;
-    bone.region = planned_region(anatomy.axes, sources.scan.box());
+    bone.region = region_to_read(anatomy, sources.scan.box());
     const VoxelGrid& scan = sources.scan;
     // So that closing and distance see both sides of the region's faces.
     const double margin = ct.closing + 3.0 * std::max({scan.spacing(0), scan.spacing(1), scan.spacing(2)});
@@ -357,6 +373,13 @@ std::optional<CtBone> made(const Anatomy& anatomy, const Sources& sources, Diagn
     notes.push_back("Border: between the voxels where the values cross " + rounded(ct.threshold, 0) + ", at " +
                     rounded(100.0 * found.crossing_share, 0) + " % of it; half way between them at the rest.");
 
+    if (has_fits(anatomy)) {
+        const BoneShape shape{[&](Vec3 p) { return bone.distance.sample_trilinear(p, around_border); }, bone.region};
+        if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
+        bone.region = planned_region(anatomy.axes, bone.region);
+        if (is_empty(bone.region))
+            throw Refusal{"E0631", {"landmarks", "axes"}, "the landmarks' axes lie outside the image. Check the fits."};
+    }
     double sum = 0.0;
     std::size_t deep = 0;
     for (std::size_t at = 0; at < part->values.size(); ++at)

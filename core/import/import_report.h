@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/procedure/anatomy.h"
 #include "kerf/math.hpp"
 
 namespace kerf {
@@ -31,7 +32,9 @@ struct BorderShift {
 /// What import did and decided, for people and for the record: no paths, no names, nothing of the files' headers that
 /// could tell whose they are.
 struct ImportReport {
-    std::vector<std::string> notes;          ///< one sentence or two each
+    std::vector<std::string> notes;            ///< one sentence or two each
+    std::vector<LandmarkPoint> fitted_points;  ///< as they were found
+    std::vector<LandmarkAxis> fitted_axes;
     std::vector<std::uint64_t> file_hashes;  ///< 64-bit FNV-1a of every data file's bytes, in the order they were read
     std::vector<BorderShift> shifts;         ///< one per axis, if asked for
     std::function<double(Vec3 lps)> scan_value;  ///< [HU or grey] of a CT, if asked for; NaN where it was not looked at

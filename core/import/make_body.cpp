@@ -11,6 +11,7 @@
 
 #include "core/import/ct_body.h"
 #include "core/import/fields_memory.h"
+#include "core/import/fit_landmarks.h"
 #include "core/import/landmark_checks.h"
 #include "core/import/mesh_body.h"
 #include "core/import/phantom_walls.h"
@@ -118,7 +119,15 @@ bool may_hold_base(const Body& body, std::size_t brick) {
 }
 
 ImportReport phantom_report(const Anatomy& anatomy) {
-    return {{"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."}, {}, {}, {}};
+    ImportReport report;
+    report.notes = {"Phantom: " + std::to_string(anatomy.phantom.parts.size()) + " solids; no scan was read."};
+    return report;
+}
+
+/// A phantom as fits see it. Without parts, as where bone is made of a scan or a surface, there is no bone in it.
+BoneShape phantom_shape(const Anatomy& anatomy) {
+    return {[&](Vec3 p) { return distance_to(anatomy.phantom, p); },
+            {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}};
 }
 
 /// One distance field carries a wall of three voxels; what is thinner comes out too weak, or not at all. So a plate
@@ -220,12 +229,16 @@ void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportRepor
 
 }  // namespace
 
-std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostics& diagnostics, ImportReport* report,
+std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostics& diagnostics, ImportReport* report,
                               const ImportOptions& options) {
     std::optional<CtBone> ct;
-    if (anatomy.ct && !(ct = make_ct_bone(anatomy, diagnostics, options))) return std::nullopt;
+    if (written.ct && !(ct = make_ct_bone(written, diagnostics, options))) return std::nullopt;
     std::optional<MeshBone> mesh;
-    if (anatomy.mesh && !(mesh = make_mesh_bone(anatomy, diagnostics))) return std::nullopt;
+    if (written.mesh && !(mesh = make_mesh_bone(written, diagnostics))) return std::nullopt;
+    ImportReport made = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(written);
+    Anatomy anatomy = written;
+    use_fits(anatomy, made);
+    if (!fit_landmarks(anatomy, phantom_shape(anatomy), made, diagnostics)) return std::nullopt;
 
     const Box bounds = ct ? ct->region : mesh ? mesh->region : phantom_bounds(anatomy.phantom);
     if (!is_finite(bounds.low) || !is_finite(bounds.high)) {
@@ -312,7 +325,7 @@ std::optional<Body> make_body(const Anatomy& anatomy, double spacing, Diagnostic
     }
     check_landmarks(anatomy, body, diagnostics);
     if (report) {
-        *report = ct ? std::move(ct->report) : mesh ? std::move(mesh->report) : phantom_report(anatomy);
+        *report = std::move(made);
         if (has_sheet)
             report->notes.push_back(
                 "Between the outside and a room in it the bone is thinner than three voxels: each side has a "

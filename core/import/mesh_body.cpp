@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "core/import/data_file.h"
+#include "core/import/fit_landmarks.h"
 #include "core/import/planned_region.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/repair.h"
+#include "core/import/surface/signed_distance.h"
 #include "core/procedure/read_anatomy.h"
 
 namespace kerf {
@@ -155,8 +157,9 @@ SurfaceMesh whole_surface_of(const MeshBone& bone) {
     return whole;
 }
 
-std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surface, const SurfaceFile* canal,
+std::optional<MeshBone> make_mesh_bone(const Anatomy& planned, SurfaceFile surface, const SurfaceFile* canal,
                                        Diagnostics& diagnostics) {
+    Anatomy anatomy = planned;
     const MeshSource& source = *anatomy.mesh;
     MeshBone bone;
     std::vector<std::string>& notes = bone.report.notes;
@@ -192,6 +195,11 @@ std::optional<MeshBone> make_mesh_bone(const Anatomy& anatomy, SurfaceFile surfa
         bone.rooms.push_back(mesh_of(*source.canal));
     }
 
+    if (has_fits(anatomy)) {
+        const TriangleTree tree(bone.surface);
+        const BoneShape shape{SignedDistance(tree), grown(bounds, 1.0 /* beyond it is only air */)};
+        if (!fit_landmarks(anatomy, shape, bone.report, diagnostics)) return std::nullopt;
+    }
     if (!anatomy.axes.empty()) {
         // A little air around the bone, so that a region that holds all of it ends outside.
         bone.region = planned_region(anatomy.axes, grown(bounds, 1e-3));

@@ -48,6 +48,16 @@ struct Tissue {
     std::vector<Solid> solids{};  ///< it is in their union; empty: wherever its shell is, or everything that is left
 };
 
+/// How a landmark is found from the bone, near where it is written. What each shape is: core/import/fit_landmarks.h.
+struct LandmarkFit {
+    enum class Shape { sphere, tube, neck, condyles };
+    Shape shape = Shape::sphere;
+    double radius = 0.0;      ///< [m] about; of a sphere and a tube
+    std::string reference{};  ///< of a neck: the point at its head's centre; of condyles: the axis of the shaft
+    double within = 15e-3;    ///< [m] how far it may lie from where it is written
+    std::optional<double> residual{};  ///< [m] at most; without it the landmark's tolerance
+};
+
 struct LandmarkPoint {
     /// What the author knows of the place, and import checks within the tolerance.
     enum class Lies { anywhere, on_bone, in_bone, off_bone };
@@ -55,11 +65,13 @@ struct LandmarkPoint {
     Vec3 at{};               ///< [m]
     double tolerance = 0.0;  ///< [m]
     Lies lies = Lies::anywhere;
+    std::optional<LandmarkFit> fit{};  ///< then `at` is a guess until the bone is made
 };
 struct LandmarkAxis {
     std::string id;
-    Vec3 from{}, to{};       ///< [m]
-    double tolerance = 0.0;  ///< [m]
+    Vec3 from{}, to{};                 ///< [m]
+    double tolerance = 0.0;            ///< [m]
+    std::optional<LandmarkFit> fit{};  ///< then `from` and `to` are guesses until the bone is made
 };
 struct LandmarkPlane {
     std::string id;

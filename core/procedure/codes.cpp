@@ -443,6 +443,31 @@ constexpr CodeEntry entries[] = {
      .why = "A structure at risk is most often soft. A zone in bone may be in another frame. Only a warning.",
      .write = "Check its coordinates: LPS, millimetres.",
      .is_warning = true},
+    {.number = 615,
+     .name = "no shape to fit",
+     .meaning = "The bone near a landmark with `fit:` does not have the shape that is fitted, in about the radius that "
+                "is written.",
+     .why = "A sphere needs bone in 40 % of all directions, a tube half of the points of its sections, a neck a "
+            "narrowest section, condyles a backmost point each. Less does not determine them.",
+     .write = "Check that the guess is on this part of the bone, its radius, and that the bone is complete there."},
+    {.number = 616,
+     .name = "residual too large",
+     .meaning = "The bone near a landmark with `fit:` is farther from the shape that is fitted than allowed.",
+     .why = "The landmark would be less certain than its tolerance.",
+     .write = "Check the guess and the bone. If both are right, write the `residual:` that the message gives."},
+    {.number = 617,
+     .name = "fit off its guess",
+     .meaning = "A fitted landmark is farther from its guess than `within:`.",
+     .why = "It may be another part of the bone.",
+     .write = "Check the guess. If the fit is right, write the position that the message gives."},
+    {.number = 618,
+     .name = "fit without its reference",
+     .meaning = "A fit refers to a landmark that is not there, or is not known before the fit. Or "
+                "`component_at:` names a fitted point.",
+     .why = "A neck begins at the centre and radius of its head, and condyles are seen along their shaft. A point that "
+            "chooses the bone must be known before the bone is.",
+     .write = "Name a point with `fit: {sphere: …}` as `head:`, an axis as `shaft:`, and a point without `fit:` as "
+              "`component_at:`."},
     {.number = 619,
      .name = "link out of the folder",
      .meaning = "A link to a data file leads out of the folder that it must stay in.",

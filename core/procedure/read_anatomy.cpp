@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/procedure/correct_keys.h"
+#include "core/procedure/fit_references.h"
 #include "core/procedure/printable.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
@@ -255,6 +256,43 @@ Vec3 read_direction(MapReader& map, const std::string& key, Report& report) {
     return {0, 0, 1};
 }
 
+struct FitKind {
+    const char* key;
+    LandmarkFit::Shape shape;
+    const Shape& values;
+    const char* reference;  ///< key of the landmark that it refers to; null: none
+};
+const std::array<FitKind, 4> fit_kinds{{{"sphere", LandmarkFit::Shape::sphere, shapes::sphere_fit, nullptr},
+                                        {"tube", LandmarkFit::Shape::tube, shapes::tube_fit, nullptr},
+                                        {"neck", LandmarkFit::Shape::neck, shapes::neck_fit, "head"},
+                                        {"condyles", LandmarkFit::Shape::condyles, shapes::condyles_fit, "shaft"}}};
+
+std::optional<LandmarkFit> read_fit(MapReader& landmark, const Shape& shape, Report& report) {
+    const Node* node = landmark.find("fit");
+    if (!node) return std::nullopt;
+    MapReader map(*node, shape, landmark.name_of("fit"), report);
+    LandmarkFit fit;
+    if (const Node* found = map.one_of()) {
+        const FitKind& kind = *std::find_if(fit_kinds.begin(), fit_kinds.end(),
+                                            [&](const FitKind& one) { return found->key == one.key; });
+        fit.shape = kind.shape;
+        MapReader values(*found, kind.values, map.name_of(found->key), report);
+        if (kind.reference != nullptr)
+            fit.reference = values.id(kind.reference);
+        else
+            fit.radius = values.quantity("radius");
+        values.quantity("within", fit.within);
+        values.finish();
+    }
+    if (const Node* residual = map.find("residual")) {
+        MapReader bound(*residual, shapes::fit_residual, map.name_of("residual"), report);
+        fit.residual = bound.quantity("at_most");
+        bound.finish();
+    }
+    map.finish();
+    return fit;
+}
+
 void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
     MapReader map(node, shapes::landmarks, "landmarks", report);
     UniqueIds ids;  // a step names a landmark without saying of which sort
@@ -268,6 +306,7 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
             landmark.lies = lies == "on_bone"   ? LandmarkPoint::Lies::on_bone
                             : lies == "in_bone" ? LandmarkPoint::Lies::in_bone
                                                 : LandmarkPoint::Lies::off_bone;
+        landmark.fit = read_fit(point, shapes::point_fit, report);
         point.finish();
         anatomy.points.push_back(std::move(landmark));
     }
@@ -277,6 +316,7 @@ void read_landmarks(const Node& node, Anatomy& anatomy, Report& report) {
         landmark.id = item.key;
         read_ends(axis, landmark, item.key, report);
         landmark.tolerance = axis.quantity("tolerance");
+        landmark.fit = read_fit(axis, shapes::axis_fit, report);
         axis.finish();
         anatomy.axes.push_back(std::move(landmark));
     }
@@ -386,6 +426,7 @@ std::optional<AnatomyDraft> draft_of_text(const std::string& file, std::string t
             if (const Node* node = map.find("zones")) anatomy->zones = read_zones(*node, anatomy->tissues, report);
             if (const Node* node = map.find("fracture")) anatomy->fracture = read_fracture(*node, report);
             map.finish();
+            check_fit_references(document->root, *anatomy, report);
             draft->is_sound = !has_error(found);
         }
     }

@@ -93,6 +93,9 @@ enum class Code {
     needs_implant = 518,   ///< something is asked of an implant, and the tool is none
     needs_driver = 516,    ///< a waypoint regrips a tool that bone does not hold
 
+    // Its landmarks that are fitted
+    fit_reference = 618,  ///< a fit refers to what is no fitted sphere, or the bone is picked by what is fitted from it
+
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,
 

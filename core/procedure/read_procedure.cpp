@@ -1340,6 +1340,22 @@ void check_names(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     check_list(procedure.needs_tissues, tissues, list("tissues"), Code::missing_tissue, "tissue", anatomy, report);
 }
 
+void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report report(*document, diagnostics);
+    std::vector<std::string> axes, planes;
+    append_ids(anatomy.axes, axes);
+    append_ids(anatomy.planes, planes);
+    const Node* steps = document->root.find("steps");
+    for (std::size_t i = 0; i < procedure.steps.size(); ++i) {
+        const Step& step = procedure.steps[i];
+        if (!contains(axes, step.axis) || !contains(planes, step.plane)) continue;
+        const Node* node = steps && i < steps->children.size() ? steps->children[i].find("plane") : nullptr;
+        check_lies_in(find_by_id(anatomy.axes, step.axis), find_by_id(anatomy.planes, step.plane),
+                      node ? node->span : TextSpan{}, anatomy, report);
+    }
+}
+
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics) {
     check_names(procedure, anatomy, diagnostics);
     const auto read = document_of(procedure);
@@ -1382,7 +1398,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
                          meant,
                          in_anatomy(anatomy, {"landmarks", is_point ? "points" : "axes", plane},
                                     is_point ? "it is a point here." : "it is an axis here."));
-        } else if (contains(axes, axis)) {
+        } else if (contains(axes, axis) && !find_by_id(anatomy.axes, axis).fit) {
             check_lies_in(find_by_id(anatomy.axes, axis), find_by_id(anatomy.planes, plane),
                           plane_node ? plane_node->span : TextSpan{}, anatomy, report);
         }

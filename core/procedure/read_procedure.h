@@ -49,7 +49,11 @@ std::shared_ptr<const Document> document_of(const Procedure& procedure);
 void check_names(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
 
 /// Reports what the procedure needs and this anatomy does not have: names as above, an axis for every step, and the
-/// point `midline` when a rehearsal moves towards it. Places are those in the procedure.   [main]
+/// point `midline` when a rehearsal moves towards it. Places are those in the procedure. An axis that is fitted is not
+/// compared with its step's plane: its position is not known yet.   [main]
 void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
+
+/// Reports the steps whose axis leaves their plane, or lies beside it (E0507).   [main]
+void check_axes_in_planes(const Procedure& procedure, const Anatomy& anatomy, Diagnostics& diagnostics);
 
 }  // namespace kerf

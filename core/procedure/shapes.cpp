@@ -45,6 +45,8 @@ ValueShape driver_torque() { return quantity(dimension::torque, "N*m", 0.05, 20.
 ValueShape depth() { return length(-300.0_mm, 300.0_mm); }
 ValueShape removed_volume() { return quantity(dimension::volume, "mm3", 1e-10, 1e-3); }
 ValueShape extent() { return length(0.1_mm, 2.0_m); }
+ValueShape fitted_radius() { return length(2.0_mm, 100.0_mm); }
+ValueShape fitted_within() { return length(0.1_mm, 50.0_mm); }
 ValueShape tolerance() { return length(0.0_mm, 20.0_mm); }
 ValueShape vector(kerf_dimension dimension, const char* unit, double min, double max) {
     return {.kind = Kind::vector, .need = {dimension, unit, min, max}};
@@ -755,6 +757,67 @@ const Shape tissue{"tissue",
                        {optional, "source", text(), "The source of its figures.", "Silva et al. 1994."},
                    }};
 
+const Shape fit_residual{"fit_residual",
+                         "How well the bone must have the shape that is fitted.",
+                         {
+                             {required, "at_most", length(0.01_mm, 20.0_mm),
+                              "The root mean square of the distances from the shape.", "1 mm"},
+                         }};
+
+const Shape sphere_fit{"sphere_fit",
+                       "A sphere on the surface, such as the head of a femur.",
+                       {
+                           {required, "radius", fitted_radius(), "About its radius: within 30 %.", "23 mm"},
+                           {optional, "within", fitted_within(),
+                            "How far its centre may be from the position that is written.", "12 mm", "15 mm"},
+                       }};
+
+const Shape tube_fit{"tube_fit",
+                     "A round stretch of bone between `from` and `to`, such as a shaft: the axis is its own.",
+                     {
+                         {required, "radius", fitted_radius(), "About its radius: within 30 %.", "14 mm"},
+                         {optional, "within", fitted_within(),
+                          "How far its axis may be from the ends that are written.", "12 mm", "15 mm"},
+                     }};
+
+const Shape neck_fit{"neck_fit",
+                     "A neck: the axis passes through the centre of its head and the middle of its narrowest part.",
+                     {
+                         {required, "head", id(), "A point that is fitted to a sphere.", "head"},
+                         {optional, "within", fitted_within(),
+                          "How far the axis may be from the ends that are written.", "12 mm", "15 mm"},
+                     }};
+
+const Shape condyles_fit{
+    "condyles_fit",
+    "The posterior condylar line: a plane parallel to the shaft touches both condyles from behind.",
+    {
+        {required, "shaft", id(), "An axis along the bone.", "shaft"},
+        {optional, "within", fitted_within(), "How far the line may be from the ends that are written.", "12 mm",
+         "15 mm"},
+    }};
+
+const Shape point_fit{
+    "point_fit",
+    "What the point is of the bone: import finds it near `at`.",
+    {
+        {one_of, "sphere", map(sphere_fit), "The centre of a sphere.", "{radius: 23 mm, within: 12 mm}"},
+        {optional, "residual", map(fit_residual), "How well the sphere must fit: the tolerance if not given.",
+         "{at_most: 1 mm}"},
+    }};
+
+const Shape axis_fit{
+    "axis_fit",
+    "What the axis is of the bone: import finds it near `from` and `to`.",
+    {
+        {one_of, "tube", map(tube_fit), "The axis of a round stretch of bone.", "{radius: 14 mm, within: 12 mm}"},
+        {one_of, "neck", map(neck_fit), "Through the centre of a head and along its neck.", "{head: head}"},
+        {one_of, "condyles", map(condyles_fit), "Along the backs of two condyles, one at `from` and one at `to`.",
+         "{shaft: shaft}"},
+        {optional, "residual", map(fit_residual), "How well the shape must fit: the tolerance if not given.",
+         "{at_most: 1 mm}"},
+    }};
+
 const Shape point{"point",
                   "A point.",
                   {
@@ -763,6 +826,8 @@ const Shape point{"point",
                       {required, "tolerance", tolerance(), "The uncertainty of its position.", "1.5 mm"},
                       {optional, "lies", word({"on_bone", "in_bone", "off_bone"}),
                        "Its relation to the bone, which import checks within the tolerance.", "on_bone"},
+                      {optional, "fit", map(point_fit), "How import finds it from the bone, near `at`.",
+                       "{sphere: {radius: 23 mm, within: 12 mm}}"},
                   }};
 
 const Shape axis{"axis",
@@ -771,6 +836,8 @@ const Shape axis{"axis",
                      {required, "from", position(), "Where it begins, outside the bone.", "-23.5 47 5 mm"},
                      {required, "to", position(), "Where it ends, inside the bone.", "-9.9 -6 5 mm"},
                      {required, "tolerance", tolerance(), "The uncertainty of its position.", "1.5 mm"},
+                     {optional, "fit", map(axis_fit), "How import finds it from the bone, near `from` and `to`.",
+                      "{tube: {radius: 14 mm, within: 12 mm}}"},
                  }};
 
 const Shape plane{
@@ -803,7 +870,7 @@ const Shape landmarks{
     "landmarks",
     "Named positions that procedures use.",
     {
-        {optional, "points", named(map(point)), "Points.", "{midline: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
+        {optional, "points", named(map(point)), "Points.", "{head: {at: 0 26 5 mm, tolerance: 1.5 mm}}"},
         {optional, "axes", named(map(axis)), "Axes into the bone.",
          "{right_pedicle: {from: -23.5 47 5 mm, to: -9.9 -6 5 mm, tolerance: 1.5 mm}}"},
         {optional, "planes", named(map(plane)), "Flat cuts.",

@@ -16,6 +16,7 @@ extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, fo
 extern const Shape anatomy;
 extern const Shape anatomy_metadata, phantom, part, box, tube, elliptic_tube, sphere;
 extern const Shape fracture, fracture_turn;
+extern const Shape fit_residual, sphere_fit, tube_fit, neck_fit, condyles_fit, point_fit, axis_fit;
 extern const Shape ct, labels, kept_piece, density_line;
 extern const Shape mesh, repair, canal;
 extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;

@@ -17,6 +17,7 @@
 
 #include "core/field/fnv1a.h"
 #include "core/import/bone_mask.h"
+#include "core/import/fit_landmarks.h"
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "kerf/units.hpp"
@@ -402,6 +403,26 @@ TEST(CtBody, BecomesABodyWithAPrescribedCortexAndTheDensityOfItsVoxels) {
     const AxisInBone found = axis_in_bone(*body, {"axis", {-(15.0_mm), 0.0, 0.0}, {8.0_mm, 0.0, 0.0}, 0.0});
     EXPECT_NEAR(found.entry, 5.0_mm, 0.2_mm);
     EXPECT_EQ(found.share, 1.0);
+}
+
+TEST(CtBody, FitsLandmarksToTheBorderOfItsVoxels) {
+    // Given a ball of 10 mm at the origin, and a point that is written 6 mm beside it
+    const test::TemporaryFolder folder;
+    Anatomy one = anatomy();
+    one.file = write_ball(folder);
+    one.ct->image = "ball.mha";
+    one.points = {{"middle", {0, 6.0_mm, 0}, 1.0_mm, {}, LandmarkFit{.radius = 11.0_mm, .within = 8.0_mm}}};
+
+    // When it becomes a bone
+    Diagnostics diagnostics;
+    const auto bone = make_ct_bone(one, diagnostics);
+
+    // Then the point is the ball's centre, to a fraction of a voxel
+    ASSERT_TRUE(bone) << to_text(diagnostics);
+    use_fits(one, bone->report);
+    EXPECT_LT(length(one.points[0].at), 0.1 * spacing);
+    EXPECT_FALSE(one.points[0].fit);
+    EXPECT_NE(to_string(bone->report.notes).find("Point middle: fitted"), std::string::npos);
 }
 
 /// A ball by its labels in a CT of any grey values; density [kg/m³] = value, not under 100.

@@ -75,6 +75,50 @@ TEST(ReadAnatomy, ReadsASphere) {
 TEST(ReadAnatomy, RefusesASphereWithoutRadius) {
     expect_refused(Code::missing_key, "box: {centre: 0 0 0 mm, size: 40 30 20 mm}", "«sphere»: {centre: 1 2 3 mm}");
 }
+TEST(ReadAnatomy, ReadsFits) {
+    Diagnostics diagnostics;
+    std::string text =
+        replaced(faultless, "1 mm], tolerance: 1.5 mm}",
+                 "1 mm], fit: {sphere: {radius: 2 cm}, residual: {at_most: 0.5 mm}}, tolerance: 1.5 mm}");
+    text = replaced(text, "to: -10 0 0 mm, tolerance: 1.5 mm}",
+                    "to: -10 0 0 mm, fit: {neck: {head: midline, within: 8 mm}}, tolerance: 1.5 mm}");
+    const auto anatomy = read_anatomy_text("bone.yaml", text, diagnostics);
+    ASSERT_TRUE(anatomy) << to_text(diagnostics);
+    ASSERT_TRUE(anatomy->points.at(0).fit && anatomy->axes.at(0).fit);
+    EXPECT_EQ(anatomy->points[0].fit->radius, 20.0_mm);
+    EXPECT_EQ(anatomy->points[0].fit->within, 15.0_mm);
+    EXPECT_EQ(anatomy->points[0].fit->residual, 0.5_mm);
+    EXPECT_EQ(anatomy->axes[0].fit->shape, LandmarkFit::Shape::neck);
+    EXPECT_EQ(anatomy->axes[0].fit->reference, "midline");
+    EXPECT_EQ(anatomy->axes[0].fit->within, 8.0_mm);
+    EXPECT_FALSE(anatomy->axes[0].fit->residual);
+}
+TEST(ReadAnatomy, RefusesTwoShapesOfOneFit) {
+    expect_refused(Code::one_of, "0 0 mm, tolerance: 1.5 mm}}",
+                   "0 0 mm, fit: {tube: {radius: 9 mm}, «neck»: {head: midline}}, tolerance: 1.5 mm}}");
+}
+TEST(ReadAnatomy, RefusesANeckWithoutAFittedHead) {
+    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+                   "0 0 mm, fit: {neck: {head: «midline»}}, tolerance: 1.5 mm}}");
+}
+TEST(ReadAnatomy, RefusesAnUnknownShaft) {
+    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+                   "0 0 mm, fit: {condyles: {shaft: «femur»}}, tolerance: 1.5 mm}}");
+}
+TEST(ReadAnatomy, RefusesAPieceChosenByAFittedPoint) {
+    Diagnostics diagnostics;
+    std::string text =
+        replaced(faultless, "1 mm], tolerance: 1.5 mm}", "1 mm], fit: {sphere: {radius: 2 cm}}, tolerance: 1.5 mm}");
+    const std::size_t first = text.find("phantom:"), last = text.find("tissues:");
+    text.replace(first, last - first, "ct: {image: scan.nrrd, threshold: 150, keep: {component_at: «midline»}}\n");
+    const MarkedText marked(text);
+    EXPECT_FALSE(read_anatomy_text("bone.yaml", marked.text, diagnostics));
+    expect_only(Code::fit_reference, marked, diagnostics);
+}
+TEST(ReadAnatomy, RefusesFitsInACircle) {
+    expect_refused(Code::fit_reference, "0 0 mm, tolerance: 1.5 mm}}",
+                   "0 0 mm, fit: {condyles: {shaft: «pedicle»}}, tolerance: 1.5 mm}}");
+}
 TEST(ReadAnatomy, RefusesAProcedure) { expect_refused(Code::wrong_kind, "kind: Anatomy", "kind: «Procedure»"); }
 TEST(ReadAnatomy, RefusesAPartOfTwoShapes) {
     expect_refused(Code::one_of, "20 mm}, source: A book.",
