@@ -111,7 +111,8 @@ std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulat
                                    std::size_t step) {
     if (!monitor.steps()[step].has_cut_bone()) return {};
     const std::size_t owner = monitor.owners().step[step];
-    return screw_at(scene, step, *simulation.present().piece(owner).bone,
+    // A screw through a fracture lies in what was one bone.
+    return screw_at(scene, step, scene.whole ? *scene.whole : *simulation.present().piece(owner).bone,
                     inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool());
 }
 

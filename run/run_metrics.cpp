@@ -154,7 +154,7 @@ void add_places(const StepState& state, StepRows& rows) {
         if (limit.limit->quantity == "tip_apex")
             rows.length("tip-apex", limit.worst, rows.half_voxel(), status,
                         "Distance of the tip from " + limit.limit->landmark +
-                            " as seen from the front, plus the same as seen from the side.");
+                            " as seen from the front, plus the same in the side view that shows the neck.");
     }
 }
 

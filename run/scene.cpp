@@ -91,7 +91,7 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
     std::vector<double> forces;
     const EndlessBoneLaw law(scene.tool(step).setup, scene.body.materials.size());
     const AxisFrame& frame = scene.frames[step];
-    constexpr double apart = 0.5e-3;
+    constexpr double apart = 0.5e-3, marrow = 100.0;  // [m]; [kg/m³], up to which nothing is to be felt
     for (double at = 0.5 * apart; at < depth; at += apart) {
         const BrickPlace place = locate(scene.body, frame.entry + at * frame.along);
         if (uncut_distance(scene.body, place) >= 0.0) continue;
@@ -100,7 +100,8 @@ std::vector<double> forces_along(const Scene& scene, std::size_t step) {
         const auto most =
             static_cast<std::size_t>(std::max_element(weight, weight + scene.body.materials.size()) - weight);
         const Material& material = scene.body.materials[most];
-        forces.push_back(law.force(most, material.densities.at(place, material.density), asked.feed));
+        const double density = material.densities.at(place, material.density);
+        if (density > marrow) forces.push_back(law.force(most, density, asked.feed));
     }
     return forces;
 }
@@ -181,6 +182,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
     for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s)
         check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
     if (scene.anatomy.fracture) {
+        scene.whole = scene.body;
         scene.fragment = break_bone(scene.body, scene.anatomy, diagnostics);
         if (!scene.fragment) return std::nullopt;
         scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);

@@ -11,19 +11,32 @@ namespace kerf {
 
 double tip_inside(const Simulation& simulation, const StepMonitor& monitor, Vec3 tip) {
     const auto& owners = monitor.owners().step;
-    const std::size_t owner = owners.empty() ? 0 : owners[std::min(monitor.current(), owners.size() - 1)];
-    const LiveBody& live = *simulation.bodies()[owner];
-    return -uncut_distance(*live.bone, locate(*live.bone, inverse(live.world_from_body) * tip));
+    const LiveBody& owner =
+        *simulation.bodies()[owners.empty() ? 0 : owners[std::min(monitor.current(), owners.size() - 1)]];
+    const auto inside = [&](const LiveBody& live) {
+        return -uncut_distance(*live.bone, locate(*live.bone, inverse(live.world_from_body) * tip));
+    };
+    double deepest = inside(owner);
+    // Parts that a cut has made share the bone that was one; a fragment has its own.
+    for (const auto& live : simulation.bodies())
+        if (live->is_present && live->is_cuttable && live->bone != owner.bone)
+            deepest = std::max(deepest, inside(*live));
+    return deepest;
 }
 
 std::int32_t tissue_at(const Scene& scene, const Simulation& simulation, Vec3 tip) {
     // A voxel ahead of the tip: the tip itself lies on the border of what it cut.
     const Vec3 ahead = tip + scene.procedure.spacing * rotate(simulation.world_from_tool().rotation, {0, 0, 1});
-    const BrickPlace place = locate(scene.body, ahead);
-    if (std::max(scene.body.surface.at(place), simulation.exact().at(place)) > 0.0) return -1;
-    double weight[KERF_MAX_TISSUES];
-    material_weights(scene.body, place, weight);
-    return static_cast<std::int32_t>(std::max_element(weight, weight + scene.body.materials.size()) - weight);
+    for (const auto& live : simulation.bodies()) {
+        if (!live->is_present || !live->is_cuttable) continue;
+        const Body& bone = *live->bone;
+        const BrickPlace place = locate(bone, inverse(live->world_from_body) * ahead);
+        if (std::max(bone.surface.at(place), simulation.exact(live->id).at(place)) > 0.0) continue;
+        double weight[KERF_MAX_TISSUES];
+        material_weights(bone, place, weight);
+        return static_cast<std::int32_t>(std::max_element(weight, weight + bone.materials.size()) - weight);
+    }
+    return -1;
 }
 
 TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& simulation, const StepMonitor& monitor,

@@ -93,7 +93,7 @@ struct Limit {
     SourcePlace place{};
     std::string event{};              ///< for "damage"
     double diameter = 0.0;            ///< [m] for "breach": of the cylinder that is to lie in the hole
-    std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point
+    std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point and an axis
     NamedSignal signal{};             ///< for "signal"
 
     /// Measured on the wall of the cut, in the step's plane.

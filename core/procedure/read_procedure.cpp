@@ -483,7 +483,10 @@ Limit read_limit(const Node& item, const ComponentInfo* law, const Procedure& pr
                                   report);
             return id;
         };
-        if (quantity->key == "tip_apex") limit.landmark = landmark("apex");
+        if (quantity->key == "tip_apex") {
+            limit.landmark = landmark("apex");
+            limit.other = landmark("neck");
+        }
         if (quantity->key == "axes_angle") {
             limit.landmark = landmark("of");
             limit.other = landmark("to");
@@ -1230,6 +1233,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const std:
                 need("to", limit.other, axes, "axis");
             } else if (limit.quantity == "tip_apex") {
                 need("apex", limit.landmark, points, "point");
+                need("neck", limit.other, axes, "axis");
             } else if (!anatomy.fracture) {
                 refuse_whole_bone(node ? node->key_span : TextSpan{}, "the limit `" + limit.quantity + "`");
             }

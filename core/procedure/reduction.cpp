@@ -45,17 +45,22 @@ std::optional<double> angle_between(const Anatomy& anatomy, std::span<const Pose
 }
 
 std::optional<double> tip_apex_distance(const Anatomy& anatomy, std::span<const Pose> world_from_body,
-                                        Vec3 tip_in_world, const std::string& apex) {
+                                        Vec3 tip_in_world, const std::string& apex, const std::string& neck) {
     const LandmarkPoint* point = find(anatomy.points, apex);
-    if (point == nullptr) return {};
+    const LandmarkAxis* axis = find(anatomy.axes, neck);
+    if (point == nullptr || axis == nullptr) return {};
     const Vec3 away = inverse(pose_of(body_at(anatomy, point->at), world_from_body)) * tip_in_world - point->at;
-    return std::hypot(away.x, away.z) + std::hypot(away.y, away.z);
+    const Vec3 from_behind{0, 1, 0}, across = cross(from_behind, normalized(axis->to - axis->from));
+    if (length(across) < 1e-3) return {};  // a neck that points to the front
+    const auto seen_along = [&](Vec3 view) { return length(away - dot(away, view) * view); };
+    return seen_along(from_behind) + seen_along(normalized(across));
 }
 
 std::optional<double> measured_at_end(const Limit& limit, const Anatomy& anatomy, std::span<const Pose> world_from_body,
                                       Vec3 tip_in_world) {
     if (limit.quantity == "axes_angle") return angle_between(anatomy, world_from_body, limit.landmark, limit.other);
-    if (limit.quantity == "tip_apex") return tip_apex_distance(anatomy, world_from_body, tip_in_world, limit.landmark);
+    if (limit.quantity == "tip_apex")
+        return tip_apex_distance(anatomy, world_from_body, tip_in_world, limit.landmark, limit.other);
     if (const auto reduction = reduction_of(anatomy, world_from_body)) {
         if (limit.quantity == "reduction_offset") return reduction->offset;
         if (limit.quantity == "reduction_angle") return reduction->angle;

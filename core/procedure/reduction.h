@@ -26,9 +26,11 @@ struct Reduction {
                                                   const std::string& one, const std::string& other);
 
 /// Returns the tip–apex distance [m]: the distance from a tip to the point `apex`, as seen from the front, plus the
-/// same as seen from the side [baumgaertner-1995]. Both views are the anatomy's, without magnification.   [any] pure.
+/// same in the view from the side that shows the axis `neck` in full [baumgaertner-1995]. Without magnification.
+/// Nothing for a name that the anatomy does not have.   [any] pure.
 [[nodiscard]] std::optional<double> tip_apex_distance(const Anatomy& anatomy, std::span<const Pose> world_from_body,
-                                                      Vec3 tip_in_world, const std::string& apex);
+                                                      Vec3 tip_in_world, const std::string& apex,
+                                                      const std::string& neck);
 
 /// Returns what a limit bounds when its step ends; nothing for another sort of limit.   [any] pure.
 /// @param tip_in_world  of the tool [m]

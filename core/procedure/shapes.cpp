@@ -222,9 +222,11 @@ const Shape axes_angle_bound{
 
 const Shape tip_apex_bound{
     "tip_apex_bound",
-    "The distance of the tip from a point as seen from the front, plus the same as seen from the side.",
+    "The distance of the tip from a point as seen from the front, plus the same in the side view that shows the neck.",
     {
-        {required, "apex", id(), "A point of `needs.landmarks`.", "midline"},
+        {required, "apex", id(), "A point of `needs.landmarks`, where the axis of the neck leaves the head.",
+         "midline"},
+        {required, "neck", id(), "An axis of `needs.landmarks`.", "right_pedicle"},
         {required, "at_most", length(0.1_mm, 200.0_mm), "No more than this.", "25 mm"},
     }};
 
@@ -383,7 +385,7 @@ const Shape limit{
          "{of: right_pedicle, to: right_pedicle, at_most: 135 deg}"},
         {one_of, "tip_apex", map(tip_apex_bound),
          "The tip-apex distance of a screw in a femoral head, measured when the step has ended.",
-         "{apex: midline, at_most: 25 mm}"},
+         "{apex: midline, neck: right_pedicle, at_most: 25 mm}"},
         {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
         {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
          "{at_most: 1 s}"},
