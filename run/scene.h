@@ -25,7 +25,7 @@ struct Scene {
     Procedure procedure;
     Anatomy anatomy;
     Body body;                                   ///< of a fractured bone what is behind the fracture
-    std::optional<Body> whole{};            ///< of a fractured bone: before it broke
+    std::optional<Body> whole{};                 ///< of a fractured bone: before it broke
     std::optional<Body> fragment{};              ///< the rest of it: body 1
     Pose world_from_fragment = identity_pose();  ///< at first
     std::vector<AxisFrame> frames;               ///< one per step, in the whole bone

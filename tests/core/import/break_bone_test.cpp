@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/break_bone.h"
+
+#include <gtest/gtest.h>
+
+#include "core/field/removed_volume.h"
+#include "core/import/make_body.h"
+#include "kerf/units.hpp"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+Anatomy rod(const Fracture& fracture) {
+    Anatomy anatomy;
+    anatomy.id = "rod";
+    anatomy.phantom.parts = {{"rod", BoxSolid{{0, 0, 0}, {20.0_mm, 20.0_mm, 60.0_mm}}, false, ""}};
+    anatomy.tissues = {{"cortical", 1850.0, 3.0_mm, ""}, {"cancellous", 250.0, 0.0, ""}};
+    anatomy.fracture = fracture;
+    return anatomy;
+}
+
+double volume_of(const Body& body) { return bone_volume(body, CutField(body, 0)); }
+
+TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
+    const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .gap = 1.0_mm});
+    Diagnostics diagnostics;
+    auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    ASSERT_TRUE(body);
+    const double whole = volume_of(*body);
+    const auto fragment = break_bone(*body, anatomy, diagnostics);
+    ASSERT_TRUE(fragment) << to_text(diagnostics);
+    const double section = 20.0_mm * 20.0_mm;
+    EXPECT_NEAR(volume_of(*fragment), section * 19.5_mm, 0.01 * section * 19.5_mm);
+    EXPECT_NEAR(volume_of(*body), section * 39.5_mm, 0.01 * section * 39.5_mm);
+    EXPECT_NEAR(whole - volume_of(*body) - volume_of(*fragment), section * 1.0_mm, 0.05 * section * 1.0_mm);
+}
+
+TEST(BreakBone, HasNoNewCortexAtTheBreak) {
+    const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}});
+    Diagnostics diagnostics;
+    auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    const auto fragment = break_bone(*body, anatomy, diagnostics);
+    ASSERT_TRUE(fragment);
+    const auto is_cortical = [&](Vec3 at) { return fragment->materials[0].border.at(locate(*fragment, at)) < 0.0; };
+    EXPECT_FALSE(is_cortical({0, 0, 11.0_mm})) << "the middle of the break";
+    EXPECT_TRUE(is_cortical({8.5_mm, 0, 11.0_mm})) << "its rim";
+    EXPECT_TRUE(is_cortical({0, 0, 28.5_mm})) << "the far end";
+}
+
+TEST(BreakBone, IsRefusedWhereOneSideHasNoBone) {
+    const Anatomy anatomy = rod({.at = {0, 0, 31.0_mm}, .normal = {0, 0, 1}});
+    Diagnostics diagnostics;
+    auto body = make_body(anatomy, 0.5_mm, diagnostics);
+    const double whole = volume_of(*body);
+    EXPECT_FALSE(break_bone(*body, anatomy, diagnostics));
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0605");
+    EXPECT_EQ(volume_of(*body), whole) << "it stays whole";
+}
+
+}  // namespace
+}  // namespace kerf
