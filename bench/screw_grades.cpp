@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     std::string svg;
     std::printf("%-16s %10s  %-18s %s\n", "screw", "breach mm", "Gertzbein-Robbins", "Heary");
     for (std::size_t i = 0; i < screws.size(); ++i) {
-        const HoleResult found = screw_at(scene, step, scene.body, pose_of(screws[i], frame));
+        const HoleResult found = screw_at(scene, step, frame, scene.body, pose_of(screws[i], frame));
         if (!found.screw) throw std::runtime_error(std::string("no grade of ") + screws[i].name);
         const std::string grade = gertzbein_robbins(found.screw->least, found.screw->most);
         std::printf("%-16s %10.2f  %-18s %s\n", screws[i].name, found.screw->breach.worst() / 1.0_mm, grade.c_str(),

@@ -64,7 +64,7 @@ double clearance_of(const ToolSolid& core, const Pose& world_from_screw, const A
 
 std::optional<CutWall> wall_of(const Scene& scene, const Simulation& simulation, const CutBefore& before,
                                const StepMonitor& monitor, std::size_t step) {
-    const AxisFrame& frame = scene.frames[step];
+    const AxisFrame& frame = monitor.frame(step);
     if (frame.across == Vec3{}) return {};
     const WallWindow window{.entry = frame.entry,
                             .along = frame.along,
@@ -88,7 +88,7 @@ std::optional<HoleResult> hole_of(const Scene& scene, const Simulation& simulati
     const ToolSolid& cutting = scene.tool(step).outline.cutting;
     const StepState& state = monitor.steps()[step];
     if (cutting.is_prism() || cutting.outline().empty() || !state.step->has_depth() || !state.has_cut_bone()) return {};
-    const AxisFrame& frame = scene.frames[step];
+    const AxisFrame& frame = monitor.frame(step);
     const std::size_t owner = monitor.owners().step[step];
     const PresentBone& bone = simulation.present();
     const Body& body = *bone.piece(owner).bone;
@@ -112,13 +112,13 @@ std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulat
     if (!monitor.steps()[step].has_cut_bone()) return {};
     const std::size_t owner = monitor.owners().step[step];
     // A screw through a fracture lies in what was one bone.
-    return screw_at(scene, step, scene.whole ? *scene.whole : *simulation.present().piece(owner).bone,
+    return screw_at(scene, step, monitor.frame(step),
+                    scene.whole ? *scene.whole : *simulation.present().piece(owner).bone,
                     inverse(simulation.bodies()[owner]->world_from_body) * simulation.world_from_tool());
 }
 
-HoleResult screw_at(const Scene& scene, std::size_t step, const Body& body, const Pose& screw) {
+HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame, const Body& body, const Pose& screw) {
     const ToolOutline& outline = scene.tool(step).outline;
-    const AxisFrame& frame = scene.frames[step];
     const HolePlan plan{.entry = frame.entry,
                         .along = frame.along,
                         .depth = frame.depth_of(screw.position),
@@ -133,6 +133,13 @@ HoleResult screw_at(const Scene& scene, std::size_t step, const Body& body, cons
                                  .breach = along.of(radius),
                                  .least = along.of(radius - unsure).worst(),
                                  .most = along.of(radius + unsure).worst()};
+    if (frame.plate) {
+        const Vec3 middle = frame.entry + *frame.plate * frame.along, axis = rotate(screw.rotation, {0, 0, 1});
+        const double cosine = dot(axis, frame.along);  // a screw at more than 60° to the axis was left out above
+        const Vec3 there = screw.position + dot(middle - screw.position, frame.along) / cosine * axis;
+        result.screw->hole_offset = length(there - middle);
+        result.screw->hole_angle = std::atan2(length(cross(axis, frame.along)), cosine);
+    }
     if (frame.medial == Vec3{}) return result;  // its sides have no names
     const double tip = uncut_distance(body, locate(body, screw.position)),
                  zone = clearance_of(outline.cutting, screw, scene.anatomy);

@@ -61,6 +61,8 @@ private:
 [[nodiscard]] std::optional<HoleResult> screw_of(const Scene& scene, const Simulation& simulation,
                                                  const StepMonitor& monitor, std::size_t step);
 /// The same of an implant that lies in a body at a pose. Nothing of it where it is at more than 60° to the axis. [main]
-[[nodiscard]] HoleResult screw_at(const Scene& scene, std::size_t step, const Body& body, const Pose& body_from_screw);
+/// @param frame   of the step, in the body's frame
+[[nodiscard]] HoleResult screw_at(const Scene& scene, std::size_t step, const AxisFrame& frame, const Body& body,
+                                  const Pose& body_from_screw);
 
 }  // namespace kerf

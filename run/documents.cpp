@@ -14,6 +14,7 @@
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_map.h"
 #include "run/bone_memory.h"
+#include "run/plate.h"
 #include "run/run_checks.h"
 #include "run/shipped.h"
 #include "run/thread_checks.h"
@@ -112,7 +113,10 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     }
     std::vector<const ToolOutline*> outlines;
     for (const std::size_t tool : documents.tool_of_step) outlines.push_back(&documents.tools[tool].outline);
-    if (!has_error(diagnostics)) check_threads(procedure, outlines, diagnostics);
+    if (!has_error(diagnostics)) {
+        check_threads(procedure, outlines, diagnostics);
+        check_screws_of_plates(procedure, outlines, diagnostics);
+    }
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
         if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty()) {
             check_hole_limits(procedure, step, tool.outline.cutting, diagnostics);
@@ -221,6 +225,7 @@ std::optional<Documents> check_documents(const DocumentRequest& request, const P
     documents.device = find_device(documents.procedure.device.c_str());
     check_run(documents.procedure, diagnostics);
     check_implant_files(documents.procedure, diagnostics);
+    if (draft->is_sound) check_holes_of_parts(documents.procedure, diagnostics);
     if (anatomy && anatomy->is_sound && draft->has_spacing)
         check_bone_memory(documents.procedure, documents.anatomy, diagnostics);
     if (draft->is_sound)

@@ -21,6 +21,25 @@ std::vector<HandInput> HandInputs::take(std::uint64_t tick, std::size_t legs, bo
     return inputs;
 }
 
+namespace {
+
+/// Puts an implant at the tool, or at its planned pose. One with a planned pose must lie on bone at either.
+std::string bring_in(const HandInput& input, const Scene& scene, Simulation& simulation) {
+    const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(),
+                                      [&](const Body& body) { return body.id == input.id; });
+    if (implant == scene.implants.end()) return "there is no implant " + input.id;
+    const std::optional<Pose>& planned = scene.planned[static_cast<std::size_t>(implant - scene.implants.begin())];
+    const bool is_placed = input.kind == HandInput::Kind::place;
+    if (is_placed && !planned) return "the implant " + input.id + " has no planned pose";
+    const Pose pose = is_placed ? *planned : simulation.world_from_tool();
+    if (planned)
+        if (std::string why_not = misfit(fit_of(*implant, pose, BoneAround(simulation))); !why_not.empty())
+            return why_not;
+    return simulation.insert(*implant, pose, false);
+}
+
+}  // namespace
+
 std::string carry_out(const HandInput& input, const Scene& scene, Simulation& simulation) {
     switch (input.kind) {
         case HandInput::Kind::drive: {
@@ -32,12 +51,9 @@ std::string carry_out(const HandInput& input, const Scene& scene, Simulation& si
                 }
             return "the tool in hand has no drive " + input.id;
         }
-        case HandInput::Kind::insert: {
-            const auto implant = std::find_if(scene.implants.begin(), scene.implants.end(),
-                                              [&](const Body& body) { return body.id == input.id; });
-            return implant != scene.implants.end() ? simulation.insert(*implant, simulation.world_from_tool(), false)
-                                                   : "there is no implant " + input.id;
-        }
+        case HandInput::Kind::insert:
+        case HandInput::Kind::place:
+            return bring_in(input, scene, simulation);
         case HandInput::Kind::subtract:
             simulation.subtract(simulation.tool(), simulation.world_from_tool());
             return {};

@@ -10,6 +10,7 @@
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "run/belongings.h"
+#include "run/plate_steps.h"
 #include "run/run_metrics.h"
 #include "run/tick_row.h"
 
@@ -205,6 +206,10 @@ void Run::take_hand_inputs(const std::vector<HandInput>& inputs) {
                 input.kind == HandInput::Kind::subtract)
                 pass_cuts_on();
             if (input.kind == HandInput::Kind::undo || input.kind == HandInput::Kind::redo) pass_owners_on();
+            if (!scene_->holes.empty()) {
+                follow_plates(*scene_, simulation_, monitor_);
+                lead();
+            }
             before_.follow(simulation_.present());
         }
     }
@@ -328,11 +333,7 @@ void Run::report_progress(double fraction, const std::string& what) {
 }
 
 /// The sleeve of the step that runs, on the body that its axis belongs to.
-void Run::lead() {
-    std::optional<Guide> guide = scene_->guides[monitor_.current()];
-    if (guide) guide->body = monitor_.owners().step[monitor_.current()];
-    simulation_.lead(guide);
-}
+void Run::lead() { simulation_.lead(guide_of_step(*scene_, monitor_)); }
 
 // ---- after the last tick ------------------------------------------------------------------------------------------
 

@@ -258,6 +258,12 @@ void add_screw(const InsertedScrew& screw, const DrilledHole& axis, const AxisFr
     offsets.add("entry-offset", "entry_offset", axis.entry_offset, "at the entry.");
     offsets.add("narrowest-offset", "narrowest_offset", axis.narrowest_offset, at_waist);
     offsets.add("end-offset", "end_offset", axis.end_offset, "at its tip.");
+    if (screw.hole_offset)
+        rows.length("hole-offset", *screw.hole_offset, rows.sharp(), "info",
+                    "Distance of the screw's axis from the axis of the implant's hole, in the middle of the metal.");
+    if (screw.hole_angle)
+        rows.row("hole-axis-angle", *screw.hole_angle, "deg", 1.0_deg, "info",
+                 "Between the axis of the screw and that of the implant's hole.");
     const std::string how_far =
         "How far the screw's thread, " + quantity_text(screw.diameter, "mm") + " wide, leaves the bone";
     const bool is_in_vertebra = !screw.by_place.empty();  // both grades are of screws in pedicles
@@ -318,10 +324,10 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         add_clearances(state, rows);
         add_asked(state, rows);
         if (state.drilled)
-            add_hole(*state.drilled, scene.frames[s], 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
+            add_hole(*state.drilled, monitor.frame(s), 2.0 * scene.tool(s).outline.cutting.largest_radius(), rows);
         if (state.step->has_depth() && state.has_cut_bone() && !is_in_a_hole(scene, s))
             add_advance(state.advance, rows);
-        if (state.is_done() && scene.frames[s].across != Vec3{}) add_wall(state, rows);
+        if (state.is_done() && monitor.frame(s).across != Vec3{}) add_wall(state, rows);
         rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
                  "Share of the planned axis behind its entry that lies in bone.");
     }

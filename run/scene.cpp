@@ -14,6 +14,8 @@
 #include "core/import/fit_landmarks.h"
 #include "core/import/make_body.h"
 #include "core/procedure/fracture.h"
+#include "core/procedure/document.h"
+#include "core/procedure/read_procedure.h"
 #include "run/implant_body.h"
 #include "run/run_checks.h"
 #include "run/thread_checks.h"
@@ -38,11 +40,16 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
     surface.text = procedure.text;
     surface.within = {"implants", implant.id};
     surface.id = implant.id;
-    surface.mesh = implant.mesh;
+    if (implant.is_made_of_parts())
+        surface.phantom = implant.solids;
+    else
+        surface.mesh = implant.mesh;
     surface.tissues.resize(1);
     surface.tissues.front().id = "metal";
     ImportReport read;
-    auto body = make_body(surface, procedure.spacing, diagnostics, &read);
+    auto body =
+        make_body(surface, implant.is_made_of_parts() ? fitting_spacing(implant, procedure.spacing) : procedure.spacing,
+                  diagnostics, &read);
     if (!body) return std::nullopt;
     body->id = implant.id;
     import.file_hashes.insert(import.file_hashes.end(), read.file_hashes.begin(), read.file_hashes.end());
@@ -119,7 +126,86 @@ double least_time_of(const HandPlan& plan) {
     return time;
 }
 
+const LandmarkAxis* find_axis(const Anatomy& anatomy, const std::string& id) {
+    const auto found =
+        std::find_if(anatomy.axes.begin(), anatomy.axes.end(), [&](const LandmarkAxis& a) { return a.id == id; });
+    return found != anatomy.axes.end() ? &*found : nullptr;
+}
+
+/// The planned pose of each implant that has a place.
+void plan_implants(Scene& scene, Diagnostics& diagnostics) {
+    const std::vector<Step>& steps = scene.procedure.steps;
+    for (std::size_t i = 0; i < scene.implants.size(); ++i) {
+        const Implant& implant = scene.procedure.implants[i];
+        scene.planned.emplace_back();
+        if (!implant.place) continue;
+        const LandmarkAxis& axis = *find_axis(scene.anatomy, implant.place->axis);
+        const AxisInBone found = axis_in_bone(scene.body, axis);
+        if (found.entry < 0.0) {
+            if (std::none_of(steps.begin(), steps.end(), [&](const Step& step) { return step.axis == axis.id; }))
+                check_axis(scene.anatomy, axis, found, diagnostics);
+            continue;
+        }
+        const Vec3 along = normalized(axis.to - axis.from);
+        scene.planned.back() = planned_pose(axis.from + found.entry * along, along, implant.place->up);
+        check_plate(scene.procedure, implant, fit_of(scene.implants[i], *scene.planned.back(), BoneAround(scene.body)),
+                    diagnostics);
+    }
+}
+
+/// The steps that follow holes of planned implants.
+void find_step_holes(Scene& scene, Diagnostics& diagnostics) {
+    const std::vector<Implant>& implants = scene.procedure.implants;
+    std::vector<std::vector<HoleInMetal>> metal;
+    for (std::size_t i = 0; i < implants.size(); ++i) {
+        const Body& body = scene.implants[i];
+        metal.push_back(check_holes(
+            scene.procedure, implants[i], [&](Vec3 p) { return uncut_distance(body, locate(body, p)); }, diagnostics));
+    }
+    for (std::size_t s = 0; s < scene.procedure.steps.size(); ++s) {
+        const auto named = hole_of_step(scene.procedure, scene.procedure.steps[s]);
+        if (!named) continue;
+        const auto i = static_cast<std::size_t>(named->implant - implants.data());
+        const auto h = static_cast<std::size_t>(named->hole - named->implant->holes.data());
+        scene.holes.push_back({s, i, *named->hole, metal[i][h]});
+    }
+}
+
+const StepHole* find_hole(const Scene& scene, std::size_t step) {
+    const auto found =
+        std::find_if(scene.holes.begin(), scene.holes.end(), [&](const StepHole& hole) { return hole.step == step; });
+    return found != scene.holes.end() ? &*found : nullptr;
+}
+
+/// The frame of a step on a hole of an implant, at its planned pose.
+AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, Diagnostics& diagnostics) {
+    const Implant& implant = scene.procedure.implants[hole.implant];
+    const Pose& planned = *scene.planned[hole.implant];
+    const Step& step = scene.procedure.steps[hole.step];
+    const AxisInBone found = axis_in_bone(scene.body, axis_of(hole.hole, planned, step.axis));
+    if (found.entry < 0.0) {
+        const auto document = document_of(scene.procedure);
+        const Node* node = &document->root;
+        for (const std::string& key : {std::string("implants"), implant.id, std::string("holes"), hole.hole.id})
+            node = node != nullptr ? node->find(key) : nullptr;
+        Report(*document, diagnostics)
+            .error(Code::plate_off_bone, node != nullptr ? node->key_span : TextSpan{},
+                   "The hole `" + step.axis +
+                       "` leads past the bone: at the planned pose its axis meets none between "
+                       "`from` and `to`. Move the hole, write a `to:` farther in, or turn the implant with `up:`.");
+    }
+    scene.frames.push_back(
+        frame_of(hole, planned, BoneAround(scene.body), scene.anatomy, plane_of(step, scene.anatomy)));
+    return found;
+}
+
 }  // namespace
+
+const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy) {
+    const auto plane = std::find_if(anatomy.planes.begin(), anatomy.planes.end(),
+                                    [&](const LandmarkPlane& p) { return p.id == step.plane; });
+    return plane != anatomy.planes.end() ? &*plane : nullptr;
+}
 
 std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, const ImportOptions& options) {
     Scene scene;
@@ -150,19 +236,23 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         if (!metal) return std::nullopt;
         scene.implants.push_back(std::move(*metal));
     }
+    plan_implants(scene, diagnostics);
+    find_step_holes(scene, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
     import.file_hashes.insert(import.file_hashes.end(), documents.markup_hashes.begin(), documents.markup_hashes.end());
     scene.anatomy_hash = hash_of(scene.anatomy.text, import.file_hashes);
     std::vector<const ToolOutline*> outlines;
     for (const std::size_t tool : scene.tool_of_step) outlines.push_back(&scene.tools[tool].outline);
     for (const auto& step : scene.procedure.steps) {
-        const auto axis = std::find_if(scene.anatomy.axes.begin(), scene.anatomy.axes.end(),
-                                       [&](const LandmarkAxis& a) { return a.id == step.axis; });
-        const AxisInBone found = axis_in_bone(scene.body, *axis);
-        check_axis(scene.anatomy, *axis, found, diagnostics);
-        const auto plane = std::find_if(scene.anatomy.planes.begin(), scene.anatomy.planes.end(),
-                                        [&](const LandmarkPlane& p) { return p.id == step.plane; });
-        scene.frames.push_back(
-            axis_frame(*axis, found.entry, scene.anatomy, plane != scene.anatomy.planes.end() ? &*plane : nullptr));
+        AxisInBone found;
+        if (const StepHole* hole = find_hole(scene, scene.frames.size())) {
+            found = add_frame_of_hole(scene, *hole, diagnostics);
+        } else {
+            const LandmarkAxis& axis = *find_axis(scene.anatomy, step.axis);
+            found = axis_in_bone(scene.body, axis);
+            check_axis(scene.anatomy, axis, found, diagnostics);
+            scene.frames.push_back(axis_frame(axis, found.entry, scene.anatomy, plane_of(step, scene.anatomy)));
+        }
         scene.frames.back().inwards = into_surface(scene.body, scene.frames.back().entry);
         scene.share_in_bone.push_back(found.share);
         scene.guides.push_back(guide_of(scene.procedure, step, scene.frames.back()));

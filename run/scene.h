@@ -16,6 +16,7 @@
 #include "core/procedure/step_monitor.h"
 #include "devices/simulated_hand/simulated_hand.h"
 #include "run/documents.h"
+#include "run/plate.h"
 
 /// Documents and plugins, put together into what a run needs.
 namespace kerf {
@@ -34,7 +35,9 @@ struct Scene {
     std::vector<std::size_t> tool_of_step;       ///< for each step: which of them
     [[nodiscard]] const Tool& tool(std::size_t step) const noexcept { return tools[tool_of_step[step]]; }
     std::vector<std::optional<Guide>> guides;  ///< one per step: the sleeve through which its instrument works
-    std::vector<Body> implants;                ///< that a hand may bring in, in the tool's frame
+    std::vector<Body> implants;                ///< that a hand may bring in, each in its own frame
+    std::vector<std::optional<Pose>> planned;  ///< of each implant, LPS from its frame; nothing: it has no place
+    std::vector<StepHole> holes;               ///< steps that follow a hole of an implant
     /// For each tool: what of it stays as a body when its driver leaves, in its frame; nothing: it stays unseen.
     std::vector<std::optional<Body>> staying;
     const DeviceRecord* device = nullptr;
@@ -43,6 +46,9 @@ struct Scene {
     ImportReport import;             ///< what import did
     std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and its data files
 };
+
+/// Returns the landmark plane of a step; null: it has none.   [any] pure.
+[[nodiscard]] const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy);
 
 /// Makes the bone of checked documents and checks what needs it. Error: in `diagnostics`.
 [[nodiscard]] std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics,

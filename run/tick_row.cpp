@@ -54,7 +54,7 @@ TickRow row_of(const TickResult& result, const Scene& scene, const Simulation& s
     row.thrust = result.thrust;
     row.torque = result.torque;
     row.depth =
-        scene.frames[std::min(monitor.current(), scene.frames.size() - 1)].depth_of(result.world_from_tool.position);
+        monitor.frame(std::min(monitor.current(), scene.frames.size() - 1)).depth_of(result.world_from_tool.position);
     row.feed_rate = result.rate[2];
     row.tissue = tissue;
     row.iterations = result.iterations;

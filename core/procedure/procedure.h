@@ -11,6 +11,7 @@
 #include "core/plugin/component_info.h"
 #include "core/procedure/anatomy.h"
 #include "core/procedure/hand_input.h"
+#include "core/procedure/implant_plan.h"
 #include "core/procedure/source.h"
 #include "kerf/math.hpp"
 
@@ -47,13 +48,6 @@ struct Instrument {
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.
 struct Bound {
     std::optional<double> at_least, at_most;
-};
-
-/// A solid of metal that a hand brings into the scene: where the tool is then, in the tool's frame (z along its axis,
-/// the tip at 0).
-struct Implant {
-    std::string id;
-    MeshSource mesh;
 };
 
 /// A signal of a step's force law, as a goal or limit of the step names it.
@@ -121,7 +115,7 @@ inline constexpr double default_feed = 1e-3;  ///< [m/s] of a step that states n
 struct Step {
     std::string id, title;
     std::string instrument;  ///< id of an Instrument
-    std::string axis;        ///< name of the landmark axis
+    std::string axis;        ///< name of the landmark axis, or of a hole: `plate.lag`
     std::vector<Goal> goals;
     std::vector<Limit> limits;
     std::string

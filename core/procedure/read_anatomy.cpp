@@ -98,29 +98,6 @@ std::vector<Solid> read_solids(const Node& node, const std::string& name, Report
     return solids;
 }
 
-std::vector<PhantomPart> read_parts(const Node& node, Report& report) {
-    std::vector<PhantomPart> parts;
-    UniqueIds ids;
-    for (const Node& item : read_list(node, "phantom.parts", report)) {
-        MapReader map(item, shapes::part, item_name(item, "part"), report);
-        PhantomPart part;
-        part.id = map.id("id");
-        if (const Node* id = item.find("id"); id != nullptr && !part.id.empty()) ids.add(part.id, id->span, report);
-        part.solid = read_solid(map, report);
-        part.source = map.text("source");
-        if (const Node* subtract = map.find("subtract")) {
-            part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
-            if (part.subtract && parts.empty())
-                report.error(
-                    Code::degenerate, subtract->span,
-                    "The first part is subtracted from nothing. Put it behind the parts that it is subtracted from.");
-        }
-        map.finish();
-        parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
 std::string read_data_path(const Node* node, const std::string& name, Report& report) {
     return node ? read_path(*node, name, "the document's own folder or KERF_DATA", report) : std::string();
 }
@@ -417,7 +394,8 @@ std::optional<AnatomyDraft> draft_of_text(const std::string& file, std::string t
             if (const Node* mesh = map.find("mesh")) anatomy->mesh = read_mesh(*mesh, "mesh", report);
             if (const Node* node = map.find("phantom")) {
                 MapReader phantom(*node, shapes::phantom, "phantom", report);
-                if (const Node* parts = phantom.find("parts")) anatomy->phantom.parts = read_parts(*parts, report);
+                if (const Node* parts = phantom.find("parts"))
+                    anatomy->phantom.parts = read_parts(*parts, "phantom.parts", report);
                 phantom.finish();
             }
             if (const Node* node = map.find("tissues"))
@@ -451,6 +429,29 @@ std::optional<Anatomy> read_anatomy(const std::string& file, Diagnostics& diagno
 
 std::optional<Anatomy> read_anatomy_text(const std::string& file, std::string text, Diagnostics& diagnostics) {
     return sound(draft_of_text(file, std::move(text), diagnostics));
+}
+
+std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, Report& report) {
+    std::vector<PhantomPart> parts;
+    UniqueIds ids;
+    for (const Node& item : read_list(node, where, report)) {
+        MapReader map(item, shapes::part, item_name(item, "part"), report);
+        PhantomPart part;
+        part.id = map.id("id");
+        if (const Node* id = item.find("id"); id != nullptr && !part.id.empty()) ids.add(part.id, id->span, report);
+        part.solid = read_solid(map, report);
+        part.source = map.text("source");
+        if (const Node* subtract = map.find("subtract")) {
+            part.subtract = read_yes_no(*subtract, "subtract", report).value_or(false);
+            if (part.subtract && parts.empty())
+                report.error(
+                    Code::degenerate, subtract->span,
+                    "The first part is subtracted from nothing. Put it behind the parts that it is subtracted from.");
+        }
+        map.finish();
+        parts.push_back(std::move(part));
+    }
+    return parts;
 }
 
 MeshSource read_mesh(const Node& node, const std::string& where, Report& report) {

@@ -30,6 +30,9 @@ std::optional<AnatomyDraft> read_anatomy_draft(const std::string& file, Diagnost
 /// Reads `mesh:`, the surface that bone or an implant is made of. `where` is its name in messages.   [main]
 [[nodiscard]] MeshSource read_mesh(const Node& node, const std::string& where, Report& report);
 
+/// Reads the solids that a phantom or an implant is made of. `where` is their name in messages.   [main]
+[[nodiscard]] std::vector<PhantomPart> read_parts(const Node& node, const std::string& where, Report& report);
+
 /// Returns a place in an anatomy: the last of `keys`, each within the one before, that it has; of a single value the
 /// value, else the key. Without any of them the file as a whole.   [main]
 [[nodiscard]] Reason in_anatomy(const Anatomy& anatomy, const std::vector<std::string>& keys, std::string message = {});

@@ -95,6 +95,12 @@ enum class Code {
 
     // Its landmarks that are fitted
     fit_reference = 618,  ///< a fit refers to what is no fitted sphere, or the bone is picked by what is fitted from it
+    closed_plate_hole = 521,   ///< metal is in the hole of an implant, or none is around it
+    plate_off_bone = 522,      ///< an implant's planned pose meets no bone
+    plate_in_bone = 523,       ///< an implant's planned pose lies through bone
+    unknown_plate_hole = 524,  ///< a step's axis names a hole that no placed implant has
+    narrow_plate_hole = 525,   ///< a screw's thread is wider than the hole it goes through
+    wide_plate_hole = 526,     ///< a screw's head is narrower than the hole
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,

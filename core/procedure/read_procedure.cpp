@@ -16,6 +16,7 @@
 #include "core/procedure/patch.h"
 #include "core/procedure/printable.h"
 #include "core/procedure/read_anatomy.h"
+#include "core/procedure/read_implants.h"
 #include "core/procedure/read_map.h"
 #include "core/procedure/shapes.h"
 #include "core/procedure/signal_need.h"
@@ -615,9 +616,15 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
     }
     if (const Node* axis = map.find("axis")) {
         step.axis = read_id(*axis, "axis", report).value_or("");
-        if (!step.axis.empty() && !contains(procedure.needs_landmarks, step.axis))
+        const auto hole = named_hole(step.axis, procedure.implants);
+        if (contains(procedure.needs_landmarks, step.axis) || step.axis.empty()) {
+            // A landmark has precedence over a hole of the same name.
+        } else if (hole) {
+            check_named_hole(*axis, *hole, *document.root.find("implants"), report);
+        } else {
             refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document,
                               report);
+        }
     }
     if (const Node* plane = map.find("plane")) {
         step.plane = read_id(*plane, "plane", report).value_or("");
@@ -742,6 +749,19 @@ void read_expectation(const Node& node, const LimitNames& limits, const Procedur
                          "these.");
 }
 
+/// The axes along which implants are planned.
+void check_place_axes(const Node& implants, const Procedure& procedure, const Document& document, Report& report) {
+    for (const Implant& implant : procedure.implants) {
+        const Node* node = implants.find(implant.id);
+        const Node* place = node != nullptr ? node->find("place") : nullptr;
+        const Node* axis = place != nullptr ? place->find("axis") : nullptr;
+        if (!implant.place || axis == nullptr || implant.place->axis.empty()) continue;
+        if (!contains(procedure.needs_landmarks, implant.place->axis))
+            refuse_undeclared(Code::undeclared_landmark, *axis, "landmark", procedure.needs_landmarks, document,
+                              report);
+    }
+}
+
 void refuse_implant(const Node& name, const std::vector<Implant>& implants, Report& report) {
     std::vector<std::string> known;
     for (const Implant& implant : implants) known.push_back(implant.id);
@@ -751,6 +771,23 @@ void refuse_implant(const Node& name, const std::vector<Implant>& implants, Repo
                      (known.empty() ? "the procedure has none. Add one under `implants:`."
                                     : "expected " + listed(known) + "." + or_choose(meant)),
                  meant);
+}
+
+/// `insert: plate` or `place: plate`.
+void read_implant_name(const Node& node, const Procedure& procedure, Waypoint& at, Report& report) {
+    const std::string id = read_id(node, "waypoint." + node.key, report).value_or("");
+    if (id.empty()) return;
+    const bool is_placed = node.key == "place";
+    at.inputs.push_back({is_placed ? HandInput::Kind::place : HandInput::Kind::insert, id});
+    const auto implant = std::find_if(procedure.implants.begin(), procedure.implants.end(),
+                                      [&](const Implant& i) { return i.id == id; });
+    if (implant == procedure.implants.end())
+        refuse_implant(node, procedure.implants, report);
+    else if (is_placed && !implant->place)
+        report.error(Code::missing_key, node.span,
+                     "The implant " + quoted_id(id) +
+                         " has no planned pose. Add `place: {axis: …, up: 0 0 1}` to it, or write `insert: " + id +
+                         "`, which puts it at the tool.");
 }
 
 /// `until: {torque: 2 N*m}` or `until: {event: implant.head_contact}`; null: the instrument is unknown.
@@ -821,13 +858,8 @@ Waypoint read_waypoint(const Node& point, std::size_t step, const Procedure& pro
                                              [&](const Instrument& i) { return i.id == steps[at.step].instrument; });
         if (instrument != procedure.instruments.end()) at.inputs = instruments.read_inputs(*drives, *instrument);
     }
-    if (const Node* implant = waypoint.find("insert"))
-        if (const std::string id = read_id(*implant, "waypoint.insert", report).value_or(""); !id.empty()) {
-            at.inputs.push_back({HandInput::Kind::insert, id});
-            if (std::none_of(procedure.implants.begin(), procedure.implants.end(),
-                             [&](const Implant& i) { return i.id == id; }))
-                refuse_implant(*implant, procedure.implants, report);
-        }
+    if (const Node* implant = waypoint.find("insert")) read_implant_name(*implant, procedure, at, report);
+    if (const Node* implant = waypoint.find("place")) read_implant_name(*implant, procedure, at, report);
     if (const auto input = hand_input(waypoint.word("do"))) at.inputs.push_back(*input);
     waypoint.finish();
     return at;
@@ -1068,18 +1100,10 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
             instrument_ids.push_back(child.key);
         }
     }
-    if (const Node* implants = map.find("implants");
-        implants && is_kind(*implants, Node::Kind::map, "implants", report))
-        for (const Node& child : implants->children) {
-            Node key;
-            key.text = child.key;
-            key.span = child.key_span;
-            read_id(key, "An implant's name", report);
-            MapReader implant(child, shapes::implant, child.key, report);
-            if (const Node* mesh = implant.find("mesh"))
-                procedure.implants.push_back({child.key, read_mesh(*mesh, child.key + ".mesh", report)});
-            implant.finish();
-        }
+    if (const Node* implants = map.find("implants")) {
+        procedure.implants = read_implants(*implants, report);
+        check_place_axes(*implants, procedure, document, report);
+    }
     const Node* steps = map.find("steps");
     UniqueIds step_ids, rehearsal_ids;
     if (steps)
@@ -1195,6 +1219,44 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
             for (const char* key : {"aside", "tilt"})
                 if (const Node* node = waypoint->find(key))
                     refuse_without_plane(*node, procedure.steps[s].id, item(steps, s), report);
+        }
+    }
+}
+
+/// Implants are planned along axes, and x needs a direction across them.
+void check_places(const Procedure& procedure, const Anatomy& anatomy, const Document& document, Report& report) {
+    const Node* implants = document.root.find("implants");
+    std::vector<std::string> axes, points, planes;
+    append_ids(anatomy.axes, axes);
+    append_ids(anatomy.points, points);
+    append_ids(anatomy.planes, planes);
+    for (const Implant& implant : procedure.implants) {
+        const Node* node = implants ? implants->find(implant.id) : nullptr;
+        const Node* place = node ? node->find("place") : nullptr;
+        const Node* name = place ? place->find("axis") : nullptr;
+        if (!implant.place || !name || !contains(procedure.needs_landmarks, implant.place->axis)) continue;
+        const std::string& id = implant.place->axis;
+        if (contains(axes, id)) {
+            const LandmarkAxis& axis = find_by_id(anatomy.axes, id);
+            if (length(cross(normalized(axis.to - axis.from), implant.place->up)) >= std::sin(least_angle_of_up))
+                continue;
+            const Node* up = place->find("up");
+            report.error(Code::degenerate, up ? up->span : name->span,
+                         "The place of " + quoted_id(implant.id) +
+                             " has no direction for its x: `up` points along the "
+                             "axis " +
+                             quoted_id(id) + ", expected across it. Write another `up`, such as `1 0 0`.",
+                         {}, in_anatomy(anatomy, {"landmarks", "axes", id}, "the axis is here."));
+        } else if (contains(points, id) || contains(planes, id)) {
+            const bool is_point = contains(points, id);
+            const std::string meant = closest(id, axes, report);
+            report.error(Code::axis_is_a_point, name->span,
+                         "The landmark " + quoted_id(id) + " is of the wrong kind: got a " +
+                             (is_point ? "point" : "plane") + ", expected an axis." +
+                             or_choose(meant, "Name an axis, or give the anatomy one."),
+                         meant,
+                         in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", id},
+                                    is_point ? "it is a point here." : "it is a plane here."));
         }
     }
 }
@@ -1408,6 +1470,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         }
     }
 
+    check_places(procedure, anatomy, document, report);
     check_planes(procedure, document, report);
     if (!anatomy.fracture) check_pieces(procedure, document, report);
     check_places(procedure, anatomy, axes, points, document, report);

@@ -400,7 +400,9 @@ const Shape step{
         {required, "id", id(), "The name that results use.", "drill"},
         {required, "title", text(), "What to do, for the trainee.", "Drill the pilot hole"},
         {required, "instrument", id(), "One of `instruments`.", "pilot"},
-        {required, "axis", id(), "One of `needs.landmarks`; the tool should follow it.", "right_pedicle"},
+        {required, "axis", id(),
+         "One of `needs.landmarks`, or a hole of an implant, as in `plate.lag`; the tool should follow it.",
+         "right_pedicle"},
         {optional, "plane", id(),
          "One of `needs.landmarks`; the flat side of a blade should lie in it, its y along the plane's normal.",
          "resection"},
@@ -501,6 +503,7 @@ const Shape waypoint{
         {optional, "drives", of_kind(Kind::drives), "The drives of the step's tool, set on arrival.",
          "{spindle_speed: 500 rpm}"},
         {optional, "insert", id(), "One of `implants`, which is inserted on arrival, at the tool.", "plate"},
+        {optional, "place", id(), "One of `implants`, which is inserted on arrival, at its planned pose.", "plate"},
         {optional, "do", word({"undo", "redo", "remove", "fuse", "subtract", "release"}),
          "On arrival: undo or redo the last change of the bone, remove the held piece from the scene, fuse it with the "
          "piece next to it, subtract the tool's cutting region from the bone, or release an implant where it is.",
@@ -536,11 +539,38 @@ const Shape variant{"variant",
                          "{accuracy.spacing: 0.5 mm}"},
                     }};
 
-const Shape implant{"implant",
-                    "A solid of metal. Its surface is given in the tool's frame: z along the axis, the tip at 0.",
-                    {
-                        {required, "mesh", map(mesh), "Its surface, closed.", "{file: plate.stl, unit: mm}"},
-                    }};
+const Shape implant_hole{
+    "implant_hole",
+    "A screw hole of an implant, in the implant's frame.",
+    {
+        {required, "from", position(), "Where its axis begins, outside the bone.", "0 0 -10 mm"},
+        {required, "to", position(), "Where its axis ends, inside the bone.", "0 0 60 mm"},
+        {required, "diameter", length(0.5_mm, 50.0_mm),
+         "Its narrowest diameter. A cylinder of 0.9 of it along the axis must be free of metal.", "8 mm"},
+    }};
+
+const Shape implant_place{
+    "implant_place",
+    "The planned pose of an implant: its origin where the axis first meets bone, its z along the axis.",
+    {
+        {required, "axis", id(), "One of `needs.landmarks`: an axis into the bone.", "right_pedicle"},
+        {optional, "up", vector(dimension::none, "", -1.0, 1.0),
+         "The direction that its x points to, as nearly as it can: LPS, towards the head if not given.", "0 0 1",
+         "0 0 1"},
+    }};
+
+const Shape implant{
+    "implant",
+    "A solid of metal, in a frame of its own: z into the bone. `insert` puts this frame at the tool.",
+    {
+        {one_of, "mesh", map(mesh), "Its surface, closed.", "{file: plate.stl, unit: mm}"},
+        {one_of, "parts", list(map(part)), "Its solids, added and taken away in this order.",
+         "[{id: body, box: {centre: 0 0 -2.5 mm, size: 80 20 5 mm}}]"},
+        {optional, "holes", named(map(implant_hole)), "Its screw holes; steps name them, as in `axis: plate.lag`.",
+         "{lag: {from: 0 0 -10 mm, to: 0 0 60 mm, diameter: 8 mm}}"},
+        {optional, "place", map(implant_place), "Its planned pose in the anatomy, which must lie on bone.",
+         "{axis: right_pedicle, up: 0 0 1}"},
+    }};
 
 const Shape procedure{
     "procedure",

@@ -7,7 +7,7 @@
 /// key that is not in its shape, and at the end of a map for a key of the shape that it never asked for.
 namespace kerf::shapes {
 
-extern const Shape implant, procedure;
+extern const Shape implant, implant_hole, implant_place, procedure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
 extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound, axes_angle_bound;
 extern const Shape signal_bound, removed_goal;

@@ -23,11 +23,12 @@ namespace kerf {
 
 /// The frame of a step: its axis, from the first bone along it.
 struct AxisFrame {
-    Vec3 entry{};    ///< LPS [m]
-    Vec3 along{};    ///< unit, into the bone
-    Vec3 medial{};   ///< unit, across the axis towards the landmark `midline`; zero without it
-    Vec3 across{};   ///< unit, across the axis along the normal of the step's plane; zero without one
-    Vec3 inwards{};  ///< unit, straight into the bone's surface at the entry; zero: along
+    Vec3 entry{};                   ///< LPS [m]
+    Vec3 along{};                   ///< unit, into the bone
+    Vec3 medial{};                  ///< unit, across the axis towards the landmark `midline`; zero without it
+    Vec3 across{};                  ///< unit, across the axis along the normal of the step's plane; zero without one
+    Vec3 inwards{};                 ///< unit, straight into the bone's surface at the entry; zero: along
+    std::optional<double> plate{};  ///< [m] depth of the middle of the metal around an implant's hole; none: a landmark
 
     [[nodiscard]] double depth_of(Vec3 point) const noexcept { return dot(point - entry, along); }
     /// In the plane, beside the axis: the tool's x.
@@ -96,6 +97,8 @@ struct InsertedScrew {
     Breach breach{};                 ///< of its thread
     double least = 0.0, most = 0.0;  ///< [m] between which the breach lies
     std::string by_place{};          ///< its grade by where it breaches [heary-2004]; two where half a voxel decides
+    std::optional<double> hole_offset{};  ///< [m] from the axis of the implant's hole, in the middle of the metal
+    std::optional<double> hole_angle{};   ///< [rad] between both axes
 };
 
 /// What a step that drills, or inserts a screw, has left.
@@ -165,6 +168,8 @@ public:
     void report(const std::string& event, double time);
     /// The driver leaves an implant where it is: the step ends with the next tick. Returns why not; empty: it does.
     [[nodiscard]] std::string release();
+    /// From now on a step is measured along this axis: that of an implant's hole, which was brought in.
+    void aim(std::size_t step, const AxisFrame& frame) { frames_[step] = frame; }
     /// From now on things move with these bodies.
     void belong(Owners owners) { owners_ = std::move(owners); }
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }

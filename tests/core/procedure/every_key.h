@@ -41,6 +41,8 @@ private:
         std::vector<std::string> names;
         for (const KeyShape& key : shape.keys)
             if (key.presence == Presence::one_of) names.push_back(key.name);
+        // The two ways of an implant must not go with the two ways of the canal in its mesh.
+        if (&shape == &shapes::implant) return names[choice / 6 % names.size()];
         return names[way(names.size(), &shape == &shapes::anatomy)];
     }
 

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "kerf/units.hpp"
@@ -179,7 +181,7 @@ TEST(ReadProcedure, RefusesATurnThatNoHandMakesAndWaitsForNoUnknownEvent) {
 }
 
 TEST(HandInput, IsReadAsItIsWritten) {
-    for (const char* text : {"regrip:1", "regrip:0", "undo", "insert:plate", "jaws 1"}) {
+    for (const char* text : {"regrip:1", "regrip:0", "undo", "insert:plate", "place:plate", "jaws 1"}) {
         const auto input = hand_input(text);
         ASSERT_TRUE(input) << text;
         EXPECT_EQ(text_of(*input), text);
@@ -188,6 +190,71 @@ TEST(HandInput, IsReadAsItIsWritten) {
     EXPECT_EQ(hand_input("regrip:1")->value, 1.0);
     EXPECT_FALSE(hand_input("regrip:2"));
     EXPECT_FALSE(hand_input("regrip"));
+}
+
+// ---- plates
+
+/// `faultless` with a plate, whose text may be changed, and a second step through its hole.
+std::string with_plate(std::string_view from = "", std::string_view to = "", const std::string& axis = "plate.lag") {
+    std::string plate = R"(implants:
+  plate:
+    parts:
+      - {id: body, box: {centre: 0 0 -2.5 mm, size: 80 20 5 mm}}
+      - {id: bore, tube: {from: 20 0 -6 mm, to: 20 0 1 mm, radius: 4 mm}, subtract: true}
+    holes:
+      lag: {from: 20 0 -10 mm, to: 20 0 60 mm, diameter: 8 mm}
+    place: {axis: pedicle, up: 0 1 1}
+)";
+    if (!from.empty()) plate = replaced(plate, from, to);
+    const std::string text = replaced(faultless, "steps:\n", plate + "steps:\n");
+    return replaced(replaced(text, "axis: pedicle\n    goals", "axis: " + axis + "\n    goals"), "{depth: 32 mm} ]",
+                    "{depth: 32 mm, place: plate} ]");
+}
+
+TEST(ReadProcedure, GivesThePartsHolesAndPlaceOfAnImplant) {
+    Diagnostics diagnostics;
+    const auto procedure = read(with_plate(), diagnostics);
+    ASSERT_TRUE(procedure) << to_text(diagnostics);
+    const Implant& plate = procedure->implants.at(0);
+    ASSERT_EQ(plate.solids.parts.size(), 2u);
+    EXPECT_TRUE(plate.solids.parts[1].subtract);
+    EXPECT_EQ(std::get<BoxSolid>(plate.solids.parts[0].solid).size.x, 80.0_mm);
+    ASSERT_EQ(plate.holes.size(), 1u);
+    EXPECT_EQ(plate.holes[0].id, "lag");
+    EXPECT_EQ(plate.holes[0].diameter, 8.0_mm);
+    EXPECT_EQ(plate.holes[0].to.z, 60.0_mm);
+    ASSERT_TRUE(plate.place);
+    EXPECT_EQ(plate.place->axis, "pedicle");
+    EXPECT_NEAR(plate.place->up.y, std::sqrt(0.5), 1e-12);
+    EXPECT_EQ(procedure->steps.at(0).axis, "plate.lag");
+    EXPECT_EQ(procedure->rehearsals.at(0).path.at(1).inputs.at(0).kind, HandInput::Kind::place);
+}
+
+TEST(ReadProcedure, RefusesWhatIsWrongWithAPlate) {
+    const auto refused = [](Code code, const std::string& text) {
+        SCOPED_TRACE(text);
+        const MarkedText marked(text);
+        Diagnostics diagnostics;
+        EXPECT_FALSE(read(marked.text, diagnostics));
+        expect_only(code, marked, diagnostics);
+    };
+    refused(Code::unknown_plate_hole, with_plate("", "", "«plate.leg»"));
+    refused(Code::undeclared_landmark, with_plate("", "", "«bolt.lag»"));
+    refused(Code::undeclared_landmark, with_plate("axis: pedicle", "axis: «pedicel»"));
+    refused(Code::out_of_range, with_plate("diameter: 8 mm", "diameter: «80 mm»"));
+    refused(Code::degenerate, with_plate("lag: {from: 20 0 -10 mm,", "«lag»: {from: 20 0 60 mm,"));
+    refused(Code::missing_key, replaced(with_plate("    place: {axis: pedicle, up: 0 1 1}\n", "", "pedicle"),
+                                        "place: plate", "place: «plate»"));
+    refused(Code::unknown_implant, replaced(with_plate(), "place: plate", "place: «plaque»"));
+}
+
+TEST(ReadProcedure, ListsTheHolesThatAnImplantHas) {
+    Diagnostics diagnostics;
+    read(with_plate("", "", "plate.leg"), diagnostics);
+    EXPECT_NE(to_text(diagnostics)
+                  .find("The axis `plate.leg` is unknown: `plate` has no hole for this screw, expected `plate.lag`."),
+              std::string::npos)
+        << to_text(diagnostics);
 }
 
 TEST(ReadProcedure, LimitsOfAHoleHaveTheirBoundsAndABreachItsDiameter) {

@@ -57,7 +57,7 @@ TEST(Shapes, TheReaderNeedsWhatTheShapeRequiresAndNothingElse) {
     // neck to its head.
     const std::set<std::string> needed_by_case{"tissue/density",   "needs/landmarks",    "needs/zones",
                                                "step/limits",      "procedure/implants", "procedure/paths",
-                                               "landmarks/points", "landmarks/markups",  "point/fit"};
+                                               "landmarks/points", "landmarks/markups",  "point/fit", "implant/place"};
     for (const Kind& kind : kinds())
         for_every_key(kind.shape, [&](const Shape& shape, const KeyShape& key) {
             if (key.presence == Presence::one_of) return;
