@@ -205,7 +205,9 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
                          "`. Put one before it, with a drill about as wide as its core, " +
                          in_mm(2.0 * tip_core(tool)) + ".");
     if (!tool.is_implant() || is_in_a_hole) return;  // its entry is the bottom of a hole
-    const double seat = seat_of(tool), spacing = body.grid().spacing;
+    // The head seats on the metal around its hole, whose far side lies on the bone.
+    const double metal = frame.plate ? std::max(0.0, -2.0 * *frame.plate) : 0.0;
+    const double seat = seat_of(tool) - metal, spacing = body.grid().spacing;
     double last = 0.0;  // [m] of bone along the axis
     for (double depth = 0.0; depth <= seat + spacing; depth += spacing)
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;

@@ -45,7 +45,7 @@ void add_walls(const Surroundings& around, EvaluatedLaw& law) noexcept {
             break;
         }
     for (const LiveBody* body : around.view.near())
-        if (!body->is_cuttable && metal_wall(*body, cutting, *next())) {
+        if (!body->is_cuttable && metal_wall(*body, around.outline, *next())) {
             law.metal_channel = static_cast<int>(law.count++);
             break;
         }

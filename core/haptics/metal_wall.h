@@ -2,12 +2,13 @@
 #pragma once
 
 #include "core/haptics/live_body.h"
+#include "core/haptics/tool.h"
 
 namespace kerf {
 
-/// A body that cannot be cut stops what would cut it. One contact channel of the host's own, at the point of the
-/// cutting outline that is deepest in it. Returns false, and leaves the channel as it was, where there is none. Pre:
-/// its view is placed at the tool. [haptic, nonblocking]
-[[nodiscard]] bool metal_wall(const LiveBody& body, const ToolSolid& cutting, kerf_channel& channel) noexcept;
+/// A body that cannot be cut stops what would cut it, and the head of an implant. One contact channel of the host's
+/// own, at the point of the cutting outline, or of what stays, that is deepest in it. Returns false, and leaves the
+/// channel as it was, where there is none. Pre: its view is placed at the tool. [haptic, nonblocking]
+[[nodiscard]] bool metal_wall(const LiveBody& body, const ToolOutline& tool, kerf_channel& channel) noexcept;
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,11 +27,12 @@ struct Entered {
 /// @param least    [m] negative: also what is so near
 /// @param concerns (ring) -> bool, whether any of it may be deeper: else the bone is not asked
 /// @param entered  (point, kerf_surface_point) -> Entered, tool frame
+/// @param is_seat  a face across the axis carries all around: the channel is on the axis then
 /// [haptic, nonblocking]
 template <typename Concerns, typename Enters>
 [[nodiscard]] bool outline_wall(OwnContact id, const ToolSolid& cutting, const BoneView& view, double apart,
-                                double least, const Concerns& concerns, const Enters& entered,
-                                kerf_channel& channel) noexcept {
+                                double least, const Concerns& concerns, const Enters& entered, kerf_channel& channel,
+                                bool is_seat = false) noexcept {
     constexpr double stiffness = 1e6;  // [N/m] of what is not to be entered, bone or metal [assumed]
     Entered deepest{least, {}};
     Vec3 at{};
@@ -46,6 +48,8 @@ template <typename Concerns, typename Enters>
         }
     });
     if (deepest.into == Vec3{}) return false;
+    constexpr double across = 0.95;  // [–] of a normal along the axis
+    if (is_seat && std::abs(deepest.into.z) > across) at.x = at.y = 0.0;
     channel = contact_channel(id, rate_at(at, deepest.into), stiffness, deepest.depth);
     return true;
 }

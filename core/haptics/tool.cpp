@@ -248,6 +248,7 @@ bool outline_of(const ToolSetup& setup, ToolOutline& out, std::string& error) {
     if (out.has_thread())
         out.crest = ToolSolid({{points[shape.thread_count > 2 ? 1 : 0].z, out.thread_radius},  // behind the tip
                                {points[shape.thread_count - 1].z, out.thread_radius}});
+    if (out.is_implant()) out.staying = ToolSolid({points, points + out.stay_count});
     out.whole = ToolSolid({points, points + shape.profile_count});
     return true;
 }

@@ -40,6 +40,7 @@ struct ToolOutline {
     std::uint32_t thread_count = 0;           ///< the first points of the profile, which bear the thread
     std::uint32_t stay_count = 0;             ///< the first points of the profile, which stay in bone; 0: it leaves
     ToolSolid crest;                          ///< with a thread: the cylinder over it
+    ToolSolid staying;                        ///< of an implant: all that stays, with its head
     std::vector<kerf_profile_point> profile;  ///< as the plugin gave it
     std::uint32_t cutting_count = 0;
 

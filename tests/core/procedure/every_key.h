@@ -12,7 +12,7 @@
 namespace kerf {
 
 struct EveryKey {
-    static constexpr std::size_t choices = 60;
+    static constexpr std::size_t choices = 72;
 
     std::size_t choice = 0;  ///< which of keys that exclude each other
     int depth = 9;           ///< how deep maps are spelled out; below that their example stands
