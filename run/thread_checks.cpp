@@ -106,6 +106,9 @@ double radius_behind(const ToolOutline& tool, double behind) noexcept {
     return widest;
 }
 
+/// [m] of the cone at its tip.
+double point_of(const ToolOutline& tool) noexcept { return tool.cutting_count > 1 ? -tool.profile[1].z : 0.0; }
+
 /// An opening of the cortex is no hole for the thread: what counts is the width half as deep as the thread goes.
 Before before_step(const Procedure& procedure, const std::vector<const ToolOutline*>& tools, std::size_t step) {
     Before found;
@@ -118,7 +121,7 @@ Before before_step(const Procedure& procedure, const std::vector<const ToolOutli
         if (depth == -HUGE_VAL || half == -HUGE_VAL)
             found.hole = std::max(found.hole, tool.cutting.largest_radius());
         else if (depth >= half)
-            found.hole = std::max(found.hole, radius_behind(tool, depth - half));
+            found.hole = std::max(found.hole, radius_behind(tool, std::max(depth - half, point_of(tool))));
     }
     return found;
 }

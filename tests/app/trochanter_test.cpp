@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fixation of a broken femoral neck, run whole.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "kerf/units.hpp"
+#include "tests/support/drill_rig.h"
+#include "tests/support/watched_run.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+std::optional<Scene> femur(const std::vector<std::string>& settings = {}) {
+    Diagnostics diagnostics;
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml"};
+    request.changes = {"", settings};
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    EXPECT_TRUE(made) << to_text(diagnostics);
+    return made;
+}
+
+RunOutcome followed(const Scene& scene, const std::string& rehearsal) {
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return run_procedure(scene, test::plugins(), request);
+}
+
+double metric(const RunSummary& summary, const std::string& id) {
+    for (const auto& row : summary.metrics)
+        if (row.id == id) return row.value;
+    throw std::runtime_error("no metric " + id);
+}
+
+std::string reasons_of(const RunOutcome& run) {
+    std::string reasons = run.error;
+    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
+    return reasons;
+}
+
+class Trochanter : public testing::TestWithParam<const char*> {};
+
+// Tip-apex distance below 25 mm; 5 mm are what experts plunge in normal bone, 8 mm what novices do.
+TEST_P(Trochanter, IsFixedByTheExpertOn) {
+    const auto scene = femur({std::string("haptics.device=") + GetParam()});
+    ASSERT_TRUE(scene);
+    const RunOutcome run = followed(*scene, "expert");
+    EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
+    const RunSummary& s = run.summary;
+    EXPECT_LT(metric(s, "reduce.reduction-offset"), 0.5_mm);
+    EXPECT_LT(metric(s, "reduce.reduction-angle"), 0.5_deg);
+    EXPECT_NEAR(metric(s, "lag.axes-angle.neck"), 125.0_deg, 0.5_deg);
+    EXPECT_LT(metric(s, "lag.tip-apex"), 25.0_mm);
+    EXPECT_GT(metric(s, "lag.tip-apex"), 10.0_mm);
+    for (const char* hole : {"hole-1", "hole-2", "hole-3"})
+        EXPECT_LT(metric(s, std::string(hole) + ".plunge"), 8.0_mm) << hole;
+    for (const char* screw : {"screw-1", "screw-2", "screw-3"})
+        EXPECT_LT(metric(s, std::string(screw) + ".hole-offset"), 1.0_mm) << screw;
+    // Two parts of bone, the plate, and four screws.
+    EXPECT_EQ(s.pieces.size(), 7u);
+    EXPECT_NEAR(metric(s, "bone.balance"), 0.0, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, Trochanter, testing::Values("touch", "desktop", "premium-1.5-6dof", "omega.6"),
+                         [](const auto& device) {
+                             std::string name = device.param;
+                             std::replace_if(
+                                 name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+                             return name;
+                         });
+
+TEST(TrochanterBlunder, FailsForTheReasonThatItNames) {
+    const auto scene = femur();
+    ASSERT_TRUE(scene);
+    for (const char* rehearsal : {"malreduction", "plunge"}) {
+        const RunOutcome run = followed(*scene, rehearsal);
+        EXPECT_TRUE(run.is_as_expected) << rehearsal << "\n" << reasons_of(run);
+    }
+}
+
+TEST(TrochanterFracture, CannotBeUndone) {
+    const auto scene = femur({"rehearsals.expert.expect=incomplete",
+                              "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});
+    ASSERT_TRUE(scene);
+    const test::WatchedRun run = [&] {
+        RunRequest request;
+        request.rehearsal = "expert";
+        return test::watched_run(*scene, test::plugins(), request);
+    }();
+    EXPECT_EQ(run.summary.pieces.size(), 2u);
+    EXPECT_TRUE(std::any_of(run.events.begin(), run.events.end(),
+                            [](const EventRow& event) { return event.id == "hand.refused"; }));
+}
+
+}  // namespace
+}  // namespace kerf
