@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,10 +18,11 @@ namespace {
 
 using namespace literals;
 
-std::optional<Scene> femur(const std::vector<std::string>& settings = {}) {
+std::optional<Scene> femur(const std::vector<std::string>& settings = {}, const std::string& variant = "",
+                           const std::string& anatomy = "") {
     Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml"};
-    request.changes = {"", settings};
+    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml", .anatomy = anatomy};
+    request.changes = {variant, settings};
     auto documents = check_documents(request, test::plugins(), diagnostics);
     auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
     EXPECT_TRUE(made) << to_text(diagnostics);
@@ -83,6 +85,31 @@ TEST(TrochanterBlunder, FailsForTheReasonThatItNames) {
         const RunOutcome run = followed(*scene, rehearsal);
         EXPECT_TRUE(run.is_as_expected) << rehearsal << "\n" << reasons_of(run);
     }
+}
+
+TEST(TrochanterVariant, OfOneScrewPasses) {
+    const auto scene = femur({}, "screw-alone");
+    ASSERT_TRUE(scene);
+    const RunOutcome run = followed(*scene, "expert");
+    EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
+}
+
+// Its neck is 10 mm shorter than the phantom's: so are the hole and the screw.
+TEST(TrochanterOfARealFemur, IsFixedWithOneScrew) {
+    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    const auto scene = femur(
+        {"instruments.lag-screw.parameters.shaft_length=54 mm",
+         "steps.lag-hole.goals=[{entry: {}}, {depth: {at_least: 70 mm}}]",
+         "steps.lag.goals=[{entry: {}}, {depth: {at_least: 67 mm}}]",
+         "paths.screw-in-the-neck=[{step: lag-hole, depth: -60 mm}, {depth: -2 mm}, {depth: 71 mm}, {depth: -5 mm}, "
+         "{step: lag, depth: -30 mm}, {depth: -1 mm}, "
+         "{depth: 71 mm, turn: {by: 26.6 turns, speed: 60 rpm}, do: release}]"},
+        "screw-alone", KERF_SOURCE_DIR "/tests/real-data/femur-z013-fractured.yaml");
+    ASSERT_TRUE(scene);
+    const RunOutcome run = followed(*scene, "expert");
+    EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
+    EXPECT_LT(metric(run.summary, "reduce.reduction-offset"), 0.5_mm);
+    EXPECT_NEAR(metric(run.summary, "lag.axes-angle.neck"), 123.75_deg, 2.0_deg) << "from the raters' landmarks";
 }
 
 TEST(TrochanterFracture, CannotBeUndone) {
