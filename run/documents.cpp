@@ -116,6 +116,7 @@ void make_tools(Documents& documents, const PluginRegistry& plugins, Diagnostics
     if (!has_error(diagnostics)) {
         check_threads(procedure, outlines, diagnostics);
         check_screws_of_plates(procedure, outlines, diagnostics);
+        check_plates_are_placed(procedure, diagnostics);
     }
     for (std::size_t step = 0; step < procedure.steps.size(); ++step)
         if (const Tool& tool = documents.tools[documents.tool_of_step[step]]; !tool.outline.cutting.outline().empty()) {

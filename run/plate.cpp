@@ -9,6 +9,7 @@
 #include "core/procedure/quantity.h"
 #include "core/procedure/read_procedure.h"
 #include "core/procedure/solids.h"
+#include "core/procedure/waypoint_nodes.h"
 
 namespace kerf {
 
@@ -292,6 +293,31 @@ void check_screws_of_plates(const Procedure& procedure, const std::vector<const 
                              (head > 0.0 ? in_mm(head) + " wide" : std::string("missing")) + ", and the hole is " +
                              in_mm(hole) + " wide. Take a screw with a wider head, or another hole.",
                          {}, here);
+    }
+}
+
+void check_plates_are_placed(const Procedure& procedure, Diagnostics& diagnostics) {
+    const auto document = document_of(procedure);
+    Report report(*document, diagnostics);
+    for (std::size_t r = 0; r < procedure.rehearsals.size(); ++r) {
+        if (procedure.rehearsals[r].expect != "pass") continue;
+        const std::vector<Waypoint>& path = procedure.rehearsals[r].path;
+        std::vector<std::string> placed;
+        for (std::size_t w = 0; w < path.size(); ++w) {
+            const auto named = hole_of_step(procedure, procedure.steps[path[w].step]);
+            if (named && path[w].depth > 0.0 &&
+                std::find(placed.begin(), placed.end(), named->implant->id) == placed.end()) {
+                const std::vector<const Node*> nodes = waypoint_nodes(*document, r);
+                report.error(Code::missing_plate, w < nodes.size() ? nodes[w]->span : TextSpan{},
+                             "The rehearsal works on a hole of `" + named->implant->id +
+                                 "`, which is not in the scene yet. Add `place: " + named->implant->id +
+                                 "` to a waypoint before this one.");
+                break;
+            }
+            for (const HandInput& input : path[w].inputs)
+                if (input.kind == HandInput::Kind::place || input.kind == HandInput::Kind::insert)
+                    placed.push_back(input.id);
+        }
     }
 }
 

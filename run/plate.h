@@ -83,6 +83,9 @@ void check_holes_of_parts(const Procedure& procedure, Diagnostics& diagnostics);
 void check_screws_of_plates(const Procedure& procedure, const std::vector<const ToolOutline*>& tools,
                             Diagnostics& diagnostics);
 
+/// Refuses rehearsals that are to pass, and work on a hole of an implant that they have not placed (E0527).   [main]
+void check_plates_are_placed(const Procedure& procedure, Diagnostics& diagnostics);
+
 /// A step that follows a hole of an implant.
 struct StepHole {
     std::size_t step = 0, implant = 0;  ///< among those of the procedure

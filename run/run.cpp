@@ -351,6 +351,23 @@ RunOutcome Run::finish() {
     return std::move(outcome_);
 }
 
+/// A step through a hole of an implant that was refused, or forgotten, is not done.
+void Run::miss_implants() {
+    RunSummary& summary = outcome_.summary;
+    for (const StepState& state : monitor_.steps()) {
+        const auto named = hole_of_step(scene_->procedure, *state.step);
+        if (!named || !state.has_cut_bone()) continue;
+        const auto bodies = simulation_.bodies();
+        if (std::any_of(bodies.begin(), bodies.end(), [&](const auto& body) {
+                return body->is_present && !body->is_cuttable && body->bone->id == named->implant->id;
+            }))
+            continue;
+        summary.reasons.push_back("Step `" + state.step->id + "`: `" + named->implant->id +
+                                  "`, whose hole it follows, was not in the scene.");
+        if (summary.verdict == Verdict::pass) summary.verdict = Verdict::incomplete;
+    }
+}
+
 void Run::measure() {
     RunSummary& summary = outcome_.summary;
     const PresentBone& bone = simulation_.present();
@@ -362,6 +379,7 @@ void Run::measure() {
                                                simulation_.present().removed_of_material(m));
     summary.hash = hash_.value();
     judge(monitor_, end_, summary.duration, scene_->procedure.time_limit, summary);
+    miss_implants();
     if (end_ == RunEnd::fault) summary.reasons.front() += " " + text_of(simulation_.law_fault());
     outcome_.over_budget = simulation_.laws_over_budget();
     summary.metrics = metrics_of(monitor_, *scene_);

@@ -75,6 +75,7 @@ private:
     void judge_step(std::size_t step, double now);
     void leave_implant(std::size_t step);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
+    void miss_implants();
     void measure();
 
     std::unique_ptr<SessionFiles> files_;  ///< null: nothing is written

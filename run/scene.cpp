@@ -273,7 +273,7 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         check_felt(scene.procedure, s, forces_along(scene, s), *scene.device, scene.gains.force_scale, diagnostics);
     if (scene.anatomy.fracture) {
         scene.whole = scene.body;
-        scene.fragment = break_bone(scene.body, scene.anatomy, diagnostics);
+        scene.fragment = break_bone(scene.body, scene.anatomy, import, diagnostics);
         if (!scene.fragment) return std::nullopt;
         scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);
     }

@@ -214,7 +214,8 @@ void check_screw_in_bone(const Procedure& procedure, const std::vector<const Too
     double last = 0.0;  // [m] of bone along the axis
     for (double depth = 0.0; depth <= seat + spacing; depth += spacing)
         if (uncut_distance(body, locate(body, frame.entry + depth * frame.along)) < 0.0) last = depth;
-    if (last + spacing >= seat || asked_depth(asked) > last) return;
+    constexpr double proud = 15e-3;  // [m] that a tip may be out of the far side where it is to come out [judgement]
+    if (last + spacing >= seat || (asked_depth(asked) > last && seat <= asked_depth(asked) + proud)) return;
     report.error(Code::screw_too_long, "instrument",
                  "`" + asked.instrument + "` is " + in_mm(seat) + " long, and along `" + asked.axis +
                      "` the bone ends after " + in_mm(last) +

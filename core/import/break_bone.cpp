@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "core/field/removed_volume.h"
@@ -25,11 +26,40 @@ Body part_of(const Body& bone, const Fracture& fracture, double side) {
     return part;
 }
 
+/// Notes where the fragment lies, and warns where that is in the rest.
+void note_fragment(const Body& fragment, const Body& rest, const Anatomy& anatomy, ImportReport& report,
+                   Diagnostics& diagnostics) {
+    constexpr double apart = 1e-3, most = 0.01;  // [m]; [–] of the fragment
+    const Fracture& fracture = *anatomy.fracture;
+    const Pose world_from = world_from_fragment(fracture);
+    const Grid& grid = fragment.grid();
+    const double brick = grid.spacing * brick_edge;
+    const Vec3 size{brick * grid.bricks[0], brick * grid.bricks[1], brick * grid.bricks[2]};
+    std::size_t all = 0, inside = 0;
+    for (double x = 0.5 * apart; x < size.x; x += apart)
+        for (double y = 0.5 * apart; y < size.y; y += apart)
+            for (double z = 0.5 * apart; z < size.z; z += apart) {
+                const Vec3 place = grid.origin + Vec3{x, y, z};
+                if (uncut_distance(fragment, locate(fragment, place)) >= 0.0) continue;
+                ++all;
+                inside += uncut_distance(rest, locate(rest, world_from * place)) < 0.0;
+            }
+    const auto in_cm3 = [](std::size_t points) { return rounded(static_cast<double>(points) * 1e-3, 1) + " cm3"; };
+    report.notes.push_back("Fracture: the fragment has " + in_cm3(all) + " and lies " +
+                           rounded(1e3 * length(world_from * fracture.at - fracture.at), 1) +
+                           " mm from its place, turned by " + rounded(std::abs(fracture.turn) * 180.0 / pi, 1) +
+                           " deg.");
+    if (static_cast<double>(inside) > most * static_cast<double>(all))
+        diagnostics.push_back(warning_at(in_anatomy(anatomy, {"fracture"}), "W0606",
+                                         in_cm3(inside) + " of the fragment's " + in_cm3(all) +
+                                             " lie in the rest of the bone. Move it along `normal`, or turn it less."));
+}
+
 std::string in_cm3(double volume) { return quantity_text(std::round(volume * 1e8) * 1e-2, "") + " cm3"; }
 
 }  // namespace
 
-std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, Diagnostics& diagnostics) {
+std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, ImportReport& report, Diagnostics& diagnostics) {
     const Fracture& fracture = *anatomy.fracture;
     Body fragment = part_of(bone, fracture, 1.0), rest = part_of(bone, fracture, -1.0);
     fragment.id = "fragment";
@@ -43,6 +73,7 @@ std::optional<Body> break_bone(Body& bone, const Anatomy& anatomy, Diagnostics& 
         return std::nullopt;
     }
     bone = std::move(rest);
+    note_fragment(fragment, bone, anatomy, report, diagnostics);
     return fragment;
 }
 

@@ -326,7 +326,7 @@ void add_solids_of(const Node& name, const std::vector<Tissue>& tissues, Zone& z
     report.error(Code::unknown_word, name.span,
                  "No tissue `" + *id + "` has solids; " +
                      (known.empty() ? "no tissue of this anatomy has any. Give it `solids:`, or write solids here."
-                                    : "known are " + listed(known) + ". " + or_choose(closest(*id, known, report))));
+                                    : "known are " + listed(known) + "." + or_choose(closest(*id, known, report))));
 }
 
 std::vector<Zone> read_zones(const Node& node, const std::vector<Tissue>& tissues, Report& report) {

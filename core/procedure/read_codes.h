@@ -78,29 +78,30 @@ enum class Code {
     axis_is_a_point = 504,
     missing_midline = 505,
     missing_fracture = 519,
-    other_landmark = 520,  ///< a limit needs an axis, or a point
-    not_a_plane = 506,     ///< a step's `plane` is a point or an axis of the anatomy
-    axis_off_plane = 507,  ///< a step's axis leads out of its plane
-    needs_plane = 508,     ///< something is measured in the plane of a step that names none
-    needs_piece = 509,     ///< a step takes a piece that no step before it parts from the bone
-    needs_hole = 510,      ///< something is measured on the hole of a tool that makes none
-    no_hole = 511,         ///< a thread has no hole to go into
-    core_too_wide = 512,   ///< a screw's core is wider than its hole
-    other_lead = 513,      ///< a tap goes farther in a turn than its screw, or less
-    screw_too_long = 514,  ///< its tip would leave the bone
-    seats_too_soon = 515,  ///< its head seats before its goal is reached
-    hole_too_wide = 517,   ///< a screw's thread does not reach the wall of its hole, or of its tap
-    needs_implant = 518,   ///< something is asked of an implant, and the tool is none
-    needs_driver = 516,    ///< a waypoint regrips a tool that bone does not hold
-
-    // Its landmarks that are fitted
-    fit_reference = 618,  ///< a fit refers to what is no fitted sphere, or the bone is picked by what is fitted from it
+    other_landmark = 520,      ///< a limit needs an axis, or a point
+    not_a_plane = 506,         ///< a step's `plane` is a point or an axis of the anatomy
+    axis_off_plane = 507,      ///< a step's axis leads out of its plane
+    needs_plane = 508,         ///< something is measured in the plane of a step that names none
+    needs_piece = 509,         ///< a step takes a piece that no step before it parts from the bone
+    needs_hole = 510,          ///< something is measured on the hole of a tool that makes none
+    no_hole = 511,             ///< a thread has no hole to go into
+    core_too_wide = 512,       ///< a screw's core is wider than its hole
+    other_lead = 513,          ///< a tap goes farther in a turn than its screw, or less
+    screw_too_long = 514,      ///< its tip would leave the bone
+    seats_too_soon = 515,      ///< its head seats before its goal is reached
+    hole_too_wide = 517,       ///< a screw's thread does not reach the wall of its hole, or of its tap
+    needs_implant = 518,       ///< something is asked of an implant, and the tool is none
+    needs_driver = 516,        ///< a waypoint regrips a tool that bone does not hold
     closed_plate_hole = 521,   ///< metal is in the hole of an implant, or none is around it
     plate_off_bone = 522,      ///< an implant's planned pose meets no bone
     plate_in_bone = 523,       ///< an implant's planned pose lies through bone
     unknown_plate_hole = 524,  ///< a step's axis names a hole that no placed implant has
     narrow_plate_hole = 525,   ///< a screw's thread is wider than the hole it goes through
     wide_plate_hole = 526,     ///< a screw's head is narrower than the hole
+    missing_plate = 527,       ///< a rehearsal that is to pass works on a hole of an implant that is not there yet
+
+    // Its landmarks that are fitted
+    fit_reference = 618,  ///< a fit refers to what is no fitted sphere, or the bone is picked by what is fitted from it
 
     // Its data files; those of import have their codes beside what finds them
     no_data_file = 620,

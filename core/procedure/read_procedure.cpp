@@ -1245,7 +1245,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const Docu
                          "The place of " + quoted_id(implant.id) +
                              " has no direction for its x: `up` points along the "
                              "axis " +
-                             quoted_id(id) + ", expected across it. Write another `up`, such as `1 0 0`.",
+                             quoted_id(id) + ", expected across it. Write another `up`, across it.",
                          {}, in_anatomy(anatomy, {"landmarks", "axes", id}, "the axis is here."));
         } else if (contains(points, id) || contains(planes, id)) {
             const bool is_point = contains(points, id);
@@ -1285,10 +1285,10 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const std:
             };
             const auto need = [&](const char* key, const std::string& id, const std::vector<std::string>& sort,
                                   const std::string& what) {
-                if (!contains(sort, id))
+                if (contains(procedure.needs_landmarks, id) && !contains(sort, id))  // else it was refused already
                     report.error(Code::other_landmark, span_of(key),
-                                 "The landmark `" + id + "` is no " + what + " of the anatomy; its " + what +
-                                     (what == "axis" ? "es are " : "s are ") + listed(sort) + ". Name one of them.");
+                                 "The landmark `" + id + "` is no " + what + " of the anatomy; its landmarks" +
+                                     " of this sort are " + listed(sort) + ". Name one of them.");
             };
             if (limit.quantity == "axes_angle") {
                 need("of", limit.landmark, axes, "axis");

@@ -448,10 +448,12 @@ TEST(Program, RehearsingSaysWhatWasExpectedAndWhatHappened) {
 
 TEST(Program, ARehearsalThatEndsOtherwiseThanItSaysEndsWithOne) {
     const TemporaryFolder folder;
-    const Ended rehearsed = kerf("rehearse " + variant(folder, "expect: pass", "expect: {fail: canal}"));
+    // On so coarse a grid the thread holds until the driver slips in the hand.
+    const Ended rehearsed =
+        kerf("rehearse --set rehearsals.stripped=~ " + variant(folder, "expect: pass", "expect: {fail: canal}"));
     EXPECT_EQ(rehearsed.exit_code, 1) << rehearsed.err;
     EXPECT_TRUE(has(rehearsed.out, "expert: NOT AS EXPECTED")) << rehearsed.out;
-    EXPECT_TRUE(has(rehearsed.out, "3 of 4")) << rehearsed.out;
+    EXPECT_TRUE(has(rehearsed.out, "2 of 3")) << rehearsed.out;
 }
 
 TEST(Program, WithoutRehearsalsThereIsNothingToRehearse) {

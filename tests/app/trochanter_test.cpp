@@ -112,6 +112,19 @@ TEST(TrochanterOfARealFemur, IsFixedWithOneScrew) {
     EXPECT_NEAR(metric(run.summary, "lag.axes-angle.neck"), 123.75_deg, 2.0_deg) << "from the raters' landmarks";
 }
 
+// At the drill, 60 mm from the bone, the plate is refused.
+TEST(TrochanterPlate, IsMissedWhereAStepFollowsItsHole) {
+    const auto scene =
+        femur({"rehearsals.expert.path=[{follow: reduction}, {step: lag-hole, depth: -60 mm, insert: plate}, "
+               "{depth: -2 mm}, {depth: 5 mm}, {depth: -5 mm}]"});
+    ASSERT_TRUE(scene);
+    const RunOutcome run = followed(*scene, "expert");
+    EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
+    EXPECT_NE(reasons_of(run).find("Step `lag-hole`: `plate`, whose hole it follows, was not in the scene."),
+              std::string::npos)
+        << reasons_of(run);
+}
+
 TEST(TrochanterFracture, CannotBeUndone) {
     const auto scene = femur({"rehearsals.expert.expect=incomplete",
                               "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "core/field/removed_volume.h"
 #include "core/import/make_body.h"
 #include "kerf/units.hpp"
@@ -26,10 +28,11 @@ double volume_of(const Body& body) { return bone_volume(body, CutField(body, 0))
 TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
     const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .gap = 1.0_mm});
     Diagnostics diagnostics;
+    ImportReport report;
     auto body = make_body(anatomy, 0.5_mm, diagnostics);
     ASSERT_TRUE(body);
     const double whole = volume_of(*body);
-    const auto fragment = break_bone(*body, anatomy, diagnostics);
+    const auto fragment = break_bone(*body, anatomy, report, diagnostics);
     ASSERT_TRUE(fragment) << to_text(diagnostics);
     const double section = 20.0_mm * 20.0_mm;
     EXPECT_NEAR(volume_of(*fragment), section * 19.5_mm, 0.01 * section * 19.5_mm);
@@ -40,8 +43,9 @@ TEST(BreakBone, PartsItAtThePlaneAndLosesTheGap) {
 TEST(BreakBone, HasNoNewCortexAtTheBreak) {
     const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}});
     Diagnostics diagnostics;
+    ImportReport report;
     auto body = make_body(anatomy, 0.5_mm, diagnostics);
-    const auto fragment = break_bone(*body, anatomy, diagnostics);
+    const auto fragment = break_bone(*body, anatomy, report, diagnostics);
     ASSERT_TRUE(fragment);
     const auto is_cortical = [&](Vec3 at) { return fragment->materials[0].border.at(locate(*fragment, at)) < 0.0; };
     EXPECT_FALSE(is_cortical({0, 0, 11.0_mm})) << "the middle of the break";
@@ -49,12 +53,26 @@ TEST(BreakBone, HasNoNewCortexAtTheBreak) {
     EXPECT_TRUE(is_cortical({0, 0, 28.5_mm})) << "the far end";
 }
 
+TEST(BreakBone, NotesWhereTheFragmentLiesAndWarnsOfItInTheRest) {
+    for (const double shift : {5.0_mm, -5.0_mm}) {
+        const Anatomy anatomy = rod({.at = {0, 0, 10.0_mm}, .normal = {0, 0, 1}, .shift = {0, 0, shift}});
+        Diagnostics diagnostics;
+        ImportReport report;
+        auto body = make_body(anatomy, 0.5_mm, diagnostics);
+        ASSERT_TRUE(break_bone(*body, anatomy, report, diagnostics));
+        ASSERT_EQ(report.notes.size(), 1u);
+        EXPECT_NE(report.notes[0].find("lies 5.0 mm from its place"), std::string::npos) << report.notes[0];
+        EXPECT_EQ(diagnostics.size(), shift < 0.0 ? 1u : 0u) << to_text(diagnostics);
+    }
+}
+
 TEST(BreakBone, IsRefusedWhereOneSideHasNoBone) {
     const Anatomy anatomy = rod({.at = {0, 0, 31.0_mm}, .normal = {0, 0, 1}});
     Diagnostics diagnostics;
+    ImportReport report;
     auto body = make_body(anatomy, 0.5_mm, diagnostics);
     const double whole = volume_of(*body);
-    EXPECT_FALSE(break_bone(*body, anatomy, diagnostics));
+    EXPECT_FALSE(break_bone(*body, anatomy, report, diagnostics));
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0605");
     EXPECT_EQ(volume_of(*body), whole) << "it stays whole";

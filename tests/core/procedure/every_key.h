@@ -42,7 +42,7 @@ private:
         for (const KeyShape& key : shape.keys)
             if (key.presence == Presence::one_of) names.push_back(key.name);
         // The two ways of an implant must not go with the two ways of the canal in its mesh.
-        if (&shape == &shapes::implant) return names[choice / 6 % names.size()];
+        if (&shape == &shapes::implant) return names[choice / 12 % names.size()];
         return names[way(names.size(), &shape == &shapes::anatomy)];
     }
 
