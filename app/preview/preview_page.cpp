@@ -131,13 +131,14 @@ std::string tool_outline(const View& view, const ToolOutline& outline, const Pos
 
 /// What all outside views show: the region, or the bone.
 Box shown_box(const Scene& scene) {
-    if (scene.body.region.is_bounded()) return {scene.body.region.low, scene.body.region.high};
+    const Body& bone = planned_bone(scene);
+    if (bone.region.is_bounded()) return {bone.region.low, bone.region.high};
     Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    const Grid& grid = scene.body.grid();
+    const Grid& grid = bone.grid();
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
             for (int i = 0; i < grid.bricks[0]; ++i) {
-                if (scene.body.surface.is_all_air(grid.brick_index(i, j, k))) continue;
+                if (bone.surface.is_all_air(grid.brick_index(i, j, k))) continue;
                 const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
                 const Vec3 high =
                     grid.sample_position((i + 1) * brick_edge, (j + 1) * brick_edge, (k + 1) * brick_edge);
@@ -209,13 +210,15 @@ std::string told(const Scene& scene) {
     return "<section><h2>What import did, and where things lie</h2><ul>" + items + "</ul></section>\n";
 }
 
-std::string key() {
+std::string key(const Scene& scene) {
     const auto entry = [](const char* colour, const char* text) {
         return std::string("<span><i style=\"background:") + colour + "\"></i>" + text + "</span>";
     };
     return "<p class=\"key\">" + entry("#ede3cc", "bone, outermost tissue") + entry("#d99973", "the next tissue") +
            entry("#db3329", "zone") + entry("#386bb8", "tool") + entry("#ffb826", "border of bone") +
            entry("#0a7d4b", "point, with its tolerance") + entry("#1f6f9f", "axis") +
+           (scene.fragment ? entry("#cc8c40", "fragment, where it lies now") : "") +
+           (scene.implants.empty() ? "" : entry("#737880", "implant, where it is planned")) +
            "</p><p class=\"soft\">What bone hides is shown through it, paler.</p>";
 }
 
@@ -229,7 +232,7 @@ std::string preview_page(const Scene& scene) {
                        "</style></head><body><main><h1>" + html_escaped(scene.procedure.title) +
                        "</h1><p class=\"soft\">" + html_escaped(scene.anatomy.title) +
                        ", before anything is cut. Spacing " + rounded(scene.procedure.spacing * 1e3, 2) + " mm.</p>" +
-                       key();
+                       key(scene);
     page += outside_views(scene, tools);
     for (std::size_t step = 0; step < scene.procedure.steps.size(); ++step) page += step_views(scene, step);
     return page + told(scene) + "<footer>" + std::string(notice_line) + ".</footer></main></body></html>\n";

@@ -17,7 +17,8 @@ namespace {
 using Colour = Vec3;
 
 constexpr Colour background{0.97, 0.975, 0.98}, zone_colour{0.86, 0.20, 0.16}, tool_colour{0.22, 0.42, 0.72},
-    air{0.10, 0.11, 0.13}, border_line{1.0, 0.72, 0.15};
+    fragment_colour{0.80, 0.55, 0.25}, metal_colour{0.45, 0.47, 0.50}, air{0.10, 0.11, 0.13},
+    border_line{1.0, 0.72, 0.15};
 /// Front to back, as tissues are listed.
 constexpr std::array<Colour, 4> tissues{
     {{0.93, 0.89, 0.80}, {0.85, 0.60, 0.45}, {0.70, 0.72, 0.50}, {0.60, 0.60, 0.75}}};
@@ -102,14 +103,33 @@ double zones_distance(const Scene& scene, Vec3 p) {
     return least;
 }
 
+/// A body of the scene that is not the bone of the plan, at its pose.
+struct Aside {
+    const Body* body;
+    Pose body_from_world;
+    Colour colour;
+};
+
+/// A fragment where it lies now, and implants where they are planned.
+std::vector<Aside> things_aside(const Scene& scene) {
+    std::vector<Aside> things;
+    if (scene.fragment) things.push_back({&*scene.fragment, inverse(scene.world_from_fragment), fragment_colour});
+    for (std::size_t i = 0; i < scene.planned.size(); ++i)
+        if (scene.planned[i]) things.push_back({&scene.implants[i], inverse(*scene.planned[i]), metal_colour});
+    return things;
+}
+
 }  // namespace
+
+const Body& planned_bone(const Scene& scene) noexcept { return scene.whole ? *scene.whole : scene.body; }
 
 Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools) {
     Picture picture(view.columns, view.rows);
-    const Body& body = scene.body;
+    const Body& body = planned_bone(scene);
     const double h = body.grid().spacing;
     const Vec3 away = view.away();
     const Box box = known_box(body);
+    const std::vector<Aside> aside = things_aside(scene);
     for (int y = 0; y < view.rows; ++y)
         for (int x = 0; x < view.columns; ++x) {
             const Vec3 from = view.place(x + 0.5, y + 0.5);
@@ -128,6 +148,13 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
             const auto lay_over = [&](double way, double end, Colour over) {
                 if (way < end) colour = mixed(colour, over, !is_bone || way < bone ? 0.75 : 0.30);
             };
+            for (const Aside& thing : aside) {
+                const Vec3 start = thing.body_from_world * from,
+                           way_there = rotate(thing.body_from_world.rotation, away);
+                const Stretch near = within(known_box(*thing.body), start, way_there);
+                const auto distance = [&](double way) { return depth_at(*thing.body, start + way * way_there); };
+                lay_over(first_inside(near, 0.25 * thing.body->grid().spacing, distance), near.end, thing.colour);
+            }
             const Stretch around{-0.25, 0.25};
             const auto zone = [&](double way) { return zones_distance(scene, from + way * away); };
             if (!scene.anatomy.zones.empty()) lay_over(first_inside(around, 0.5 * h, zone), around.end, zone_colour);
@@ -146,7 +173,7 @@ Picture from_outside(const View& view, const Scene& scene, const std::vector<Pos
 
 Picture cut_through(const View& view, const Scene& scene) {
     Picture picture(view.columns, view.rows);
-    const Body& body = scene.body;
+    const Body& body = planned_bone(scene);
     const auto& scan = scene.import.scan_value;
     for (int y = 0; y < view.rows; ++y)
         for (int x = 0; x < view.columns; ++x) {

@@ -27,8 +27,11 @@ struct View {
     [[nodiscard]] double y_of(Vec3 p) const noexcept { return 0.5 * rows - dot(p - centre, up) / pixel(); }
 };
 
-/// The whole region from outside: bone, zones red and tools blue, paler where bone hides them. `tools`: where each
-/// step's tool is. [main]
+/// Returns the bone of the plan: of a fractured one before it broke.   [any]
+[[nodiscard]] const Body& planned_bone(const Scene& scene) noexcept;
+
+/// The whole region from outside: bone, zones red and tools blue, implants grey, a fragment brown where it lies now,
+/// all paler where bone hides them. `tools`: where each step's tool is. [main]
 [[nodiscard]] Picture from_outside(const View& view, const Scene& scene, const std::vector<Pose>& tools);
 
 /// A cut through the plane of the view: the scan's values where there is one, tissues in their colours, zones red, the
