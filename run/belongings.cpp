@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/belongings.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -13,17 +12,6 @@
 namespace kerf {
 
 namespace {
-
-/// [m] of the box around it.
-Vec3 middle_of(const Zone& zone) {
-    Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -low;
-    for (const Solid& solid : zone.solids) {
-        const Box box = bounds_of(solid);
-        low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), std::min(low.z, box.low.z)};
-        high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y), std::max(high.z, box.high.z)};
-    }
-    return 0.5 * (low + high);
-}
 
 void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies, const Scene& scene,
              const PresentBone& bone) {
@@ -53,8 +41,10 @@ void pass_on(Owners& owners, std::size_t from, const std::vector<std::size_t>& b
 
 Belongings belongings_of(const Scene& scene) {
     Belongings belongings;
-    for (const Zone& zone : scene.anatomy.zones)
-        belongings.owners.zone.push_back(body_at(scene.anatomy, middle_of(zone)));
+    for (const Zone& zone : scene.anatomy.zones) {
+        const Box box = bounds_of(zone.solids);
+        belongings.owners.zone.push_back(body_at(scene.anatomy, 0.5 * (box.low + box.high)));
+    }
     for (const AxisFrame& frame : scene.frames) belongings.owners.step.push_back(body_at(scene.anatomy, frame.entry));
     belongings.pass_on = [&scene](Owners& owners, std::size_t from, const std::vector<std::size_t>& bodies,
                                   const PresentBone& bone) { pass_on(owners, from, bodies, scene, bone); };

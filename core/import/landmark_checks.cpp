@@ -96,13 +96,7 @@ PlaceOnBone place_on_bone(const Body& body, Vec3 at) noexcept {
 
 double share_in_bone(const Body& body, const Zone& zone) {
     std::size_t inside = 0, in_bone = 0;
-    Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-    for (const Solid& solid : zone.solids) {
-        const Box one = bounds_of(solid);
-        box.low = {std::min(box.low.x, one.low.x), std::min(box.low.y, one.low.y), std::min(box.low.z, one.low.z)};
-        box.high = {std::max(box.high.x, one.high.x), std::max(box.high.y, one.high.y),
-                    std::max(box.high.z, one.high.z)};
-    }
+    const Box box = bounds_of(zone.solids);
     const Region& region = body.region;  // no need to look beyond
     const Vec3 low{std::max(box.low.x, region.low.x), std::max(box.low.y, region.low.y),
                    std::max(box.low.z, region.low.z)};

@@ -1223,8 +1223,21 @@ void check_planes(const Procedure& procedure, const Document& document, Report& 
     }
 }
 
+/// Refuses a point or a plane of the anatomy where an axis is needed.
+void refuse_for_an_axis(TextSpan span, const std::string& id, bool is_point, const Anatomy& anatomy,
+                        const std::vector<std::string>& axes, Report& report) {
+    const std::string meant = closest(id, axes, report);
+    report.error(Code::axis_is_a_point, span,
+                 "The landmark " + quoted_id(id) + " is of the wrong kind: got a " + (is_point ? "point" : "plane") +
+                     ", expected an axis." + or_choose(meant, "Name an axis, or give the anatomy one."),
+                 meant,
+                 in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", id},
+                            is_point ? "it is a point here." : "it is a plane here."));
+}
+
 /// Implants are planned along axes, and x needs a direction across them.
-void check_places(const Procedure& procedure, const Anatomy& anatomy, const Document& document, Report& report) {
+void check_planned_implants(const Procedure& procedure, const Anatomy& anatomy, const Document& document,
+                            Report& report) {
     const Node* implants = document.root.find("implants");
     std::vector<std::string> axes, points, planes;
     append_ids(anatomy.axes, axes);
@@ -1248,15 +1261,7 @@ void check_places(const Procedure& procedure, const Anatomy& anatomy, const Docu
                              quoted_id(id) + ", expected across it. Write another `up`, across it.",
                          {}, in_anatomy(anatomy, {"landmarks", "axes", id}, "the axis is here."));
         } else if (contains(points, id) || contains(planes, id)) {
-            const bool is_point = contains(points, id);
-            const std::string meant = closest(id, axes, report);
-            report.error(Code::axis_is_a_point, name->span,
-                         "The landmark " + quoted_id(id) + " is of the wrong kind: got a " +
-                             (is_point ? "point" : "plane") + ", expected an axis." +
-                             or_choose(meant, "Name an axis, or give the anatomy one."),
-                         meant,
-                         in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", id},
-                                    is_point ? "it is a point here." : "it is a plane here."));
+            refuse_for_an_axis(name->span, id, contains(points, id), anatomy, axes, report);
         }
     }
 }
@@ -1443,14 +1448,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         const Node* node = step ? step->find("axis") : nullptr;
         if (const bool is_point = contains(points, axis);
             (is_point || contains(planes, axis)) && !contains(axes, axis) && is_declared(axis)) {
-            const std::string meant = closest(axis, axes, report);
-            report.error(Code::axis_is_a_point, node ? node->span : TextSpan{},
-                         "The landmark " + quoted_id(axis) + " is of the wrong kind: got a " +
-                             (is_point ? "point" : "plane") + ", expected an axis." +
-                             or_choose(meant, "Name an axis, or give the anatomy one."),
-                         meant,
-                         in_anatomy(anatomy, {"landmarks", is_point ? "points" : "planes", axis},
-                                    is_point ? "it is a point here." : "it is a plane here."));
+            refuse_for_an_axis(node ? node->span : TextSpan{}, axis, is_point, anatomy, axes, report);
         }
         if (plane.empty() || !contains(landmarks, plane) || !is_declared(plane)) continue;
         const Node* plane_node = step ? step->find("plane") : nullptr;
@@ -1470,7 +1468,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
         }
     }
 
-    check_places(procedure, anatomy, document, report);
+    check_planned_implants(procedure, anatomy, document, report);
     check_planes(procedure, document, report);
     if (!anatomy.fracture) check_pieces(procedure, document, report);
     check_places(procedure, anatomy, axes, points, document, report);

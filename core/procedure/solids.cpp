@@ -101,4 +101,15 @@ Box bounds_of(const Solid& solid) noexcept {
         solid);
 }
 
+Box bounds_of(const std::vector<Solid>& solids) noexcept {
+    Box all{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+    for (const Solid& solid : solids) {
+        const Box one = bounds_of(solid);
+        all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y), std::min(all.low.z, one.low.z)};
+        all.high = {std::max(all.high.x, one.high.x), std::max(all.high.y, one.high.y),
+                    std::max(all.high.z, one.high.z)};
+    }
+    return all;
+}
+
 }  // namespace kerf

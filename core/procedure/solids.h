@@ -26,5 +26,7 @@ struct Box {
     Vec3 low{}, high{};
 };
 [[nodiscard]] Box bounds_of(const Solid& solid) noexcept;
+/// Of the union of solids; for none `low` is above `high`.
+[[nodiscard]] Box bounds_of(const std::vector<Solid>& solids) noexcept;
 
 }  // namespace kerf
