@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/field/level_set.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -8,6 +9,11 @@
 namespace kerf {
 
 LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& distance) {
+    FunctionDistance source(distance);
+    return build(grid, source);
+}
+
+LevelSet LevelSet::build(const Grid& grid, DistanceSource& distance) {
     LevelSet set;
     set.grid_ = grid;
     set.clamp_ = grid.clamp();
@@ -26,13 +32,14 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
             for (int i = 0; i < grid.bricks[0]; ++i) {
                 const Vec3 low = grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge);
                 const double half = 0.5 * brick_edge * grid.spacing;
-                const double at_centre = distance(low + Vec3{half, half, half});
+                const double at_centre = distance.at(low + Vec3{half, half, half}, {-reach, reach});
                 const bool is_stored = !(std::abs(at_centre) > reach);
                 set.start_[grid.brick_index(i, j, k)] = is_stored ? to_be_stored : at_centre > 0.0 ? air : solid;
                 stored += is_stored;
             }
     if (stored > most_stored_bricks) throw std::length_error("more bricks than one field can store");
     set.samples_.reserve((stored + 2) * stored_samples);
+    std::array<double, stored_samples> distances{};
 
     for (int k = 0; k < grid.bricks[2]; ++k)
         for (int j = 0; j < grid.bricks[1]; ++j)
@@ -45,14 +52,11 @@ LevelSet LevelSet::build(const Grid& grid, const std::function<double(Vec3)>& di
                 }
                 start = static_cast<std::int32_t>(set.samples_.size());
                 signs = 0;
-                for (int z = 0; z < stored_edge; ++z)
-                    for (int y = 0; y < stored_edge; ++y)
-                        for (int x = 0; x < stored_edge; ++x) {
-                            const Vec3 p =
-                                grid.sample_position(i * brick_edge + x, j * brick_edge + y, k * brick_edge + z);
-                            set.samples_.push_back(quantised(distance(p), set.quantum_));
-                            signs |= set.samples_.back() < 0 ? inside : outside;
-                        }
+                distance.fill(BrickLattice::of(grid, i, j, k), {-set.clamp_, set.clamp_}, distances);
+                for (const double d : distances) {
+                    set.samples_.push_back(quantised(d, set.quantum_));
+                    signs |= set.samples_.back() < 0 ? inside : outside;
+                }
             }
     return set;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/field/brick_memory.h"
+#include "core/field/distance_source.h"
 #include "core/field/grid.h"
 #include "core/field/point_block.h"
 
@@ -17,6 +18,7 @@ class LevelSet {
 public:
     /// Samples `distance` (body frame [m] → [m], negative inside, 1-Lipschitz) at every grid node near its zero.
     /// Throws std::length_error, before it takes memory, if more than `most_stored_bricks` are near it.   [main]
+    static LevelSet build(const Grid& grid, DistanceSource& distance);
     static LevelSet build(const Grid& grid, const std::function<double(Vec3)>& distance);
 
     /// Trilinear distance [m], within ± clamp; outside the grid `+clamp`.   [any] pure, nonblocking.

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/import/bone_distances.h"
 #include "core/import/ct_body.h"
 #include "core/import/fields_memory.h"
 #include "core/import/fit_landmarks.h"
@@ -16,7 +18,6 @@
 #include "core/import/mesh_body.h"
 #include "core/import/phantom_walls.h"
 #include "core/import/surface/diagnose.h"
-#include "core/import/surface/signed_distance.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/solids.h"
 
@@ -65,19 +66,21 @@ bool is_taken_away_last(const PhantomSource& phantom) {
 
 /// Whether the bone between the outside and a room in it is somewhere thinner than one field can carry. Where a room
 /// opens to the outside both surfaces cross; that is an edge and no wall: only where they look the same way it is one.
-bool has_thin_wall(const Grid& grid, const Distance& outer, const Distance& room) {
+bool has_thin_wall(const Grid& grid, DistanceSource& outer, DistanceSource& room) {
     constexpr double same_way = 0.8;  // [–] cosine
     const double thin = least_wall_voxels * grid.spacing, in_brick = 0.5 * brick_edge * std::sqrt(3.0) * grid.spacing;
-    const auto gradient = [&](const Distance& distance, Vec3 p) {
+    const auto gradient = [&](DistanceSource& source, Vec3 p) {
         const double d = 0.25 * grid.spacing;
+        const auto distance = as_function(source);
         return normalized(Vec3{distance(p + Vec3{d, 0, 0}) - distance(p - Vec3{d, 0, 0}),
                                distance(p + Vec3{0, d, 0}) - distance(p - Vec3{0, d, 0}),
                                distance(p + Vec3{0, 0, d}) - distance(p - Vec3{0, 0, d})});
     };
+    const auto within = [](double most) { return DistanceRange{-most, most}; };
     const auto is_thin_at = [&](Vec3 p) {
-        const double to_outer = outer(p);
+        const double to_outer = outer.at(p, within(thin));
         if (std::abs(to_outer) > thin) return false;
-        const double thickness = room(p) - to_outer;
+        const double thickness = room.at(p, within(2.0 * thin)) - to_outer;
         return thickness > 0.0 && thickness < thin && dot(gradient(outer, p), gradient(room, p)) > same_way;
     };
     for (int k = 0; k < grid.bricks[2]; ++k)
@@ -86,7 +89,9 @@ bool has_thin_wall(const Grid& grid, const Distance& outer, const Distance& room
                 const double half = 0.5 * brick_edge * grid.spacing;
                 const Vec3 centre =
                     grid.sample_position(i * brick_edge, j * brick_edge, k * brick_edge) + Vec3{half, half, half};
-                if (std::abs(outer(centre)) > in_brick + thin || std::abs(room(centre)) > in_brick + 2.0 * thin)
+                const double near_outer = in_brick + thin, near_room = in_brick + 2.0 * thin;
+                if (std::abs(outer.at(centre, within(near_outer))) > near_outer ||
+                    std::abs(room.at(centre, within(near_room))) > near_room)
                     continue;
                 for (int n = 0; n < brick_edge * brick_edge * brick_edge; ++n)
                     if (is_thin_at(grid.sample_position(i * brick_edge + n % brick_edge,
@@ -190,18 +195,39 @@ bool check_memory(const Box& bounds, double spacing, const std::vector<Distance>
     return false;
 }
 
-/// `distance`, and every hundredth of the way up the grid is told: who asks for it goes through the grid layer by
-/// layer, some twice.
-Distance told(const Distance& distance, const Grid& grid, const Progress& progress, const std::string& what) {
-    if (!progress) return distance;
-    const double low = grid.origin.z, height = grid.spacing * brick_edge * grid.bricks[2];
-    return [&distance, &progress, what, low, height, told_of = -1](Vec3 p) mutable {
-        const int hundredth = std::clamp(static_cast<int>(100.0 * (p.z - low) / height), 0, 100);
-        if (hundredth > told_of || hundredth + 50 < told_of /* begun anew */)
-            progress(0.01 * (told_of = hundredth), what);
-        return distance(p);
-    };
-}
+/// A source that reports every hundredth of its way up the grid: its caller goes through the grid layer by layer, some
+/// callers twice.
+class Told final : public DistanceSource {
+public:
+    Told(DistanceSource& distance, const Grid& grid, const Progress& progress, std::string what)
+        : distance_(&distance),
+          progress_(&progress),
+          what_(std::move(what)),
+          low_(grid.origin.z),
+          height_(grid.spacing * brick_edge * grid.bricks[2]) {}
+    [[nodiscard]] double at(Vec3 p, DistanceRange needed) override {
+        tell(p.z);
+        return distance_->at(p, needed);
+    }
+    void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override {
+        tell(lattice.z.front());
+        distance_->fill(lattice, needed, distances);
+    }
+
+private:
+    void tell(double z) {
+        if (!*progress_) return;
+        const int hundredth = std::clamp(static_cast<int>(100.0 * (z - low_) / height_), 0, 100);
+        if (hundredth > told_of_ || hundredth + 50 < told_of_ /* begun anew */)
+            (*progress_)(0.01 * (told_of_ = hundredth), what_);
+    }
+
+    DistanceSource* distance_;
+    const Progress* progress_;
+    std::string what_;
+    double low_, height_;
+    int told_of_ = -1;
+};
 
 void note_tissues_and_axes(const Anatomy& anatomy, const Body& body, ImportReport& report) {
     for (const Tissue& tissue : anatomy.tissues) {
@@ -254,57 +280,64 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
     Body body;
     body.id = anatomy.id;
     if (ct || (mesh && mesh->is_part)) body.region = {bounds.low, bounds.high};
-    // Where a scan was not looked at any more, its bone goes on as it was at the region's face.
-    const auto in_region = [&](auto distance) -> Distance {
-        return [&body, distance](Vec3 p) mutable { return distance(body.region.nearest(p)); };
-    };
     std::optional<TriangleTree> surface_tree;
     std::vector<TriangleTree> room_trees;
     if (mesh) surface_tree.emplace(mesh->surface);
     if (mesh)
         for (const SurfaceMesh& one : mesh->rooms) room_trees.emplace_back(one);
     const bool has_rooms = !room_trees.empty() || is_taken_away_last(anatomy.phantom);
-    Distance outer, room;
+    std::unique_ptr<DistanceSource> source, source_of_rooms;
     if (ct)
-        outer = in_region([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
+        source =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return ct->distance.sample_trilinear(p, spacing * 1e3); });
     else if (mesh)
-        outer = in_region(SignedDistance(*surface_tree));
+        source = std::make_unique<MeshDistances>(*surface_tree);
     else if (has_rooms)
-        outer = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); };
+        source =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, false, p); });
     else
-        outer = [&](Vec3 p) { return distance_to(anatomy.phantom, p); };
+        source = std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to(anatomy.phantom, p); });
     if (!room_trees.empty())
-        room = in_region([each = std::vector<SignedDistance>(room_trees.begin(), room_trees.end())](Vec3 p) mutable {
-            double nearest = HUGE_VAL;
-            for (SignedDistance& distance : each) nearest = std::min(nearest, distance(p));
-            return nearest;
-        });
-    else if (has_rooms)
-        room = [&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); };
-
-    const Distance bone = !has_rooms ? outer : [&](Vec3 p) { return std::max(outer(p), -room(p)); };
-    const Distance& face = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
-    std::vector<Distance> borders{bone};
-    if (has_rooms) borders.push_back(room);
+        source_of_rooms =
+            std::make_unique<NearestSurface>(std::vector<MeshDistances>(room_trees.begin(), room_trees.end()));
+    else
+        source_of_rooms =
+            std::make_unique<FunctionDistance>([&](Vec3 p) { return distance_to_parts(anatomy.phantom, true, p); });
+    // Beyond a region that was looked at, bone continues as it is at the region's face.
+    InRegion outer(*source, body.region), room(*source_of_rooms, body.region);
+    WithoutRooms without_rooms(outer, room);
+    DistanceSource& bone = has_rooms ? static_cast<DistanceSource&>(without_rooms) : outer;
+    DistanceSource& face = mesh ? outer : bone;  // a surface's shell lies under its outside, not around the canal
+    std::vector<TissueBorder> tissue_borders;
     for (const Tissue& tissue : anatomy.tissues)
-        if (&tissue != &anatomy.tissues.back())
-            borders.emplace_back([&face, &tissue](Vec3 p) { return distance_to(tissue, -face(p), p); });
+        if (&tissue != &anatomy.tissues.back()) tissue_borders.emplace_back(face, tissue);
+
+    std::vector<Distance> borders{as_function(bone)};
+    if (has_rooms) borders.push_back(as_function(room));
+    for (TissueBorder& border : tissue_borders) borders.push_back(as_function(border));
     if (!check_memory(bounds, spacing, borders, ct && anatomy.ct->density, anatomy, diagnostics)) return std::nullopt;
 
     const Grid grid = Grid::covering(bounds.low - around, bounds.high + around, spacing);
     if (ct || (mesh && mesh->is_part)) body.region = region_on(grid, bounds);
-    const auto say = [&](const Distance& distance, const std::string& what) {
-        return told(distance, grid, options.progress, what);
+    const auto say = [&](DistanceSource& distance, const std::string& what) {
+        return Told(distance, grid, options.progress, what);
     };
     const std::string walls = "how thick its walls are", surface = "distances to its surface";
-    const bool has_sheet = has_rooms && has_thin_wall(grid, say(outer, walls), room);
-    const Distance& outside = has_sheet ? outer : bone;
-    if (!ct && !mesh &&
-        !check_thin_walls(phantom_walls(grid, say(outside, walls), (least_wall_voxels + 1.0) * spacing), spacing,
-                          anatomy, diagnostics))
-        return std::nullopt;
-    body.surface = LevelSet::build(grid, say(outside, surface));
-    if (has_sheet) body.hollow = LevelSet::build(grid, say(room, surface));
+    Told outer_for_walls = say(outer, walls);
+    const bool has_sheet = has_rooms && has_thin_wall(grid, outer_for_walls, room);
+    DistanceSource& outside = has_sheet ? outer : bone;
+    if (!ct && !mesh) {
+        Told told = say(outside, walls);
+        const double most = (least_wall_voxels + 1.0) * spacing;
+        if (!check_thin_walls(phantom_walls(grid, as_function(told), most), spacing, anatomy, diagnostics))
+            return std::nullopt;
+    }
+    const auto field_of = [&](DistanceSource& distance, const std::string& what) {
+        Told told = say(distance, what);
+        return LevelSet::build(grid, told);
+    };
+    body.surface = field_of(outside, surface);
+    if (has_sheet) body.hollow = field_of(room, surface);
     for (const auto& tissue : anatomy.tissues) {
         Material material{tissue.id, tissue.density, {}};
         const bool is_base = &tissue == &anatomy.tissues.back();
@@ -319,8 +352,9 @@ std::optional<Body> make_body(const Anatomy& written, double spacing, Diagnostic
                 if (!material.densities.is_empty()) material.density = material.densities.largest();
             }
         }
-        const Distance border = [&](Vec3 p) { return distance_to(tissue, -face(p), p); };
-        if (!is_base) material.border = LevelSet::build(grid, say(border, "distances to the border of " + tissue.id));
+        if (!is_base)
+            material.border =
+                field_of(tissue_borders[body.materials.size()], "distances to the border of " + tissue.id);
         body.materials.push_back(std::move(material));
     }
     check_landmarks(anatomy, body, diagnostics);

@@ -17,11 +17,14 @@ public:
     /// `tree` must live longer.
     explicit SignedDistance(const TriangleTree& tree) : tree_(&tree) {}
 
-    [[nodiscard]] double operator()(Vec3 p) {
+    /// Returns the distance, or ±`limit` [m] where the surface is farther than that.
+    [[nodiscard]] double operator()(Vec3 p, double limit = HUGE_VAL) {
         constexpr double room = 1.0 + 1e-9, least_room = 1e-12;  // [–], [m] for rounding
         const Answer& last = answers_[(next_ + remembered - 1) % remembered];
-        const double limit = (std::abs(last.distance) + length(p - last.at)) * room + least_room;
-        Answer answer{p, tree_->distance(p, limit)};
+        const double bound =
+            last.is_exact ? (std::abs(last.distance) + length(p - last.at)) * room + least_room : HUGE_VAL;
+        Answer answer{p, tree_->distance(p, std::min(limit, bound)), false};
+        answer.is_exact = answer.distance < limit;
         const auto on_same_side = [&](const Answer& other) {
             return answer.distance + std::abs(other.distance) > length(p - other.at) * room + least_room;
         };
@@ -43,6 +46,7 @@ private:
     struct Answer {
         Vec3 at{};
         double distance = HUGE_VAL;  ///< −0 is inside
+        bool is_exact = false;       ///< otherwise the surface is at least this far
     };
     static constexpr std::size_t remembered = 12;  // a row of a brick, and some
 

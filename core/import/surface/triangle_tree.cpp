@@ -18,39 +18,6 @@ constexpr double far_radii = 3.0;
 Vec3 least(Vec3 a, Vec3 b) noexcept { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 most(Vec3 a, Vec3 b) noexcept { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-double squared(Vec3 v) noexcept { return dot(v, v); }
-
-double squared_to_box(Vec3 p, Vec3 low, Vec3 high) noexcept {
-    const auto beyond = [](double a, double from, double to) { return std::max({0.0, from - a, a - to}); };
-    return squared({beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y), beyond(p.z, low.z, high.z)});
-}
-
-double squared_to_segment(Vec3 p, Vec3 a, Vec3 b) noexcept {
-    const Vec3 along = b - a;
-    const double size = squared(along);
-    const double share = size > 0.0 ? std::clamp(dot(p - a, along) / size, 0.0, 1.0) : 0.0;
-    return squared(p - a - share * along);
-}
-
-/// By the region of the triangle's plane the point lies over: a corner, a side or the inside.
-double squared_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
-    const Vec3 ab = b - a, ac = c - a, ap = p - a;
-    const double ab_ab = dot(ab, ab), ab_ac = dot(ab, ac), ac_ac = dot(ac, ac);
-    const double size = ab_ab * ac_ac - ab_ac * ab_ac;  // (2 × area)²
-    // A needle's plane is noise; its sides are all there is of it.
-    if (!(size > 1e-12 * ab_ab * ac_ac))
-        return std::min({squared_to_segment(p, a, b), squared_to_segment(p, b, c), squared_to_segment(p, c, a)});
-    const double ap_ab = dot(ap, ab), ap_ac = dot(ap, ac);
-    const double u = ap_ab * ac_ac - ap_ac * ab_ac, v = ap_ac * ab_ab - ap_ab * ab_ac;  // shares of ab and ac, × size
-    if (u >= 0.0 && v >= 0.0 && u + v <= size) return squared(ap - (u / size) * ab - (v / size) * ac);
-    // Outside, the nearest point lies on a side that it is outside of, or on the corner such sides share.
-    double least = HUGE_VAL;
-    if (v < 0.0) least = squared_to_segment(p, a, b);
-    if (u < 0.0) least = std::min(least, squared_to_segment(p, a, c));
-    if (u + v > size) least = std::min(least, squared_to_segment(p, b, c));
-    return least;
-}
-
 /// Signed, as seen from p; 2π at most.
 double solid_angle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
     const Vec3 u = a - p, v = b - p, w = c - p;
@@ -62,10 +29,6 @@ double solid_angle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
 double component(Vec3 v, int axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 }  // namespace
-
-double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
-    return std::sqrt(squared_to_triangle(p, a, b, c));
-}
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) {
     items_.reserve(mesh.triangles.size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/import/surface/surface_mesh.h"
+#include "core/import/surface/triangle_distance.h"
 
 namespace kerf {
 
@@ -44,6 +45,12 @@ public:
     [[nodiscard]] std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double from,
                                                std::uint32_t ignored) const noexcept;
 
+    /// Calls visit(a, b, c) with the corners of every triangle at most `radius` from p, and of some others.
+    template <class Visit>
+    void for_each_within(Vec3 p, double radius, const Visit& visit) const {
+        if (!nodes_.empty()) within(0, p, radius * radius, visit);
+    }
+
     /// visit(face, other) for all pairs of triangles whose boxes meet, face < other.
     template <class Visit>
     void for_each_near_pair(const Visit& visit) const {
@@ -73,6 +80,19 @@ private:
     [[nodiscard]] static bool meet(const Item& a, const Item& b) noexcept;
 
     template <class Visit>
+    void within(std::uint32_t n, Vec3 p, double squared_radius, const Visit& visit) const {
+        const Node& node = nodes_[n];
+        if (squared_to_box(p, node.low, node.high) > squared_radius) return;
+        if (node.second_child == 0) {
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+                visit(items_[i].a, items_[i].b, items_[i].c);
+            return;
+        }
+        within(n + 1, p, squared_radius, visit);
+        within(node.second_child, p, squared_radius, visit);
+    }
+
+    template <class Visit>
     void pairs(std::uint32_t m, std::uint32_t n, const Visit& visit) const {
         const Node &a = nodes_[m], &b = nodes_[n];
         if (!meet(a, b)) return;
@@ -98,8 +118,5 @@ private:
     std::vector<Node> nodes_;
     std::vector<Item> items_;
 };
-
-/// Distance of a point to a triangle.   [any] pure.
-[[nodiscard]] double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept;
 
 }  // namespace kerf
