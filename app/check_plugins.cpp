@@ -23,11 +23,6 @@ namespace {
 using namespace conformance;
 namespace fs = std::filesystem;
 
-ExitCode complain(const std::string& error, ExitCode code) {
-    print_error("kerf: " + error + "\n");
-    return code;
-}
-
 std::string refusal_of(const CommandLine& line) {
     if (line.excluded.size() != line.reasons.size())
         return "`--exclude` is given " + std::to_string(line.excluded.size()) + " time(s) and `--reason` " +

@@ -214,6 +214,29 @@ void describe_to(CLI::App& app, CommandLine& line) {
     add_option(report, "-o,--out", line.out, "FILE", "An .html file; default: report.html in the session's folder",
                not_empty("a file, as in `--out report.html`"));
 
+    CLI::App* remesh = add("remesh", "Make the exact surface of what a session left: bone-exact.stl, remesh.json");
+    remesh->add_option("SESSION", line.source, "session.db of a run")
+        ->type_name("")
+        ->required()
+        ->check(not_empty("the name of a session.db"));
+    remesh->add_option("--procedure", line.files, "Its procedure; default: the shipped one with its text")
+        ->type_name("PROCEDURE")
+        ->check(not_empty(yaml_help))
+        ->expected(1);
+    add_option(remesh, "--anatomy", line.anatomy, "FILE", "The anatomy it was run with, if not the procedure's own",
+               not_empty(yaml_help));
+    remesh->add_option("--set", line.settings, "The `--set` it was run with; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->check(is_setting())
+        ->expected(1)
+        ->take_all();
+    add_option(remesh, "--strategy", line.strategy, "STRATEGY", "exact (default): the whole mesh, exact arithmetic",
+               one_of({"exact"}));
+    add_option(remesh, "-o,--out", line.out, "FOLDER", "Folder for the results; default: that of the session",
+               not_empty(out_help));
+    remesh->footer(std::string("Exit code: 0 made, 2 bad input, 3 no exact surface could be made.\n") + notice_line +
+                   ".");
+
     CLI::App* privacy = add("privacy", "List personal data in files: names, numbers, dates, paths");
     privacy->add_option("FILE", line.files, "DICOM, an image, or a file of Kerf")
         ->type_name("")
@@ -377,6 +400,7 @@ std::string about(const CLI::ParseError& error, const CLI::App& app, const CLI::
     return command == nullptr                ? "nothing to do. Write `kerf run PROCEDURE.yaml`, or another command."
            : command->get_name() == "import" ? "what? Write `kerf import SCAN`, with a file or a folder."
            : command->get_name() == "report" ? "of which run? Write `kerf report SESSION.db`."
+           : command->get_name() == "remesh" ? "of which run? Write `kerf remesh SESSION.db`."
            : command->get_name() == "check"  ? "which plugin? Write `kerf check PLUGIN.so`."
            : command->get_name() == "new"    ? "what? Write `kerf new plugin NAME`."
            : command->get_name() == "anatomy"

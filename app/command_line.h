@@ -17,7 +17,7 @@ enum ExitCode : int {
 
 struct CommandLine {
     std::string command;  ///< "run", "validate", "rehearse", "describe", "schema", "explain", "expand", "list", "plan",
-                          ///< "privacy", "report", "stability", "chart", "check"; empty: `answer` is all
+                          ///< "privacy", "report", "remesh", "stability", "chart", "check"; empty: `answer` is all
     std::vector<std::string> files;  ///< procedures, of privacy any; at least one for run, validate, rehearse, plan and
                                      ///< expand, exactly one for run, plan and expand
     std::string component;           ///< of describe: "PLUGIN", "PLUGIN/COMPONENT", or empty for all
@@ -34,16 +34,17 @@ struct CommandLine {
     std::string plugin = "kerf.drilling";  ///< of stability: whose first tool and force are looked at
     bool is_quick = false;                 ///< of stability and chart
     std::string scene;                     ///< of chart: the only one; empty: all
-    std::string source;                    ///< of import: a scan, a folder or a surface; of report: a session
-    std::string series, acquisition;       ///< of import
-    bool may_resample = false;             ///< of import
-    bool shows_values = false;             ///< of privacy
-    std::string unit = "mm", frame;        ///< of import: a surface's; frame empty: as the file says, or LPS
-    std::string action;                    ///< of anatomy: "check"
-    std::string mode = "practice";         ///< practice | exam | demo
-    bool is_headless = false;              ///< so is every run for now
-    bool is_watched = false;               ///< of run
-    std::string format = "text";           ///< of validate: text | json | github; of check: text | json | junit
+    std::string source;               ///< of import: a scan, a folder or a surface; of report and remesh: a session
+    std::string series, acquisition;  ///< of import
+    bool may_resample = false;        ///< of import
+    bool shows_values = false;        ///< of privacy
+    std::string strategy = "exact";   ///< of remesh
+    std::string unit = "mm", frame;   ///< of import: a surface's; frame empty: as the file says, or LPS
+    std::string action;               ///< of anatomy: "check"
+    std::string mode = "practice";    ///< practice | exam | demo
+    bool is_headless = false;         ///< so is every run for now
+    bool is_watched = false;          ///< of run
+    std::string format = "text";      ///< of validate: text | json | github; of check: text | json | junit
 
     std::string only;                              ///< of check: a pattern on the tests' ids; empty: all
     std::vector<std::string> excluded, reasons;    ///< of check: patterns, and why each is left out

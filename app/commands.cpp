@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -16,11 +14,15 @@
 #include "app/findings.h"
 #include "app/import_source.h"
 #include "app/interruption.h"
+#include "app/make_bone.h"
 #include "app/new_plugin.h"
+#include "app/outputs.h"
 #include "app/plan_procedure.h"
 #include "app/preview/preview_page.h"
 #include "app/privacy.h"
 #include "app/progress.h"
+#include "app/remesh_session.h"
+#include "app/replay.h"
 #include "app/standard_streams.h"
 #include "core/procedure/codes.h"
 #include "core/procedure/patch.h"
@@ -43,44 +45,6 @@ namespace kerf {
 
 namespace {
 
-ExitCode complain(const std::string& error, ExitCode code) {
-    print_error("kerf: " + error + "\n");
-    return code;
-}
-
-/// Why nothing could be written into `folder`, which need not exist yet; empty if it could. Asked before the minutes of
-/// work that go into it.
-std::string refusal_of_folder(const std::string& folder) {
-    namespace fs = std::filesystem;
-    std::error_code error, ignored;
-    fs::path there = fs::absolute(folder.empty() ? "." : folder, error);
-    if (error)
-        return "`--out` is `" + folder + "`, and the working folder no longer exists (" + error.message() +
-               "). Change into another folder, or give one with its whole path.";
-    while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
-    const std::string cannot = "`--out` is `" + folder + "`, where nothing can be written: `" + there.string() + "` ";
-    if (!fs::is_directory(there, ignored)) return cannot + "is a file. Give another folder.";
-    if (access(there.c_str(), W_OK | X_OK) != 0) return cannot + "may not be written. Give another folder.";
-    return "";
-}
-
-/// The same of a page. What is no page is never written over.
-std::string refusal_of_page(const std::string& file) {
-    if (std::filesystem::path(file).extension() != ".html")
-        return "`--out` is `" + file + "`, and must be an .html file. Write `--out page.html`.";
-    return refusal_of_folder(std::filesystem::path(file).parent_path().string());
-}
-
-/// Writes a page, and makes the folders that it needs; they go again if it cannot be written.
-std::string write_page(const std::string& file, const std::string& page) {
-    MadeFolders made;
-    const std::string folder = std::filesystem::path(file).parent_path().string();
-    std::string error = folder.empty() ? std::string() : made.make(folder);
-    if (error.empty()) error = write_file(file, page);
-    if (error.empty()) made.keep();
-    return error;
-}
-
 void print_summary(const RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
@@ -101,31 +65,10 @@ DocumentRequest request_of(const std::string& file, const CommandLine& line) {
     return {file, line.anatomy, {line.variant, line.settings}, line.shipped};
 }
 
-/// Making the bone may take minutes.
-std::optional<Scene> make_bone(Documents documents, const std::string& file, Diagnostics& diagnostics,
-                               ImportOptions options = {}) {
-    StillWorking sign_of_life("making the bone of " + file);
-    options.progress = [&](double share, const std::string& what) { sign_of_life.is_at(share, what); };
-    return make_scene(std::move(documents), diagnostics, options);
-}
-
 std::optional<Scene> make_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins,
                                 Diagnostics& diagnostics, const ImportOptions& options = {}) {
     auto documents = check_documents(request_of(file, line), plugins, diagnostics);
     return documents ? make_bone(std::move(*documents), file, diagnostics, options) : std::nullopt;
-}
-
-/// What import did, on stderr.
-void print_notes(const std::optional<Scene>& scene) {
-    if (!scene) return;
-    for (const auto& note : scene->import.notes) print_error(note + "\n");
-}
-
-/// The scene, or nothing; and all that was found on stderr.
-std::optional<Scene> with_findings(std::optional<Scene> scene, const Diagnostics& diagnostics) {
-    if (!diagnostics.empty()) print_error(to_text(diagnostics));
-    print_notes(scene);
-    return scene;
 }
 
 std::optional<Scene> read_scene(const std::string& file, const CommandLine& line, const PluginRegistry& plugins) {
@@ -244,19 +187,11 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     // Before the bone is made, which may take minutes: can it be run at all?
     std::string rehearsal = line.hand;
     std::optional<RecordedInputs> recorded;
-    const std::string another_text = ": was recorded with another text of this procedure or anatomy, or with another "
-                                     "scan, so it cannot end the same.";
     if (!line.replay.empty()) {
         std::string error;
         recorded = read_session(line.replay, error);
-        if (recorded && recorded->variant != documents->procedure.variant)
-            error = line.replay + ": was recorded " +
-                    (recorded->variant.empty() ? "without a variant. Leave out `--variant`."
-                                               : "with the variant `" + recorded->variant + "`. Write `--variant " +
-                                                     recorded->variant + "`.");
-        else if (recorded && recorded->procedure_text != documents->procedure.text)
-            error = line.replay + another_text;
-        else if (recorded && !line.hand.empty() && line.hand != recorded->rehearsal)
+        if (recorded) error = refusal_of_replay(*recorded, line.replay, documents->procedure);
+        if (recorded && error.empty() && !line.hand.empty() && line.hand != recorded->rehearsal)
             error = line.replay + ": was recorded with the rehearsal `" + recorded->rehearsal + "`, and `--hand` is `" +
                     line.hand + "`. Leave out `--hand`.";
         if (!error.empty()) return complain(error, exit_bad_input);
@@ -270,7 +205,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     if (!scene) return exit_bad_input;
     if (interruption.has_come()) return complain("interrupted before anything was cut; nothing is written", exit_fault);
     if (recorded && recorded->anatomy_hash != scene->anatomy_hash)
-        return complain(line.replay + another_text, exit_bad_input);
+        return complain(refusal_of_other_text(line.replay), exit_bad_input);
 
     RunRequest request;
     ShownRun shown_run(interruption);
@@ -278,18 +213,9 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     request.learner = line.learner;
     request.mode = line.mode;
     request.rehearsal = rehearsal;
-    if (recorded) {
-        request.replay = std::move(recorded->device_from_handle);
-        request.adoptions = std::move(recorded->adoptions);
-        request.missed = std::move(recorded->missed);
-        for (const auto& [tick, text] : recorded->hand_inputs) {
-            const auto input = hand_input(text);
-            if (!input)
-                return complain(line.replay + ": the hand asked for `" + text + "`, which this Kerf does not know.",
-                                exit_bad_input);
-            request.hand_inputs.emplace_back(tick, *input);
-        }
-    }
+    if (recorded)
+        if (const std::string error = repeat(*recorded, line.replay, request); !error.empty())
+            return complain(error, exit_bad_input);
     request.out = line.out.empty() ? "out/" + scene->procedure.id : line.out;
     std::error_code ignored;
     if (!line.replay.empty() && std::filesystem::equivalent(line.replay, request.out + "/session.db", ignored))
@@ -501,6 +427,7 @@ ExitCode carry_out(const CommandLine& line, const PluginRegistry& plugins, const
     if (line.command == "import") return import(line);
     if (line.command == "preview") return preview(line, plugins);
     if (line.command == "report") return report(line);
+    if (line.command == "remesh") return remesh_session(line, plugins);
     if (line.command == "privacy") return tell_privacy(line);
     if (line.command == "anatomy") return check_anatomy(line, plugins);
     if (line.command == "describe") return describe(line, plugins);

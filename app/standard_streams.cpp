@@ -37,6 +37,11 @@ void print_error(std::string_view text) {
     write_to(stderr, text);
 }
 
+ExitCode complain(const std::string& error, ExitCode code) {
+    print_error("kerf: " + error + "\n");
+    return code;
+}
+
 std::string formatted(const char* format, ...) {
     std::va_list values, again;
     va_start(values, format);

@@ -16,6 +16,9 @@ void print(std::string_view text);
 /// Prints to stderr, likewise.   [main]
 void print_error(std::string_view text);
 
+/// Prints what went wrong to stderr and returns `code`.   [main]
+ExitCode complain(const std::string& error, ExitCode code);
+
 /// `printf` into a string.   [any]
 #if defined(__GNUC__)
 [[gnu::format(printf, 1, 2)]]

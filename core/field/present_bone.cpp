@@ -70,7 +70,7 @@ BoneImage PresentBone::image() {
     for (auto& piece : pieces_) {
         if (piece->image == nullptr)
             piece->image = std::make_shared<const PieceImage>(
-                PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off});
+                PieceImage{piece->bone, piece->cut, piece->removed, piece->still_in, piece->came_off, piece->history});
         all.pieces.push_back(piece->image);
     }
     return all;
@@ -97,6 +97,7 @@ void PresentBone::restore(const BoneImage& image) {
         if (looks_for_pieces_) piece.finder.emplace(*piece.bone, piece.cut);
         piece.still_in = was.still_in;
         piece.came_off = was.came_off;
+        piece.history = was.history;
         piece.image = image.pieces[body];
     }
 }
@@ -105,7 +106,10 @@ std::optional<Separation> PresentBone::apply_to(std::uint16_t body, const CutRec
     PresentPiece& piece = *pieces_[body];
     piece.cut.stamp(record, solid);
     const std::vector<std::size_t> changed = piece.cut.take_changed();
-    if (!changed.empty()) piece.image.reset();
+    if (!changed.empty()) {
+        piece.image.reset();
+        piece.history.push(record);
+    }
     for (const std::size_t b : changed) {
         piece.uncounted.add(b);
         piece.changed.add(b);
@@ -158,6 +162,7 @@ Separation PresentBone::part(std::uint16_t body, const CutRecord& record, std::v
         piece->finder.emplace(*piece->bone, piece->cut);
         piece->still_in = parent.still_in.value_or(body);
         piece->came_off = body;
+        piece->history = parent.history;
         pieces_.push_back(std::move(piece));
     }
     parent.cut = CutField(whole, *separation.parts.front().mask, 0);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/field/cut_history.h"
 #include "core/field/piece_finder.h"
 #include "core/field/removed_volume.h"
 
@@ -52,6 +53,7 @@ struct PieceImage {
     RemovedVolume removed;
     std::optional<std::uint16_t> still_in;
     std::uint16_t came_off;
+    CutHistory history;
 };
 
 /// All bone as it was at one time. Images share the pieces that did not change between them.
@@ -73,6 +75,7 @@ struct PresentPiece {
     BrickList changed;                        ///< since `take_changed`
     std::optional<std::uint16_t> still_in;    ///< until it is adopted, records that cut it name this body
     std::uint16_t came_off = 0;               ///< the body that it was part of before
+    CutHistory history;                       ///< the records that changed it, and what it was part of
     std::shared_ptr<const PieceImage> image;  ///< as it is, once somebody asked
 };
 

@@ -42,9 +42,9 @@ bool is_session(const fs::path& file) {
 
 /// All files that a run writes, the session last: as long as one of the others is there, it says whose they are.
 std::vector<std::string> files_of_a_run() {
-    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl"}, all;
+    std::vector<std::string> whole{"summary.json", "report.html", "bone.stl", "bone-exact.stl", "remesh.json"}, all;
     for (std::size_t body = 1; body < most_bodies; ++body)
-        for (const char* of : {"bone-", "implant-"}) whole.push_back(of + std::to_string(body) + ".stl");
+        for (const char* of : {"bone-", "implant-", "bone-exact-"}) whole.push_back(of + std::to_string(body) + ".stl");
     for (const std::string& name : whole) all.insert(all.end(), {name, name + ".part"});
     for (const char* suffix : {".part-journal", ".part", "-journal", "-shm", "-wal", ""})
         all.push_back(std::string("session.db") + suffix);

@@ -62,9 +62,12 @@ std::array<Vec3, 3> from_corner(const std::array<Vec3, 3>& t, std::size_t first)
     return {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
 }
 
-bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other) {
+bool do_cross(const SurfaceMesh& mesh, std::uint32_t face, std::uint32_t other, bool needles) {
     const std::array<Vec3, 3> a = mesh.corners(mesh.triangles[face]), b = mesh.corners(mesh.triangles[other]);
-    if (is_flat(a[0], a[1], a[2]) || is_flat(b[0], b[1], b[2])) return false;
+    const auto is_left_out = [needles](const std::array<Vec3, 3>& t) {
+        return is_flat(t[0], t[1], t[2]) && (!needles || axis_across(t[0], t[1], t[2]) == 3);
+    };
+    if (is_left_out(a) || is_left_out(b)) return false;
 
     std::size_t shared = 0, in_a = 0, in_b = 0;  // the one that they share, or, of two, the ones that they do not
     std::array<bool, 3> a_is_shared{}, b_is_shared{};
@@ -115,10 +118,10 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) noexcept {
     return length(cross(b - a, c - a)) <= nanometre * longest;
 }
 
-std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree) {
+std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree, bool needles) {
     std::vector<Crossing> found;
     tree.for_each_near_pair([&](std::uint32_t face, std::uint32_t other) {
-        if (do_cross(mesh, face, other)) found.push_back({face, other});
+        if (do_cross(mesh, face, other, needles)) found.push_back({face, other});
     });
     std::sort(found.begin(), found.end());
     return found;

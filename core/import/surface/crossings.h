@@ -14,7 +14,9 @@ using Crossing = std::array<std::uint32_t, 2>;  ///< the smaller number first
 
 /// All of them, by number; decided exactly. Corners at the same place count as shared, whatever their number. Faces
 /// that have the same three corners, and faces without area, are not crossings but flaws of their own.
-[[nodiscard]] std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree);
+/// @param needles   whether faces that are nowhere wider than a nanometre, but have an area, are judged too
+[[nodiscard]] std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree,
+                                                 bool needles = false);
 
 /// Whether a face has no area: it is nowhere wider than a nanometre. (Exactly none it has only in its file's unit;
 /// metres are rounded.)   [any] pure.

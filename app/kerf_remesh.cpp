@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// kerf-remesh: one remeshing strategy in a process of its own. `kerf` starts it; nothing else opens its modules.
+#include <fcntl.h>
+
+#include <cstdio>
+
+#include "core/remesh/remesh_channel.h"
+#include "core/remesh/remesh_server.h"
+
+int main(int argc, char** argv) {
+    if (argc != 3 || fcntl(kerf::remesh_channel::socket_fd, F_GETFD) < 0) {
+        std::fputs("kerf-remesh is started by kerf. Write `kerf remesh SESSION.db`.\n", stderr);
+        return 2;
+    }
+    return kerf::serve_remeshing(argv[1], argv[2]);
+}

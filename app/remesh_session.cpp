@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/remesh_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/interruption.h"
+#include "app/make_bone.h"
+#include "app/outputs.h"
+#include "app/progress.h"
+#include "app/replay.h"
+#include "app/standard_streams.h"
+#include "core/procedure/printable_lines.h"
+#include "core/procedure/read_procedure.h"
+#include "core/session/content_hash.h"
+#include "core/session/recorder.h"
+#include "core/session/stl.h"
+#include "core/session/write_file.h"
+#include "run/exact_surface.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The shipped procedure whose text a session holds; empty: none.
+std::string shipped_procedure(const CommandLine& line, const PluginRegistry& plugins, const RecordedInputs& recorded) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(line.shipped, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (entry->path().extension() == ".yaml") files.push_back(entry->path().string());
+    std::sort(files.begin(), files.end());
+    for (const std::string& file : files) {
+        Diagnostics ignored;
+        const auto procedure = read_procedure(file, plugins.catalog(), ignored, {recorded.variant, line.settings});
+        if (procedure && procedure->text == recorded.procedure_text) return file;
+    }
+    return {};
+}
+
+Mesh shown(const TaggedMesh& exact) {
+    Mesh mesh;
+    mesh.vertices = exact.mesh.vertices;
+    mesh.triangles.assign(exact.mesh.triangles.begin(), exact.mesh.triangles.end());
+    return mesh;
+}
+
+std::string file_of(std::size_t body) {
+    return body == 0 ? "bone-exact.stl" : "bone-exact-" + std::to_string(body) + ".stl";
+}
+
+double in_mm3(double volume) { return std::round(volume * 1e13) / 1e4; }
+
+std::string json_of(const ExactSurface& made, const std::string& strategy, const RemeshChild& child) {
+    nlohmann::ordered_json pieces = nlohmann::ordered_json::array();
+    for (const ExactPiece& piece : made.pieces)
+        pieces.push_back({{"body", piece.body},
+                          {"file", file_of(piece.body)},
+                          {"triangles", piece.mesh.mesh.triangles.size()},
+                          {"volume_mm3", in_mm3(piece.volume)},
+                          {"field_volume_mm3", in_mm3(piece.field_volume)},
+                          {"wall_area_mm2", std::round(piece.wall_area * 1e8) / 1e2}});
+    const nlohmann::ordered_json all{{"notice", notice_line},
+                                     {"strategy", strategy},
+                                     {"module", child.plugin()},
+                                     {"kernel", child.kernel()},
+                                     {"digest", hex16(made.digest)},
+                                     {"records", made.records},
+                                     {"stretches", made.stretches},
+                                     {"removed_mm3", in_mm3(made.removed)},
+                                     {"field_removed_mm3", in_mm3(made.field_removed)},
+                                     {"allowed_difference_mm3", in_mm3(made.allowed)},
+                                     {"crumbs", made.crumbs},
+                                     {"crumbs_mm3", in_mm3(made.crumb_volume)},
+                                     {"refused_attempts", made.refusals},
+                                     {"pieces", pieces},
+                                     {"notes", made.notes}};
+    return printable_json(all.dump(2)) + "\n";
+}
+
+void print_table(const ExactSurface& made, double seconds) {
+    for (const std::string& note : made.notes) print(note + "\n");
+    print(formatted("  %zu records in %zu straight stretches, %.1f s\n\n", made.records, made.stretches, seconds));
+    print("  body   triangles   mesh, mm3   field, mm3\n");
+    for (const ExactPiece& piece : made.pieces)
+        print(formatted("  %4zu %11zu %11.1f  %11.1f\n", piece.body, piece.mesh.mesh.triangles.size(),
+                        piece.volume * 1e9, piece.field_volume * 1e9));
+    print(formatted("\n  removed: mesh %.2f mm3, field %.2f mm3; a difference of %.2f mm3 is expected of the field\n",
+                    made.removed * 1e9, made.field_removed * 1e9, made.allowed * 1e9));
+    if (made.crumbs > 0)
+        print(formatted("  %zu crumbs of %.3f mm3 that are no body of the field are left out\n", made.crumbs,
+                        made.crumb_volume * 1e9));
+    print("  digest " + hex16(made.digest) + "\n");
+}
+
+/// Makes the surface as soon as the session has been repeated, while its bone is there.
+class Remesher final : public RunObserver {
+public:
+    Remesher(const Scene& scene, RemeshChild& child, const Interruption& interruption)
+        : scene_(&scene), child_(&child), interruption_(&interruption) {}
+
+    void on_progress(double fraction, const std::string& /*what*/) override {
+        show_progress(0.9 * fraction, "repeating the session");
+    }
+    [[nodiscard]] std::optional<RunEnd> end() override {
+        return interruption_->has_come() ? std::optional(RunEnd::interrupted) : std::nullopt;
+    }
+    [[nodiscard]] std::string on_result(const RunSummary& /*summary*/, const Simulation& simulation) override {
+        if (interruption_->has_come()) return {};
+        show_work("");
+        StillWorking sign_of_life("making the exact surface");
+        ExactOptions options;
+        options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
+        made = exact_surface(*scene_, simulation, *child_, options);
+        return {};
+    }
+
+    ExactSurface made;
+
+private:
+    const Scene* scene_;
+    RemeshChild* child_;
+    const Interruption* interruption_;
+};
+
+std::string write_pieces(const std::string& folder, const ExactSurface& made, const std::string& json) {
+    MadeFolders folders;
+    std::string error = folders.make(folder);
+    for (const ExactPiece& piece : made.pieces)
+        if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));
+    if (error.empty()) error = write_file(folder + "/remesh.json", json);
+    if (error.empty()) folders.keep();
+    return error;
+}
+
+}  // namespace
+
+ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) {
+    std::string error;
+    const auto recorded = read_session(line.source, error);
+    if (!recorded) return complain(error, exit_bad_input);
+    std::string folder = line.out;
+    if (folder.empty()) folder = fs::path(line.source).parent_path().string();
+    if (folder.empty()) folder = ".";
+    if (error = refusal_of_folder(folder); !error.empty()) return complain(error, exit_bad_input);
+    const std::string file = !line.files.empty() ? line.files.front() : shipped_procedure(line, plugins, *recorded);
+    if (file.empty())
+        return complain(line.source +
+                            ": no shipped procedure has the text that it was recorded with. Name its procedure, as in "
+                            "`--procedure amputation.yaml`, with the `--set` it was run with.",
+                        exit_bad_input);
+
+    // First, while this process has one thread and little memory.
+    const fs::path prefix = fs::path(line.shipped).parent_path().parent_path().parent_path();
+    const RemeshProgram program{(prefix / "libexec" / "kerf" / "kerf-remesh").string(),
+                                (prefix / "lib" / "kerf-remesh" / "kerf_remesh_cgal.so").string(), line.strategy};
+    const auto child = RemeshChild::start(program, error);
+    if (child == nullptr) return complain(error, exit_fault);
+
+    Diagnostics diagnostics;
+    auto documents =
+        check_documents({file, line.anatomy, {recorded->variant, line.settings}, line.shipped}, plugins, diagnostics);
+    if (!documents) {
+        print_error(to_text(diagnostics));
+        return exit_bad_input;
+    }
+    if (error = refusal_of_replay(*recorded, line.source, documents->procedure); !error.empty())
+        return complain(error, exit_bad_input);
+    const Interruption interruption;
+    auto bone = make_bone(std::move(*documents), file, diagnostics);
+    if (!diagnostics.empty()) print_error(to_text(diagnostics));
+    if (!bone) return exit_bad_input;
+    if (recorded->anatomy_hash != bone->anatomy_hash)
+        return complain(refusal_of_other_text(line.source), exit_bad_input);
+
+    RunRequest request;
+    if (error = repeat(*recorded, line.source, request); !error.empty()) return complain(error, exit_bad_input);
+    Remesher remesher(*bone, *child, interruption);
+    request.observers = {&remesher};
+    const auto start = std::chrono::steady_clock::now();
+    const RunOutcome outcome = run_procedure(*bone, plugins, request);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
+    if (interruption.has_come()) return complain("interrupted; nothing is written", exit_fault);
+    if (!recorded->hash.empty() && recorded->hash != hex16(outcome.summary.hash))
+        return complain(line.source + ": its replay did not end in the same bits, so its cuts are not to be believed.",
+                        exit_fault);
+    const ExactSurface& made = remesher.made;
+    if (!made.error.empty()) {
+        for (const std::string& note : made.notes) print_error(note + "\n");
+        return complain(made.error, exit_fault);
+    }
+    print_table(made, seconds);
+    if (error = write_pieces(folder, made, json_of(made, line.strategy, *child)); !error.empty())
+        return complain(error, exit_fault);
+    print("  " + folder + "/remesh.json\n" + notice_line + ".\n");
+    return exit_pass;
+}
+
+}  // namespace kerf

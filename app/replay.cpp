@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/replay.h"
+
+namespace kerf {
+
+std::string refusal_of_replay(const RecordedInputs& recorded, const std::string& session, const Procedure& procedure) {
+    if (recorded.variant != procedure.variant)
+        return session + ": was recorded " +
+               (recorded.variant.empty()
+                    ? "without a variant. Leave out `--variant`."
+                    : "with the variant `" + recorded.variant + "`. Write `--variant " + recorded.variant + "`.");
+    return recorded.procedure_text != procedure.text ? refusal_of_other_text(session) : std::string();
+}
+
+std::string refusal_of_other_text(const std::string& session) {
+    return session +
+           ": was recorded with another text of this procedure or anatomy, or with another scan, so it cannot end the "
+           "same.";
+}
+
+std::string repeat(const RecordedInputs& recorded, const std::string& session, RunRequest& request) {
+    request.rehearsal = recorded.rehearsal;
+    request.replay = recorded.device_from_handle;
+    request.adoptions = recorded.adoptions;
+    request.missed = recorded.missed;
+    for (const auto& [tick, text] : recorded.hand_inputs) {
+        const auto input = hand_input(text);
+        if (!input) return session + ": the hand requested `" + text + "`, which this Kerf does not know.";
+        request.hand_inputs.emplace_back(tick, *input);
+    }
+    return {};
+}
+
+}  // namespace kerf

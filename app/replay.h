@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/procedure/procedure.h"
+#include "core/session/read_session.h"
+#include "run/run_procedure.h"
+
+/// Feeding a recorded session to a run.
+namespace kerf {
+
+/// Returns why a session cannot be repeated with this procedure, for people; empty if it can.   [any] pure.
+[[nodiscard]] std::string refusal_of_replay(const RecordedInputs& recorded, const std::string& session,
+                                            const Procedure& procedure);
+
+/// The message for a session that was recorded with other documents.   [any] pure.
+[[nodiscard]] std::string refusal_of_other_text(const std::string& session);
+
+/// Lets a run repeat a session's inputs. Returns why it cannot, for people; empty if it can.   [any]
+[[nodiscard]] std::string repeat(const RecordedInputs& recorded, const std::string& session, RunRequest& request);
+
+}  // namespace kerf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/field/body.h"
+#include "core/remesh/tagged_mesh.h"
+
+/// The surface that exact cuts begin with.
+namespace kerf {
+
+/// The surface of an uncut body as its field has it: vertices within a micrometre are one, and faces that this leaves
+/// without area are removed.   [any]
+[[nodiscard]] SurfaceMesh field_surface(const Body& body);
+
+/// Joins vertices that lie in one cell of a lattice `step` [m] apart and removes the faces that collapse. Vertices move
+/// onto the lattice, by less than `step`.   [any] pure.
+void snap(SurfaceMesh& mesh, double step);
+
+/// Returns what of a surface an exact cut cannot begin with: open or crowded edges, pinched vertices, faces that cross;
+/// empty if it can. For people, with the first position.   [any] pure.
+[[nodiscard]] std::string flaw_of_base(const SurfaceMesh& mesh);
+
+}  // namespace kerf

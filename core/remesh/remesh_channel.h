@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "kerf/draft/remesh.h"
+
+/// What `kerf` and `kerf-remesh` send each other: one packet each, over a socket pair; meshes lie in shared memory.
+namespace kerf::remesh_channel {
+
+/// The file descriptors that the child is started with.
+inline constexpr int socket_fd = 3, request_fd = 4, result_fd = 5;
+
+/// The child's first packet.
+struct Hello {
+    std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE; 0: it cannot work
+    char fault[500] = {};     ///< then why not; ends with NUL
+    char plugin_id[100] = {}, plugin_version[100] = {}, licence[100] = {}, kernel[200] = {};
+};
+
+struct Ask {
+    std::uint64_t number = 0;
+    std::uint64_t request_capacity = 0, result_capacity = 0;  ///< [bytes] of the shared memory
+    std::uint64_t request_used = 0;
+    kerf_remesh_in in{};
+};
+
+struct Answer {
+    std::uint64_t number = 0;
+    std::uint64_t result_used = 0;
+    std::int32_t status = KERF_FAILED;
+    kerf_remesh_out out{};
+};
+
+}  // namespace kerf::remesh_channel

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/remesh/remesh_server.h"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+
+#include "core/remesh/remesh_channel.h"
+#include "core/remesh/remesh_module.h"
+#include "core/remesh/shared_memory.h"
+
+namespace kerf {
+namespace {
+
+using namespace remesh_channel;
+
+/// Behind the loop in all that is shared, and gone with its parent.
+void be_a_good_child() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of addresses
+    const rlimit memory{most_memory, most_memory};
+    setrlimit(RLIMIT_AS, &memory);
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    static_cast<void>(!nice(10));
+}
+
+template <class Packet>
+bool send_packet(const Packet& packet) {
+    return send(socket_fd, &packet, sizeof packet, MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof packet);
+}
+
+template <std::size_t N>
+void copy_text(char (&to)[N], const char* text) {
+    std::snprintf(to, N, "%s", text);
+}
+
+}  // namespace
+
+int serve_remeshing(const std::string& module_path, const std::string& strategy) {
+    be_a_good_child();
+    std::string error;
+    const auto module = RemeshModule::open(module_path, error);
+    const kerf_remesher* remesher = module != nullptr ? module->find(strategy) : nullptr;
+    if (module != nullptr && remesher == nullptr) error = module_path + ": it has no strategy `" + strategy + "`.";
+    Hello hello;
+    copy_text(hello.fault, error.c_str());
+    if (remesher != nullptr) {
+        hello.scope = remesher->scope;
+        copy_text(hello.plugin_id, module->entry().plugin_id);
+        copy_text(hello.plugin_version, module->entry().plugin_version);
+        copy_text(hello.licence, module->entry().licence);
+        copy_text(hello.kernel, module->entry().kernel);
+    }
+    if (!send_packet(hello) || remesher == nullptr) return 1;
+
+    SharedMemory request = SharedMemory::of(request_fd), result = SharedMemory::of(result_fd);
+    void* cache = remesher->cache_new != nullptr ? remesher->cache_new() : nullptr;
+    for (;;) {
+        Ask ask;
+        const ssize_t got = recv(socket_fd, &ask, sizeof ask, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got != static_cast<ssize_t>(sizeof ask)) break;  // the parent has closed its end
+        Answer answer;
+        answer.number = ask.number;
+        answer.out.size = sizeof answer.out;
+        if (request.map(ask.request_capacity) && result.map(ask.result_capacity)) {
+            kerf_arena from = request.arena(), to = result.arena();
+            from.used = ask.request_used;
+            to.used = 64;  // an offset of 0 means none
+            answer.status = remesher->remesh(&ask.in, &from, &to, &answer.out, cache);
+            answer.result_used = to.used;
+        } else {
+            copy_text(answer.out.message, "the shared memory cannot be mapped");
+        }
+        if (!send_packet(answer)) break;
+    }
+    if (remesher->cache_drop != nullptr && cache != nullptr) remesher->cache_drop(cache);
+    return 0;
+}
+
+}  // namespace kerf

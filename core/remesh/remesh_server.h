@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace kerf {
+
+/// The whole of `kerf-remesh`: opens a module and answers requests on the descriptors of `remesh_channel` until its
+/// parent has gone. Returns the exit status.   [main]
+int serve_remeshing(const std::string& module, const std::string& strategy);
+
+}  // namespace kerf

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef KERF_DRAFT_REMESH_H
+#define KERF_DRAFT_REMESH_H
+
+/* Remeshing strategies: how an exact surface follows what tools remove. A draft: no part of ABI 0.
+ *
+ * A module exports one data symbol, `kerf_remesh_entry`, of type `kerf_remesh_module`. The program `kerf-remesh` alone
+ * opens it, in a process of its own, so a module may link any library, allocate, throw inside and crash.
+ *
+ * A strategy is a function of its input: the same bytes in give the same bytes out, whatever its cache holds.
+ *
+ * Meshes cross as offsets into arenas, blocks of memory that both processes map at different addresses. An offset
+ * counts bytes from the arena's base. 0 means none. Arrays begin at multiples of 8 bytes.
+ *
+ * Units: SI. Frame: that of the body. */
+
+#include "kerf/abi.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define KERF_REMESH_DRAFT 1u
+#define KERF_REMESH_ENTRY_SYMBOL "kerf_remesh_entry"
+
+typedef uint64_t kerf_offset;
+
+typedef struct kerf_arena {
+    unsigned char* base;
+    uint64_t capacity; /* [bytes] */
+    uint64_t used;     /* [bytes]; what comes next begins at the next multiple of 8 */
+} kerf_arena;
+
+/* Tags of faces. A strategy keeps those of the faces that it keeps, and gives KERF_FACE_WALL to new ones; the host
+ * itself distinguishes cortical from cancellous walls. */
+enum { KERF_FACE_SURFACE = 0, KERF_FACE_WALL = 1 };
+
+/* A mesh of triangles: closed and 2-manifold if it is WHOLE, else with a border whose vertices are locked. */
+typedef struct kerf_patch {
+    uint32_t vertex_count, triangle_count;
+    kerf_offset vertices;  /* double[3] each [m] */
+    kerf_offset triangles; /* uint32_t[3] each, anticlockwise seen from outside */
+    kerf_offset tags;      /* uint8_t each triangle: KERF_FACE_… */
+    kerf_offset locked;    /* uint8_t each vertex: 1 must come back bit for bit; 0: no vertex is locked */
+} kerf_patch;
+
+/* What removes bone: the cutting part of a tool's outline, kerf_solid as offsets. */
+typedef struct kerf_cut_solid {
+    uint32_t kind; /* KERF_SOLID_… */
+    uint32_t profile_count;
+    kerf_offset profile; /* kerf_profile_point each */
+    double kerf;         /* of a prism: its thickness [m], > 0 */
+} kerf_cut_solid;
+
+/* The solid moved straight from one pose to another. */
+typedef struct kerf_cut {
+    kerf_pose from, to; /* body_from_tool */
+    uint32_t solid;     /* index into the request's solids */
+    uint32_t reserved;
+} kerf_cut;
+
+/*   PATCH  gets the faces near the cuts, with a locked border
+ *   WHOLE  gets the whole mesh */
+enum { KERF_REMESH_PATCH = 1, KERF_REMESH_WHOLE = 2 };
+
+/*   PROVISIONAL  may be undone: the same base comes again with more cuts
+ *   COMMIT       becomes the base of what follows
+ *   FINAL        the last one of a step */
+enum { KERF_REMESH_PROVISIONAL = 1, KERF_REMESH_COMMIT = 2, KERF_REMESH_FINAL = 3 };
+
+typedef struct kerf_remesh_in {
+    uint32_t size;
+    uint32_t mode; /* KERF_REMESH_PROVISIONAL … */
+    kerf_patch base;
+    kerf_offset cuts, solids;
+    uint32_t cut_count, solid_count; /* only cuts that removed bone */
+    uint64_t nudge_seed;             /* 0 at first; another one after the host has refused a result */
+    double tolerance;                /* [m] that surfaces may be off */
+    kerf_offset cancel;              /* uint32_t; once it is not 0 the strategy returns KERF_REMESH_CANCELLED soon */
+} kerf_remesh_in;
+
+typedef struct kerf_remesh_out {
+    uint32_t size;
+    uint32_t reserved;
+    kerf_patch result;                /* in the arena `out` */
+    double want_low[3], want_high[3]; /* [m] with KERF_REMESH_NEED_REGION: the box it needs */
+    char message[240];                /* with a refusal: why; UTF-8, ends with NUL */
+} kerf_remesh_out;
+
+/* Statuses of a remesh beyond KERF_OK and KERF_FAILED. */
+enum {
+    KERF_REMESH_UNCHANGED = 1,   /* the cuts meet none of the faces; `result` is not read */
+    KERF_REMESH_NEED_REGION = 2, /* the patch is too small */
+    KERF_REMESH_REFUSED = 3,     /* this input cannot be cut; another seed may help */
+    KERF_REMESH_CANCELLED = 4
+};
+
+typedef struct kerf_remesher {
+    uint32_t size;
+    uint32_t scope;   /* KERF_REMESH_PATCH or KERF_REMESH_WHOLE */
+    const char* id;   /* snake_case: "exact" */
+    const char* help; /* one sentence */
+    /* Cuts a mesh. Reads `in` and the offsets in the arena `from`; writes into `to`, which it does not grow. */
+    kerf_status (*remesh)(const kerf_remesh_in* in, const kerf_arena* from, kerf_arena* to, kerf_remesh_out* out,
+                          void* cache);
+    void* (*cache_new)(void); /* null: it needs none */
+    void (*cache_drop)(void* cache);
+} kerf_remesher;
+
+typedef struct kerf_remesh_module {
+    uint32_t magic; /* KERF_MAGIC */
+    uint32_t draft; /* KERF_REMESH_DRAFT */
+    uint32_t size;
+    uint32_t remesher_count;
+    uint32_t in_size, out_size, patch_size, cut_size, solid_size, remesher_size; /* sizes of what crosses */
+    const char* plugin_id;                                                       /* "kerf.remesh_cgal" */
+    const char* plugin_version;
+    const char* licence; /* SPDX */
+    const char* kernel;  /* what its results depend on: library, version, flags */
+    const kerf_remesher* remeshers;
+} kerf_remesh_module;
+
+#define KERF_REMESH_SIZES_INIT                                                                                     \
+    sizeof(kerf_remesh_in), sizeof(kerf_remesh_out), sizeof(kerf_patch), sizeof(kerf_cut), sizeof(kerf_cut_solid), \
+        sizeof(kerf_remesher)
+
+#ifdef __cplusplus
+}
+#endif
+#endif

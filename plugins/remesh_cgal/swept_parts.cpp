@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "swept_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kerf::remesh_cgal {
+namespace {
+
+/// The next number of a fixed sequence.
+std::uint64_t scrambled(std::uint64_t& state) noexcept {
+    state += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/// Up to 0.1 µm in some direction; nothing without a seed.
+Vec3 nudged(std::uint64_t& seed) noexcept {
+    constexpr double most = 1e-7;  // [m]
+    if (seed == 0) return {};
+    const auto next = [&] { return most * (static_cast<double>(scrambled(seed) >> 11) * 0x1p-52 - 1.0); };
+    const double x = next(), y = next(), z = next();
+    return {x, y, z};
+}
+
+using Profile = std::span<const kerf_profile_point>;
+
+/// The stretches of an outline along which a solid of revolution is convex; neighbours share a point.
+std::vector<Profile> convex_runs(Profile profile) {
+    std::vector<Profile> runs;
+    std::size_t first = 0;
+    const auto slope = [&](std::size_t i) {  // of the outline from point i to the next, away from the tip
+        return (profile[i + 1].radius - profile[i].radius) / (profile[i].z - profile[i + 1].z);
+    };
+    for (std::size_t i = 1; i + 1 < profile.size(); ++i)
+        if (slope(i) > slope(i - 1)) {
+            runs.push_back(profile.subspan(first, i - first + 1));
+            first = i;
+        }
+    runs.push_back(profile.subspan(first));
+    return runs;
+}
+
+void add_ring(const kerf_profile_point& point, std::size_t sides, ConvexPart& part) {
+    if (point.radius <= 0.0) {
+        part.push_back({0, 0, point.z});
+        return;
+    }
+    const double turn = 2.0 * std::numbers::pi / static_cast<double>(sides);
+    const double radius = point.radius * std::sqrt(turn / std::sin(turn));  // of the same area
+    for (std::size_t i = 0; i < sides; ++i) {
+        const double angle = turn * static_cast<double>(i);
+        part.push_back({radius * std::cos(angle), radius * std::sin(angle), point.z});
+    }
+}
+
+/// The corners of the solid's convex parts, tool frame.
+std::vector<ConvexPart> parts_of(const CutSolid& solid, double tolerance) {
+    std::vector<ConvexPart> parts;
+    if (solid.kerf > 0.0) {
+        ConvexPart& part = parts.emplace_back();
+        for (const kerf_profile_point& p : solid.profile)
+            for (const double y : {-0.5 * solid.kerf, 0.5 * solid.kerf}) {
+                part.push_back({p.radius, y, p.z});
+                if (p.radius > 0.0) part.push_back({-p.radius, y, p.z});
+            }
+        return parts;
+    }
+    double widest = 0.0;
+    for (const kerf_profile_point& p : solid.profile) widest = std::max(widest, p.radius);
+    const double needed = std::numbers::pi * std::sqrt(widest / (2.0 * tolerance));
+    const auto sides = static_cast<std::size_t>(std::clamp(std::ceil(needed), 16.0, 128.0));
+    for (const Profile run : convex_runs(solid.profile)) {
+        ConvexPart& part = parts.emplace_back();
+        for (const kerf_profile_point& p : run) add_ring(p, sides, part);
+    }
+    return parts;
+}
+
+/// The same part, smaller by the taper on all sides.
+ConvexPart shrunk(ConvexPart part) {
+    constexpr double taper = 1e-7;  // [m]
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Vec3 p : part) {
+        low = std::min(low, p.z);
+        high = std::max(high, p.z);
+    }
+    const auto inwards = [](double from_middle) {
+        return from_middle > 0.0 ? -taper : from_middle < 0.0 ? taper : 0.0;
+    };
+    for (Vec3& p : part) p = p + Vec3{inwards(p.x), inwards(p.y), inwards(p.z - 0.5 * (low + high))};
+    return part;
+}
+
+}  // namespace
+
+std::vector<ConvexPart> swept_parts(const CutSolid& solid, const Pose& from, const Pose& to, double tolerance,
+                                    std::uint64_t nudge) {
+    Pose start = from, end = to;
+    start.position = start.position + nudged(nudge);
+    end.position = end.position + nudged(nudge);
+    std::vector<ConvexPart> swept;
+    for (const ConvexPart& part : parts_of(solid, tolerance)) {
+        ConvexPart& both = swept.emplace_back();
+        for (const Vec3 corner : shrunk(part)) both.push_back(start * corner);
+        for (const Vec3 corner : part) both.push_back(end * corner);
+    }
+    return swept;
+}
+
+}  // namespace kerf::remesh_cgal

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/remesh/accept.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "core/remesh/base_mesh.h"
+#include "kerf/units.hpp"
+#include "tests/core/import/surface/shapes.h"
+#include "tests/support/block.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using test::cube, test::sphere, test::together, test::turned;
+
+TaggedMesh tagged(SurfaceMesh mesh) {
+    TaggedMesh all{std::move(mesh), {}};
+    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
+    return all;
+}
+RemeshRequest request_for(const SurfaceMesh& base) {
+    RemeshRequest request;
+    request.base = tagged(base);
+    return request;
+}
+/// The flaw that is found in a result for a cube of 10 mm.
+std::string flaw_of(const SurfaceMesh& result) { return flaw_of_result(request_for(cube(10.0_mm)), tagged(result)); }
+
+TEST(AcceptResult, TakesWhatIsSound) {
+    EXPECT_EQ(flaw_of(cube(10.0_mm)), "");
+    EXPECT_EQ(flaw_of(cube(9.0_mm)), "");
+    EXPECT_EQ(flaw_of(together(cube(9.0_mm), turned(cube(5.0_mm)))), "") << "a cavity";
+    EXPECT_EQ(flaw_of(together(cube(2.0_mm, {-2.0_mm, 0, 0}), cube(2.0_mm, {2.0_mm, 0, 0}))), "") << "two pieces";
+    EXPECT_EQ(flaw_of({}), "") << "nothing is left";
+}
+
+TEST(AcceptResult, RefusesAnOpenMesh) {
+    SurfaceMesh open = cube(9.0_mm);
+    open.triangles.pop_back();
+    EXPECT_NE(flaw_of(open).find("open edges"), std::string::npos) << flaw_of(open);
+}
+TEST(AcceptResult, RefusesAFaceTheOtherWayRound) {
+    SurfaceMesh flipped = cube(9.0_mm);
+    std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
+    EXPECT_NE(flaw_of(flipped).find("look to different sides"), std::string::npos) << flaw_of(flipped);
+}
+TEST(AcceptResult, RefusesFacesThatCross) {
+    const SurfaceMesh crossing = together(cube(4.0_mm), cube(4.0_mm, {1.0_mm, 1.1_mm, 1.2_mm}));
+    EXPECT_NE(flaw_of(crossing).find("cross"), std::string::npos) << flaw_of(crossing);
+    // By as little as doubles can tell
+    SurfaceMesh dented = cube(4.0_mm);
+    const SurfaceMesh beside = cube(4.0_mm, {4.0_mm - 1e-15, 0.1_mm, 0.1_mm});
+    EXPECT_NE(flaw_of(together(dented, beside)).find("cross"), std::string::npos);
+}
+TEST(AcceptResult, RefusesANeedleThatCrosses) {
+    // A strip 0.1 nm wide, folded out of a cube's face and back through the cube beside it
+    SurfaceMesh needle = together(cube(4.0_mm, {-3.0_mm, 0, 0}), cube(4.0_mm, {3.0_mm, 0, 0}));
+    const auto first = static_cast<std::uint32_t>(needle.vertices.size());
+    needle.vertices.insert(needle.vertices.end(),
+                           {{0, 0, 0}, {4.0_mm, 0, 0}, {4.0_mm, 1e-10, 0}, {4.0_mm, 0, 1e-10}});
+    needle.triangles.insert(needle.triangles.end(), {Triangle{first, first + 2, first + 1},
+                                                     {first, first + 3, first + 2},
+                                                     {first, first + 1, first + 3},
+                                                     {first + 1, first + 2, first + 3}});
+    EXPECT_NE(flaw_of_result(request_for(cube(20.0_mm)), tagged(needle)).find("cross"), std::string::npos);
+}
+TEST(AcceptResult, RefusesPartsThatTouchInAVertex) {
+    SurfaceMesh pinched = together(cube(4.0_mm), cube(4.0_mm, {4.0_mm, 4.0_mm, 4.0_mm}));
+    snap(pinched, 0x1p-30);
+    EXPECT_NE(flaw_of_result(request_for(cube(20.0_mm)), tagged(pinched)).find("only touch"), std::string::npos);
+}
+TEST(AcceptResult, RefusesEdgesOfFourFaces) {
+    SurfaceMesh joined = together(cube(4.0_mm), cube(4.0_mm, {4.0_mm, 4.0_mm, 0}));
+    snap(joined, 0x1p-30);
+    EXPECT_NE(flaw_of_result(request_for(cube(20.0_mm)), tagged(joined)).find("more than two faces"),
+              std::string::npos);
+}
+TEST(AcceptResult, RefusesWhatLiesTwiceAtOnePoint) {
+    EXPECT_NE(flaw_of(together(cube(4.0_mm), cube(4.0_mm))).find("where another one is"), std::string::npos);
+}
+TEST(AcceptResult, RefusesAFaceWithoutArea) {
+    SurfaceMesh collapsed = cube(9.0_mm);
+    collapsed.triangles.push_back({0, 0, 1});
+    EXPECT_NE(flaw_of(collapsed).find("no area"), std::string::npos) << flaw_of(collapsed);
+}
+TEST(AcceptResult, RefusesWhatReachesBeyondTheBase) {
+    EXPECT_NE(flaw_of(cube(10.1_mm)).find("beyond"), std::string::npos) << flaw_of(cube(10.1_mm));
+}
+TEST(AcceptResult, RefusesTagsThatAreMissing) {
+    TaggedMesh mesh = tagged(cube(9.0_mm));
+    mesh.tags.pop_back();
+    EXPECT_NE(flaw_of_result(request_for(cube(10.0_mm)), mesh), "");
+}
+
+TEST(AcceptResult, WantsBorderAndLockedVerticesBackBitForBit) {
+    SurfaceMesh patch = sphere(5.0_mm, 2);
+    std::erase_if(patch.triangles, [&](const Triangle& t) { return patch.vertices[t[0]].z < 0.0; });
+    RemeshRequest request = request_for(patch);
+    request.locked.assign(patch.vertices.size(), 0);
+    const Triangle last = patch.triangles.back();
+    request.locked[last[0]] = 1;
+    EXPECT_EQ(flaw_of_result(request, tagged(patch)), "");
+
+    SurfaceMesh moved = patch;
+    moved.vertices[last[0]] = (1.0 - 1e-15) * moved.vertices[last[0]];
+    EXPECT_NE(flaw_of_result(request, tagged(moved)), "");
+    SurfaceMesh smaller = patch;
+    smaller.triangles.pop_back();
+    EXPECT_NE(flaw_of_result(request, tagged(smaller)).find("border"), std::string::npos);
+}
+
+// ---- what cuts begin with
+
+TEST(FieldSurface, IsClosedWithTheVolumeOfTheBlock) {
+    const SurfaceMesh surface =
+        field_surface(test::block({0, 0, 0}, {9.0_mm, 8.0_mm, 7.0_mm}, 0.5_mm, {0.3, 0.4, 0.5}));
+    EXPECT_EQ(flaw_of_base(surface), "");
+    EXPECT_NEAR(signed_volume_of(surface), 504e-9, 0.01 * 504e-9 /* a grid rounds edges off */);
+}
+
+TEST(Snap, JoinsVerticesWithinAStep) {
+    SurfaceMesh soup = test::soup_of(cube(8.0_mm));
+    double shift = 0.0;
+    for (Vec3& v : soup.vertices) v.x += 1e-9 * std::sin(++shift);
+    snap(soup, 0x1p-20);
+    EXPECT_EQ(soup.vertices.size(), 8U);
+    EXPECT_EQ(soup.triangles.size(), 12U);
+    EXPECT_EQ(flaw_of_base(soup), "");
+}
+
+TEST(FlawOfBase, NamesWhatIsWrong) {
+    EXPECT_EQ(flaw_of_base(cube(10.0_mm)), "");
+    SurfaceMesh open = cube(10.0_mm);
+    open.triangles.pop_back();
+    EXPECT_NE(flaw_of_base(open).find("open edges"), std::string::npos);
+    EXPECT_NE(flaw_of_base(turned(cube(10.0_mm))).find("inwards"), std::string::npos);
+    EXPECT_NE(flaw_of_base(together(cube(4.0_mm), cube(4.0_mm, {1.0_mm, 1.1_mm, 1.2_mm}))).find("cross"),
+              std::string::npos);
+    EXPECT_NE(flaw_of_base({}).find("no faces"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf
