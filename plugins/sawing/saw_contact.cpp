@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "kerf/beam.hpp"
 #include "kerf/contact.hpp"
@@ -17,10 +16,7 @@ namespace {
 constexpr std::size_t tip_points = 9, columns = 3, rows = 5;
 constexpr double row_behind[rows] = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots of the teeth
 static_assert(tip_points + 2 * rows * columns + 2 * rows <= ContactPoints::most &&
-              2 * rows * columns == TouchingPoints::most_on_sides);
-/// Three sectors of the still front; each side, near the front and far from it; both narrow edges.
-enum Place : std::uint32_t { slot_tip = 0, slot_side = 3, slot_edge = 7 };
-static_assert(slot_side == sector_count);
+              2 * rows * columns <= TouchingPoints::most_on_sides);
 
 /// Bending stiffness across the blade [N/m] at `z`, the blade held at the axis of its swing, in series with the bone's.
 ///
@@ -69,7 +65,8 @@ TouchingPoints touching_points(const SawBlade& blade, const SawParameters& law, 
     return points;
 }
 
-void add_contact(const SawBlade& blade, const TouchingPoints& points, const SawParameters& law, const BoneQuery& bone,
+template <class Blade>
+void add_contact(const Blade& blade, const TouchingPoints& points, const SawParameters& law, const BoneQuery& bone,
                  const Oscillation& motion, const OwnSlot& slot, double last_binding, Channels& channels) noexcept {
     Contact contact(points.all);
     contact.ask(bone, blade.thickness);
@@ -93,6 +90,11 @@ void add_contact(const SawBlade& blade, const TouchingPoints& points, const SawP
                        .limit = law.friction * last_binding,
                        .onset = motion.cutting.removes_bone() ? motion.stroke.mean_speed() : 0.0});
 }
+
+template void add_contact(const SawBlade&, const TouchingPoints&, const SawParameters&, const BoneQuery&,
+                          const Oscillation&, const OwnSlot&, double, Channels&) noexcept;
+template void add_contact(const StraightBlade&, const TouchingPoints&, const SawParameters&, const BoneQuery&,
+                          const Oscillation&, const OwnSlot&, double, Channels&) noexcept;
 
 double binding_of(const Advance& advance) noexcept {
     double sum = 0.0;

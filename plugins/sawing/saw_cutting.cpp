@@ -6,6 +6,8 @@
 #include <iterator>
 #include <span>
 
+#include "straight_blade.h"
+
 namespace kerf::sawing {
 
 namespace {
@@ -37,17 +39,16 @@ struct Row {
 
 }  // namespace
 
-double mean_cutting_force(const SawBlade& blade, const SawParameters& law, const Stroke& stroke,
-                          double feed_rate) noexcept {
+double mean_cutting_force(double kerf, const SawParameters& law, const Stroke& stroke, double feed_rate) noexcept {
     const EdgeCoefficients cutting = law.cutting();
     double sum = 0.0;
     for (const StrokePart& part : parts_of(stroke))
         sum += part.share * force_per_width(part.chip_per_feed * feed_rate, cutting);
-    return blade.kerf() * sum;
+    return kerf * sum;
 }
 
-void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const SawParameters& law,
-                      const Oscillation& motion, double last_feed_rate, Channels& channels) noexcept {
+void add_feed_cutting(const TeethInBone& in_bone, double kerf, const SawParameters& law, const Oscillation& motion,
+                      double last_feed_rate, Channels& channels) noexcept {
     const struct { EdgeCoefficients thrust, cutting; } k{law.thrust(), law.cutting()};
     const Parts parts = parts_now(motion);
     const std::size_t n = in_bone.teeth.count;
@@ -79,7 +80,7 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const S
         }
         for (std::size_t p = 0; p < parts.count; ++p) {
             const StrokePart& part = parts.part[p];
-            const double width = part.share * total * blade.kerf();
+            const double width = part.share * total * kerf;
             ChannelSum sum;
             sum.add(width * k.thrust.edge, width * k.thrust.chip * part.chip_per_feed,
                     k.thrust.edge_depth / part.chip_per_feed);
@@ -95,8 +96,9 @@ void add_feed_cutting(const TeethInBone& in_bone, const SawBlade& blade, const S
     }
 }
 
-void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const SawParameters& law,
-                      const BoneQuery& bone, const Oscillation& motion, Channels& channels) noexcept {
+template <class Blade>
+void add_side_cutting(const TeethInBone& in_bone, const Blade& blade, const SawParameters& law, const BoneQuery& bone,
+                      const Oscillation& motion, Channels& channels) noexcept {
     if (in_bone.least_gap(0, in_bone.teeth.count) > left_behind)
         return;  // drawn back, the flanks run free in their slot (B5)
     const struct { EdgeCoefficients thrust, cutting; } k{law.thrust(), law.cutting()};
@@ -134,22 +136,25 @@ void add_side_cutting(const TeethInBone& in_bone, const SawBlade& blade, const S
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            const SinCos angle = sin_cos_exact(0.9 * Row::place(i) * blade.half_front());
-            row.point[i] = blade.on_front(angle) + Vec3{0.0, side * (0.5 * blade.kerf() - inside), 0.0};
+            row.point[i] = blade.front(0.9 * Row::place(i)).at + Vec3{0.0, side * (0.5 * blade.kerf() - inside), 0.0};
         }
         add(row, {0, side, 0}, 0.5 * blade.tooth_count * blade.tooth_height, flank_chip,
             id_side + (side > 0.0 ? 0 : 1));
     }
     // At an end the last tooth comes by once an oscillation.
-    const SinCos end = sin_cos_exact(blade.half_sweep());
+    const Vec3 end = blade.end_of_sweep();
     for (const double side : {1.0, -1.0}) {
         Row row;
         for (std::size_t i = 0; i < Row::count; ++i) {
-            row.point[i] = {side * (blade.radius * end.sin - inside), 0.4 * Row::place(i) * blade.kerf(),
-                            blade.radius * (end.cos - 1.0)};
+            row.point[i] = {side * (end.x - inside), 0.4 * Row::place(i) * blade.kerf(), end.z};
         }
         add(row, {side, 0, 0}, blade.tooth_height, 1.0 / motion.stroke.rate, id_end + (side > 0.0 ? 0 : 1));
     }
 }
+
+template void add_side_cutting(const TeethInBone&, const SawBlade&, const SawParameters&, const BoneQuery&,
+                               const Oscillation&, Channels&) noexcept;
+template void add_side_cutting(const TeethInBone&, const StraightBlade&, const SawParameters&, const BoneQuery&,
+                               const Oscillation&, Channels&) noexcept;
 
 }  // namespace kerf::sawing

@@ -25,9 +25,10 @@ struct Oscillation {
     double phase = 0.0;       ///< [rad]
     bool is_averaged = true;  ///< over the oscillation: above 100 Hz, and on the way there and back
 
-    /// Where the blade is in its swing [rad]. Averaged: in the middle.
-    [[nodiscard]] double swing(const SawBlade& blade) const noexcept {
-        return is_averaged ? 0.0 : 0.5 * blade.arc * sin_cos_exact(phase).sin;
+    /// Where the blade is in its swing, in the unit of its amplitude. Averaged: in the middle.
+    template <class Blade>
+    [[nodiscard]] double swing(const Blade& blade) const noexcept {
+        return is_averaged ? 0.0 : blade.amplitude() * sin_cos_exact(phase).sin;
     }
 };
 
@@ -39,7 +40,8 @@ struct TeethInBone {
     std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
     double engaged = 0.0;                         ///< [–] how many are in bone
 
-    void sample(const SawParameters& law, const BoneQuery& bone, const SawBlade& blade,
+    template <class Blade>
+    void sample(const SawParameters& law, const BoneQuery& bone, const Blade& blade,
                 const Oscillation& motion) noexcept;
     /// The least way to the front of those in bone [m], of the teeth from `first` to before `last`; infinite where none
     /// is.
