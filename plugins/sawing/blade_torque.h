@@ -29,20 +29,20 @@ namespace kerf::sawing {
     return about_tip + blade.middle_z() * side_force;
 }
 
-/// Whether the torque is above its threshold, and how often it has been.
+/// Whether the torque is above its threshold, and for how long it has been.
 struct TwistWatch {
     static constexpr double armed_below = 0.8;  ///< [–] of the threshold: the warning re-arms
 
     bool is_armed = true;
-    double in_bone = 0.0;  ///< ticks in bone
-    double above = 0.0;    ///< those of them with more than the threshold
+    double in_bone = 0.0;  ///< [s] in bone
+    double above = 0.0;    ///< [s] of these with more than the threshold
 
-    /// One tick. Returns whether to warn: once for each time that the torque rises above the threshold.
-    bool step(double torque, double threshold, bool is_in_bone) noexcept {
+    /// A tick of `dt` [s]. Returns whether to warn: once for each time that the torque rises above the threshold.
+    bool step(double torque, double threshold, bool is_in_bone, double dt) noexcept {
         const double size = std::abs(torque);
         if (is_in_bone) {
-            in_bone += 1.0;
-            above += size > threshold ? 1.0 : 0.0;
+            in_bone += dt;
+            above += size > threshold ? dt : 0.0;
         }
         if (size < armed_below * threshold) is_armed = true;
         if (!is_armed || !(size > threshold)) return false;

@@ -23,7 +23,8 @@ void ReciprocatingCutting::commit(const Held<ReciprocatingBlade>& saw, const Bon
 
     signals.blade_torque = blade_torque(advance, blade);
     const bool is_in_bone = signals.engaged_teeth > 0.0 || state.binding > 0.0;
-    if (state.twist.step(signals.blade_torque, torque_threshold, is_in_bone)) actions.event(Happened::twisted);
+    if (state.twist.step(signals.blade_torque, torque_threshold, is_in_bone, saw.tick.dt))
+        actions.event(Happened::twisted);
     signals.torque_exceedance = state.twist.exceedance();
 }
 

@@ -23,7 +23,7 @@ struct ReciprocatingSignals : SawSignals {
                     .unit = unit::N_m}),
             signal(&ReciprocatingSignals::torque_exceedance,
                    {.id = "torque_exceedance",
-                    .help = "Fraction of the ticks in bone in which the torque was above its threshold, since the saw "
+                    .help = "Fraction of the time in bone in which the torque was above its threshold, since the saw "
                             "was taken up."}));
     }
 };
@@ -55,7 +55,7 @@ struct ReciprocatingCutting : SawParameters {
             "reciprocating_cutting",
             "Edge and chip forces on each tooth of a straight blade, averaged over the oscillation, binding in the "
             "blade's own slot, contact and friction, and a warning when the blade is twisted.",
-            SawParameters::about(), threshold(), budget_us(200), work({.channels = 16, .points = 600, .queries = 8}),
+            SawParameters::about(), threshold(), budget_us(200), work({.channels = 16, .points = 800, .queries = 8}),
             ReciprocatingSignals::about(), motor_events<Happened>(),
             event(Happened::twisted, {.id = "sawing.twisted",
                                       .help = "The blade is twisted about its long axis with more than the torque "

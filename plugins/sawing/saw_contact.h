@@ -25,7 +25,7 @@ struct TouchingPoints {
         std::size_t place;  ///< among all
         double behind;      ///< [m] the roots of the teeth
     };
-    static constexpr std::size_t most_on_sides = 108;
+    static constexpr std::size_t most_on_sides = 204;
     ContactPoints all;
     std::array<OnSide, most_on_sides> of_sides;
     std::size_t side_count = 0;

@@ -199,6 +199,28 @@ TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
     }
 }
 
+TEST(ReciprocatingAmputation, OneCutPartsThePhantomAndATwistFails) {
+    Diagnostics diagnostics;
+    const auto leg = scene_of("", "reciprocating", diagnostics);
+    ASSERT_TRUE(leg) << to_text(diagnostics);
+    ASSERT_EQ(leg->procedure.rehearsals.size(), 3u);
+    for (const Rehearsal& rehearsal : leg->procedure.rehearsals) {
+        RunRequest request;
+        request.rehearsal = rehearsal.id;
+        const test::WatchedRun run = test::watched_run(*leg, test::plugins(), request);
+        EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
+        EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
+        EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3) << rehearsal.id;
+        const double torque = metric(run.summary, "cut-1.signal.blade_torque"),
+                     least = metric(run.summary, "cut-1.signal.blade_torque.least");
+        if (rehearsal.id == "twisted") {
+            EXPECT_GT(std::max(torque, -least), 0.05) << "N m";
+        } else {
+            EXPECT_LT(std::max(torque, -least), 0.04) << "N m, " << rehearsal.id;
+        }
+    }
+}
+
 /// On real bone, when there is some: a femur out of a surface, a tibia out of a scan.
 struct RealBone {
     const char *name, *anatomy, *data, *variant;
