@@ -29,37 +29,51 @@ struct ReciprocatingSignals : SawSignals {
 };
 enum class ReciprocatingEvent { off, speeding_up, running, bogging, stalled, running_down, twisted };
 
-/// The law of a reciprocating saw, docs/models/reciprocating-saw.md.
-struct ReciprocatingCutting : SawParameters {
+[[nodiscard]] constexpr auto reciprocating_events() noexcept {
+    using E = ReciprocatingEvent;
+    return group(motor_events<E>(),
+                 event(E::twisted, {.id = "sawing.twisted",
+                                    .help = "The blade is twisted about its long axis with more than the torque "
+                                            "threshold: blade or bone may break."}));
+}
+
+/// The parameters that all laws of a reciprocating saw share.
+struct ReciprocatingParameters : SawParameters {
     double torque_threshold;
 
+    static constexpr auto about() {
+        using namespace literals;
+        return group(SawParameters::about(),
+                     param(&ReciprocatingParameters::torque_threshold,
+                           {.id = "torque_threshold",
+                            .help = "Torque about the blade's long axis from which the saw warns.",
+                            .unit = unit::N_m,
+                            .min = 1.0_Nmm,
+                            .max = 5000.0_Nmm,
+                            .def = 50.0_Nmm,
+                            .source = "assumed: [mandibular-angle] has a threshold and does not print it"}));
+    }
+};
+
+/// Writes the torque of a tick, and warns when it crosses the threshold.   [haptic, nonblocking]
+void watch_torque(const Advance& advance, const StraightBlade& blade, double threshold, double dt,
+                  ReciprocatingState& state, ReciprocatingSignals& signals, Actions& actions) noexcept;
+
+/// The law of a reciprocating saw, docs/models/reciprocating-saw.md.
+struct ReciprocatingCutting : ReciprocatingParameters {
     struct State : ReciprocatingState {
         PreparedSaw<StraightBlade> prepared;
     };
     using Signals = ReciprocatingSignals;
     using Happened = ReciprocatingEvent;
 
-    static constexpr auto threshold() {
-        using namespace literals;
-        return param(&ReciprocatingCutting::torque_threshold,
-                     {.id = "torque_threshold",
-                      .help = "Torque about the blade's long axis from which the saw warns.",
-                      .unit = unit::N_m,
-                      .min = 1.0_Nmm,
-                      .max = 5000.0_Nmm,
-                      .def = 50.0_Nmm,
-                      .source = "assumed: [mandibular-angle] has a threshold and does not print it"});
-    }
     static constexpr auto about() {
         return describe(
             "reciprocating_cutting",
             "Edge and chip forces on each tooth of a straight blade, averaged over the oscillation, binding in the "
             "blade's own slot, contact and friction, and a warning when the blade is twisted.",
-            SawParameters::about(), threshold(), budget_us(200), work({.channels = 16, .points = 800, .queries = 8}),
-            ReciprocatingSignals::about(), motor_events<Happened>(),
-            event(Happened::twisted, {.id = "sawing.twisted",
-                                      .help = "The blade is twisted about its long axis with more than the torque "
-                                              "threshold: blade or bone may break."}));
+            ReciprocatingParameters::about(), budget_us(200), work({.channels = 16, .points = 800, .queries = 8}),
+            ReciprocatingSignals::about(), reciprocating_events());
     }
 
     void begin(const Held<ReciprocatingBlade>& saw, const BoneQuery& bone, State& state) const noexcept;

@@ -16,7 +16,8 @@ void SawCutting::commit(const Held<OscillatingBlade>& saw, const BoneQuery& bone
                         State& state, Signals& signals, Actions& actions) const noexcept {
     const SawBlade& blade = state.prepared.blade;
     const Oscillation motion = oscillation_of(blade, saw.stroke_rate, state);
-    const double load = commit_saw(blade, *this, motion, bone, advance, saw.tick.dt, state, signals, actions);
+    const double load =
+        commit_saw(blade, *this, motion, bone, advance, {advance.notes, {}}, saw.tick.dt, state, signals, actions);
     state.cutter.step(saw.motor(), saw.stroke_rate, load, saw.tick.dt, slowest_cut, phase_events<Happened>, actions);
 }
 

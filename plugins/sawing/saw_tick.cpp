@@ -63,9 +63,9 @@ SawNotes resist_saw(const PreparedSaw<Blade>& saw, const SawParameters& law, dou
 
 template <class Blade>
 double commit_saw(const Blade& blade, const SawParameters& law, const Oscillation& motion, const BoneQuery& bone,
-                  const Noted<SawNotes>& advance, double dt, SawState& state, SawSignals& signals,
+                  const Advance& advance, const CutInTick& cut, double dt, SawState& state, SawSignals& signals,
                   Actions& actions) noexcept {
-    auto [engaged, resisting] = advance.notes;
+    auto [engaged, resisting] = cut.teeth;
     if (!motion.cutting.resists()) {  // a still saw samples its teeth for its motor, which must break them loose
         TeethInBone in_bone;
         in_bone.sample(law, bone, blade, motion);
@@ -79,10 +79,10 @@ double commit_saw(const Blade& blade, const SawParameters& law, const Oscillatio
     state.binding = binding_of(advance);
 
     // The force along the teeth's motion, and the motor's torque for it: a mean force over two strokes each turn.
-    const double per_tooth = mean_cutting_force(blade.kerf(), law, motion.stroke, state.feed_rate);
-    const double along = is_cutting     ? resisting * per_tooth
-                         : removes_bone ? 0.0
-                                        : breakaway_force(law, advance.pushed_along());
+    const double cutting = cut.along_per_thrust
+                               ? *cut.along_per_thrust * thrust
+                               : resisting * mean_cutting_force(blade.kerf(), law, motion.stroke, state.feed_rate);
+    const double along = is_cutting ? cutting : removes_bone ? 0.0 : breakaway_force(law, advance.pushed_along());
     const double rubbing = law.friction * state.binding;
     const double load = (along + rubbing) * blade.stroke() / pi;
     signals.chip_thickness = is_cutting ? mean_chip_per_feed(motion.stroke) * state.feed_rate : 0.0;
@@ -109,9 +109,9 @@ template SawNotes resist_saw(const PreparedSaw<SawBlade>&, const SawParameters&,
                              const SawState&, Channels&) noexcept;
 template SawNotes resist_saw(const PreparedSaw<StraightBlade>&, const SawParameters&, double, const BoneQuery&,
                              const SawState&, Channels&) noexcept;
-template double commit_saw(const SawBlade&, const SawParameters&, const Oscillation&, const BoneQuery&,
-                           const Noted<SawNotes>&, double, SawState&, SawSignals&, Actions&) noexcept;
+template double commit_saw(const SawBlade&, const SawParameters&, const Oscillation&, const BoneQuery&, const Advance&,
+                           const CutInTick&, double, SawState&, SawSignals&, Actions&) noexcept;
 template double commit_saw(const StraightBlade&, const SawParameters&, const Oscillation&, const BoneQuery&,
-                           const Noted<SawNotes>&, double, SawState&, SawSignals&, Actions&) noexcept;
+                           const Advance&, const CutInTick&, double, SawState&, SawSignals&, Actions&) noexcept;
 
 }  // namespace kerf::sawing

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "kerf/plugin.hpp"
 #include "kerf/powered_cutter.hpp"
 #include "own_slot.h"
@@ -95,11 +97,17 @@ template <class Blade>
 [[nodiscard]] SawNotes resist_saw(const PreparedSaw<Blade>& saw, const SawParameters& law, double commanded,
                                   const BoneQuery& bone, const SawState& state, Channels& channels) noexcept;
 
+/// What `resist` found of the teeth, for the commit.
+struct CutInTick {
+    SawNotes teeth;
+    std::optional<double> along_per_thrust;  ///< [–] force along the teeth; none: by the edge and chip law of a tooth
+};
+
 /// Takes over the motion of a tick, except in the motor.   [haptic, nonblocking]
 /// @return  [N·m] the torque that the motor must overcome
 template <class Blade>
 [[nodiscard]] double commit_saw(const Blade& blade, const SawParameters& law, const Oscillation& motion,
-                                const BoneQuery& bone, const Noted<SawNotes>& advance, double dt, SawState& state,
-                                SawSignals& signals, Actions& actions) noexcept;
+                                const BoneQuery& bone, const Advance& advance, const CutInTick& cut, double dt,
+                                SawState& state, SawSignals& signals, Actions& actions) noexcept;
 
 }  // namespace kerf::sawing
