@@ -21,9 +21,9 @@ Vec3 impulse_of(const Strike& strike, Vec3 u, double friction) noexcept {
 
     const Vec3 t = normalized(u - approach * n), direction = n - friction * t;
     // Where friction would press the point into the bone faster than the impulse lifts it, only a part of it counts.
-    constexpr double least_lift = 0.1;  // [–] of that without friction
+    constexpr double min_lift = 0.1;  // [–] of that without friction
     const double alone = dot(n, strike.softened * n),
-                 lift = std::max(dot(n, strike.softened * direction), least_lift * alone);
+                 lift = std::max(dot(n, strike.softened * direction), min_lift * alone);
     return std::max(0.0, (strike.rebound - approach) / lift) * direction;
 }
 

@@ -63,8 +63,8 @@ Blow blow_of(const ReciprocatingImpulse& law, const StraightBlade& blade, const 
 /// Adds the feed channels: each sector resists with Σ p ν. Returns the force along the teeth per thrust [–].
 double add_impulse_feed(const ReciprocatingImpulse& law, const StraightBlade& blade, const TeethInBone& in_bone,
                         const Oscillation& motion, double last_feed_rate, Channels& channels) noexcept {
-    constexpr double least_feed = 0.1e-3;  // [m/s] impulses are proportional to the feed where the teeth slide
-    const double feed = std::max(last_feed_rate, least_feed);
+    constexpr double min_feed = 0.1e-3;  // [m/s] impulses are proportional to the feed where the teeth slide
+    const double feed = std::max(last_feed_rate, min_feed);
     const Striking which = striking(in_bone);
     if (which.count == 0) return 0.0;
 

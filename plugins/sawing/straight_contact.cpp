@@ -11,14 +11,14 @@ namespace kerf::sawing {
 
 namespace {
 
-constexpr std::size_t tip_points = 9, columns = 17, most_rows = 6;
-constexpr std::array<double, most_rows - 1> row_behind = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots
-static_assert(tip_points + 2 * most_rows * columns + 2 * most_rows + columns <= ContactPoints::most &&
-              2 * most_rows * columns <= TouchingPoints::most_on_sides);
+constexpr std::size_t tip_points = 9, columns = 17, max_rows = 6;
+constexpr std::array<double, max_rows - 1> row_behind = {0.25e-3, 3e-3, 7e-3, 15e-3, 30e-3};  // [m] behind the roots
+static_assert(tip_points + 2 * max_rows * columns + 2 * max_rows + columns <= ContactPoints::most &&
+              2 * max_rows * columns <= TouchingPoints::most_on_sides);
 
 /// The rows of points on the sides [m] behind the roots of the teeth; the last is the back edge.
 struct Rows {
-    std::array<double, most_rows> behind;
+    std::array<double, max_rows> behind;
     std::size_t count = 0;
 };
 Rows rows_of(const StraightBlade& blade) noexcept {

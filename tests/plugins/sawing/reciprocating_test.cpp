@@ -205,6 +205,7 @@ TEST(ReciprocatingThrust, FallsWithTheRateAtAFixedFeed) {  // 04-11
         Feeding saw(wide_block(), test::reciprocating_saw(ten_teeth({{"stroke_rate", strokes}})));
         saw.to(4.0_mm);
         const double thrust = saw.mean(0.5_mm_per_s, 100).thrust;
+        RecordProperty("N_at_" + std::to_string(std::lround(60.0 * strokes)), std::to_string(thrust));
         EXPECT_LT(thrust, last - 0.5) << "N, at " << strokes;
         last = thrust;
     }
