@@ -12,8 +12,9 @@ Outline ReciprocatingBlade::outline() const noexcept {
         return refuse("no tooth fits: `tooth_pitch` is ", in_mm(tooth_pitch), "; it needs at most `blade_length`, ",
                       in_mm(blade_length), ".");
     if (saw.count() > most_teeth)
-        return refuse(Figure(saw.tooth_count), " teeth fit; at most ", Figure(static_cast<double>(most_teeth)),
-                      " can be used: a shorter `blade_length` or a larger `tooth_pitch`.");
+        return refuse("`blade_length` ", in_mm(blade_length), " has ", Figure(saw.tooth_count),
+                      " teeth of `tooth_pitch` ", in_mm(tooth_pitch), "; at most ",
+                      Figure(static_cast<double>(most_teeth)), " are possible.");
     const double deepest = 0.5 * blade_height;
     if (!(tooth_height < deepest))
         return refuse("`tooth_height` is ", in_mm(tooth_height), "; with this `blade_height` it needs less than ",

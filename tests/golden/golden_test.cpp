@@ -115,7 +115,8 @@ TEST_P(GoldenNamed, TextMatchesTheFile) {
     EXPECT_EQ(text, test::contents_of(file.string()));
     EXPECT_NE(text, "");
 }
-INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenNamed, testing::Values("saw-no-teeth", "saw-half-a-tooth"),
+INSTANTIATE_TEST_SUITE_P(Mistakes, GoldenNamed,
+                         testing::Values("saw-no-teeth", "saw-half-a-tooth", "saw-too-many-teeth", "saw-no-thickness"),
                          [](const auto& of) {
                              std::string name = of.param;
                              std::replace(name.begin(), name.end(), '-', '_');

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -68,9 +69,33 @@ TEST(StraightBlade, PairStandsForAPitchOfTheFront) {
     EXPECT_NEAR(0.5 * (pair[0].x + pair[1].x), tooth.tip.x, 1e-15);
 }
 
+// 1/k = l³/(3 E I) + a² l/(G J) + 1/k_bone at the middle of 50 × 10 × 0.8 mm: l = 25 mm, I = 0.4267 mm⁴, J = 1.7067 mm⁴
+TEST(StraightBlade, SidesBendAndTwistBeforeTheBone) {
+    kerf_bone_query query{};
+    query.reach = 1.0_mm;
+    const StraightBlade b = blade();
+    const TouchingPoints points = touching_points(b, defaults_of<ReciprocatingCutting>(), BoneQuery(query), true);
+    const double bending = 15.625e-6 / (3.0 * 193e9 * 0.42667e-12), twist = 25e-3 / (193e9 / 2.6 * 1.70667e-12),
+                 bone = 1.0 / 500e3;
+    int checked = 0;
+    for (std::size_t i = 0; i < points.side_count; ++i) {
+        const std::size_t at = points.of_sides[i].place;
+        const Vec3 p = points.all.at(at);
+        if (std::abs(p.x) > 1e-9) continue;
+        const double arm = p.z + 5.0_mm;
+        EXPECT_NEAR(1.0 / points.all.stiffness(at) / (bending + arm * arm * twist + bone), 1.0, 1e-4) << p.z;
+        EXPECT_NEAR(std::abs(p.y), 0.4_mm, 1e-15);
+        EXPECT_EQ(points.all.slot(at), (p.y > 0.0 ? 3u : 5u) + (p.z < -5.0_mm ? 1u : 0u)) << "both edges of both sides";
+        EXPECT_NEAR(p.z + 1.0_mm, -points.of_sides[i].behind, 1e-15) << "behind the roots of the teeth";
+        ++checked;
+    }
+    EXPECT_EQ(checked, 2 * 4) << "rows at 0.25, 3 and 7 mm and at the back edge, on both sides";
+}
+
 TEST(StraightBlade, RefusesWhatIsNoBlade) {
     EXPECT_NE(refusal({{"blade_length", 5.0_mm}, {"tooth_pitch", 0.3_mm}, {"tooth_height", 5.0_mm}}), "");
-    EXPECT_NE(refusal({{"blade_length", 120.0_mm}}).find("85 teeth fit; at most 64"), std::string::npos)
+    EXPECT_NE(refusal({{"blade_length", 120.0_mm}}).find("85 teeth of `tooth_pitch` 1.41 mm; at most 64"),
+              std::string::npos)
         << refusal({{"blade_length", 120.0_mm}});
     EXPECT_NE(refusal({{"blade_height", 2.0_mm}}).find("`tooth_height` is 1 mm"), std::string::npos)
         << refusal({{"blade_height", 2.0_mm}});
