@@ -212,6 +212,22 @@ TEST(ReciprocatingThrust, FallsWithTheRateAtAFixedFeed) {  // 04-11
     EXPECT_GT(last, 5.0);
 }
 
+TEST(ReciprocatingThrust, RisesAtItsEntryAndThenLevels) {  // 04-11: the plateau's coefficient of variation
+    Feeding saw(wide_block(), test::reciprocating_saw(ten_teeth()));
+    saw.to(-0.2_mm);
+    std::vector<double> thrust;
+    for (int i = 0; i < 4000; ++i) thrust.push_back(saw.go(0.5_mm_per_s).thrust);
+    EXPECT_EQ(thrust.front(), 0.0) << "in air";
+    double sum = 0.0, squares = 0.0;
+    for (int i = 2000; i < 4000; ++i) {
+        const double one = thrust[static_cast<std::size_t>(i)];
+        sum += one / 2000.0;
+        squares += one * one / 2000.0;
+    }
+    EXPECT_GT(sum, 10.0);
+    EXPECT_LT(std::sqrt(std::max(0.0, squares - sum * sum)) / sum, 0.1);
+}
+
 TEST(ReciprocatingThrust, RisesWithTheFeedAtAFixedRate) {
     double last = 0.0;
     Feeding saw(wide_block(), test::reciprocating_saw(ten_teeth()));
