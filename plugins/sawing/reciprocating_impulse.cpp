@@ -17,7 +17,7 @@ struct Blow {
     std::array<double, most_teeth> dragged{};  ///< [N·s] along x, on the blade
 };
 
-/// Which teeth strike: those in bone that are at the front.
+/// Which teeth strike: those in bone that are at the front, of whatever density: bone is rigid here.
 struct Striking {
     std::array<std::size_t, most_teeth> tooth;
     std::array<double, most_teeth> engaged{};  ///< [–] of each tooth
@@ -29,7 +29,8 @@ Striking striking(const TeethInBone& in_bone) noexcept {
     for (std::size_t i = 0; i < in_bone.teeth.count; ++i) {
         double engaged = 0.0;
         for (const std::size_t point : {2 * i, 2 * i + 1})
-            if (in_bone.gap[point] <= least + left_behind) engaged += 0.5 * std::min(1.0, in_bone.resisted[point]);
+            if (in_bone.resisted[point] > 0.0 && in_bone.gap[point] <= least + left_behind)
+                engaged += 0.5 * in_bone.engagement[point];
         if (engaged <= 0.0) continue;
         found.engaged[i] = engaged;
         found.tooth[found.count++] = i;

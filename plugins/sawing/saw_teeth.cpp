@@ -22,6 +22,7 @@ void TeethInBone::sample(const SawParameters& law, const BoneQuery& bone, const 
     for (std::size_t i = 0; i < count; ++i) {
         resisted[i] = resistance(found[i], bone.tissue_count(), law.reference_density);
         gap[i] = found[i].gap * teeth.tooth[i / 2].normal.z;
+        engagement[i] = found[i].engagement;
         engaged += 0.5 * found[i].engagement;
     }
 }

@@ -36,9 +36,10 @@ struct Oscillation {
 /// pitch to either side of its tip, each for a half of it. Where forces are not averaged both are the tip itself.
 struct TeethInBone {
     Teeth teeth;
-    std::array<double, 2 * most_teeth> resisted;  ///< [–] of each point: share of the reference tissue's resistance
-    std::array<double, 2 * most_teeth> gap;       ///< [m] to the front, along the tooth's normal
-    double engaged = 0.0;                         ///< [–] how many are in bone
+    std::array<double, 2 * most_teeth> engagement;  ///< [–] of each point: 0 in air … 1 in bone
+    std::array<double, 2 * most_teeth> resisted;    ///< [–] of each point: share of the reference tissue's resistance
+    std::array<double, 2 * most_teeth> gap;         ///< [m] to the front, along the tooth's normal
+    double engaged = 0.0;                           ///< [–] how many are in bone
 
     template <class Blade>
     void sample(const SawParameters& law, const BoneQuery& bone, const Blade& blade,

@@ -335,6 +335,14 @@ TEST(ImpulseSaw, RisesWithFeedAndRate) {  // E04-7: not the fall that is measure
     EXPECT_NEAR(once / slow, 15.0 / 8.0, 0.01);
 }
 
+TEST(ImpulseSaw, DoesNotKnowTheDensity) {  // 04-19
+    Body light = test::block({-16.0_mm, -4.0_mm, -12.0_mm}, {16.0_mm, 4.0_mm, 0}, 0.5_mm, {0.31, 0.17, 0.73});
+    light.materials[0].density = 350.0;
+    test::Rig simulation(std::move(light), impulse_saw(), test::at_depth(-1.0_mm));
+    (void)simulation.feed(-1.0_mm, 3.0_mm, 8.0_um);
+    EXPECT_NEAR(simulation.feed(3.0_mm, 3.05_mm, 1.0_um).thrust, 1.6, 0.01) << "as in cortical bone";
+}
+
 TEST(ImpulseSaw, WithoutFeedThereIsNoForce) {  // P9
     Feeding saw(impulse_saw());
     (void)saw.settled(1.0_mm_per_s);
