@@ -11,7 +11,7 @@
 # and core names no plugin: neither its id, nor its module, nor its folder. Comments may, as examples.
 cmake_minimum_required(VERSION 3.25)
 
-set(layers sdk field plugin haptics procedure session import remesh)   # each may include itself and those before it
+set(layers sdk field plugin haptics procedure session import remesh measure)   # each may include itself and those before it
 set(std_c_headers assert.h ctype.h errno.h fenv.h float.h inttypes.h limits.h locale.h math.h setjmp.h signal.h
     stdalign.h stdarg.h stdatomic.h stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h time.h uchar.h
     wchar.h wctype.h)

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/measure/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace kerf {
+
+std::vector<std::size_t> outer_hull(std::span<const PlanePoint> points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const PlanePoint &p = points[a], &q = points[b];
+        return p.along < q.along || (p.along == q.along && (p.out > q.out || (p.out == q.out && a < b)));
+    });
+    const auto turns_right = [&](std::size_t a, std::size_t b, std::size_t c) {
+        const PlanePoint &o = points[a], &p = points[b], &q = points[c];
+        return (p.along - o.along) * (q.out - o.out) - (p.out - o.out) * (q.along - o.along) < 0.0;
+    };
+    std::vector<std::size_t> hull;
+    for (const std::size_t next : order) {
+        if (!hull.empty() && points[hull.back()].along == points[next].along) continue;  // below or at the last one
+        while (hull.size() >= 2 && !turns_right(hull[hull.size() - 2], hull.back(), next)) hull.pop_back();
+        hull.push_back(next);
+    }
+    return hull;
+}
+
+std::optional<Contacts> contacts_of_ruler(std::span<const PlanePoint> points, double middle, double play) {
+    const std::vector<std::size_t> hull = outer_hull(points);
+    const auto behind = std::find_if(hull.begin(), hull.end(), [&](std::size_t i) { return points[i].along > middle; });
+    if (behind == hull.begin() || behind == hull.end()) return std::nullopt;
+    auto first = behind - 1, last = behind;
+    const PlanePoint a = points[*first], b = points[*last];
+    const double run = b.along - a.along, rise = b.out - a.out, size = std::hypot(run, rise);
+    const auto below = [&](std::size_t i) {  // [m] under the ruler
+        return ((points[i].along - a.along) * rise - (points[i].out - a.out) * run) / size;
+    };
+    while (first != hull.begin() && below(*(first - 1)) <= play) --first;
+    while (last + 1 != hull.end() && below(*(last + 1)) <= play) ++last;
+    return Contacts{*first, *last};
+}
+
+}  // namespace kerf
