@@ -10,6 +10,7 @@
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "run/belongings.h"
+#include "run/measure_bone.h"
 #include "run/plate_steps.h"
 #include "run/run_metrics.h"
 #include "run/tick_row.h"
@@ -164,6 +165,7 @@ bool Run::tick(const DeviceSample& reported) {
     const std::size_t step = monitor_.current();
     observe(handle, now);
     if (monitor_.current() != step) judge_step(step, now);
+    if (monitor_.asks_for_measures()) monitor_.show_measures(measured_bone());
     for (std::size_t i = 0; i < result_.event_count; ++i) {
         add_event(result_.events[i], detail_of(result_.events[i], simulation_));
         monitor_.report(result_.events[i], now);
@@ -251,10 +253,22 @@ void Run::judge_step(std::size_t step, double now) {
         monitor_.judge_hole(step, std::move(*hole), now);
         add_news();
     }
+    if (!scene_->procedure.measures.empty()) {
+        std::vector<MeasureReading> measures = measured_bone();
+        for (std::size_t m = 0; m < measures.size(); ++m)
+            if (!measures[m].value)
+                add_event("measure.failed", scene_->procedure.measures[m].id + ": " + measures[m].why_not);
+        monitor_.judge_measures(step, std::move(measures), now);
+        add_news();
+    }
     leave_implant(step);
     removed_before_step_ = removed_;
     before_.begin(simulation_.present());
     if (monitor_.current() < scene_->procedure.steps.size()) lead();
+}
+
+std::vector<MeasureReading> Run::measured_bone() const {
+    return measure_bone(*scene_, simulation_.present(), world_from_body_);
 }
 
 /// The driver leaves what it has set.

@@ -73,6 +73,7 @@ private:
     void take_hand_inputs(const std::vector<HandInput>& inputs);
     void observe(const Pose& handle, double now);
     void judge_step(std::size_t step, double now);
+    [[nodiscard]] std::vector<MeasureReading> measured_bone() const;
     void leave_implant(std::size_t step);
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
     void miss_implants();

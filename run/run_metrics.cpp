@@ -158,6 +158,59 @@ void add_places(const StepState& state, StepRows& rows) {
     }
 }
 
+/// What a measure is, for people.
+std::string help_of(const Measure& measure) {
+    switch (measure.kind) {
+        case Measure::Kind::angle:
+            return "Angle between " + measure.of + " and " + measure.to +
+                   (measure.in.empty() ? "" : ", as seen in " + measure.in) + ".";
+        case Measure::Kind::distance:
+            return "Distance between " + measure.of + " and " + measure.to + ".";
+        case Measure::Kind::thickness:
+            return "Thickness of the bone at " + measure.of + ", along " + measure.to + ".";
+        case Measure::Kind::surface_distance:
+            return "Distance of " + measure.of + " to the bone's surface; negative inside.";
+        case Measure::Kind::roughness:
+            return "Unevenness of the border at " + measure.of + ": root mean square.";
+    }
+    return {};
+}
+
+MetricRow measure_row(const Measure& measure, const MeasureReading& reading, const std::string& scope) {
+    MetricRow row;
+    row.scope = scope;
+    row.value = reading.value.value_or(0.0);
+    row.unit = measure.unit();
+    row.per_unit = measure.is_angle() ? 1.0_deg : 1.0_mm;
+    row.uncertainty = reading.uncertainty;
+    return row;
+}
+
+/// The measures of the bone when the step had ended, or was measured last.
+void add_measures(const StepState& state, const Procedure& procedure, std::vector<MetricRow>& rows) {
+    for (std::size_t m = 0; m < procedure.measures.size() && m < state.measures.size(); ++m) {
+        const Measure& measure = procedure.measures[m];
+        if (!state.measures[m].value) continue;
+        MetricRow row = measure_row(measure, state.measures[m], state.step->id);
+        row.id = state.step->id + ".measure." + measure.id;
+        row.status = status_of_limits(state, [&](const Limit& limit) { return limit.measure == measure.id; });
+        row.help = help_of(measure);
+        rows.push_back(std::move(row));
+    }
+}
+
+/// The same before the first cut.
+void add_measures_before(const Scene& scene, std::vector<MetricRow>& rows) {
+    for (std::size_t m = 0; m < scene.measured_before.size(); ++m) {
+        const Measure& measure = scene.procedure.measures[m];
+        MetricRow row = measure_row(measure, scene.measured_before[m], "run");
+        row.id = "measure." + measure.id + ".before";
+        row.status = "info";
+        row.help = "Before the first cut. " + help_of(measure);
+        rows.push_back(std::move(row));
+    }
+}
+
 /// What is reported only where a goal or limit asks for it.
 void add_asked(const StepState& state, StepRows& rows) {
     add_loads(state, rows);
@@ -314,6 +367,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
             rows.length("moved", state.moved, rows.half_voxel(), "info",
                         "How far the piece was from where it had been, at the step's entry.");
             add_asked(state, rows);
+            add_measures(state, scene.procedure, all);
             continue;
         }
         rows.length("depth", std::max(0.0, state.deepest), rows.half_voxel(), "info",
@@ -330,7 +384,9 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
         if (state.is_done() && monitor.frame(s).across != Vec3{}) add_wall(state, rows);
         rows.row("axis-in-bone", scene.share_in_bone[s], "%", 0.01, "info",
                  "Share of the planned axis behind its entry that lies in bone.");
+        add_measures(state, scene.procedure, all);
     }
+    add_measures_before(scene, all);
     return all;
 }
 

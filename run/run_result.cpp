@@ -64,8 +64,15 @@ std::string bounds_text(const Bound& bound, const TextOf& text_of) {
     return text;
 }
 
+/// For people; "" for a measure that there is not.
+std::string unit_of(const std::string& measure, const std::vector<Measure>& measures) {
+    for (const Measure& one : measures)
+        if (one.id == measure) return one.unit();
+    return {};
+}
+
 /// What a limit was broken with, after its own sentence.
-std::string how_far(const LimitState& limit) {
+std::string how_far(const LimitState& limit, const std::vector<Measure>& measures) {
     const std::string& quantity = limit.limit->quantity;
     const auto told = [&](const char* what, int digits, const auto& text_of) {
         return what + text_of(limit.worst, digits_beside(limit.worst, limit.limit->bound, digits, text_of)) + ".";
@@ -96,6 +103,8 @@ std::string how_far(const LimitState& limit) {
     if (quantity == "duration") return with_digits(" Duration: ", "s");
     if (quantity == "signal")
         return with_digits((" `" + limit.limit->signal.id + "`: ").c_str(), limit.limit->signal.unit);
+    if (quantity == "measure")
+        return with_steps((" `" + limit.limit->measure + "`: ").c_str(), unit_of(limit.limit->measure, measures), 1);
     if (quantity == "damage") return "";
     if (quantity == "tip_apex") return length(" Tip to apex: ");
     if (quantity == "flatness") return length(" Uneven by: ");
@@ -111,7 +120,15 @@ std::string missed_bound(const std::string& name, double value, const Bound& bou
     return name + text_of(value, enough) + bounds_text(bound, [&](double end) { return text_of(end, enough); });
 }
 
-std::string what_was_missed(const Goal& goal, const StepState& state) {
+/// Why a measure of a step has no value.
+std::string why_unmeasured(const std::string& measure, const StepState& state, const std::vector<Measure>& measures) {
+    for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m)
+        if (measures[m].id == measure && !state.measures[m].value)
+            return "`" + measure + "` cannot be measured: " + state.measures[m].why_not;
+    return "`" + measure + "` was not measured";
+}
+
+std::string what_was_missed(const Goal& goal, const StepState& state, const std::vector<Measure>& measures) {
     if (goal.quantity == "entry")
         return state.has_met_bone_still && state.is_released_at_end ? "the thread never met bone"
                : state.has_met_bone_still ? "the tool stood on the bone, but it was not running"
@@ -134,12 +151,21 @@ std::string what_was_missed(const Goal& goal, const StepState& state) {
         return name + " was between " + text_of(signal->least, enough) + " and " + text_of(signal->greatest, enough) +
                bounds_text(goal.bound, [&](double end) { return text_of(end, enough); });
     }
+    if (goal.quantity == "measure") {
+        for (std::size_t m = 0; m < measures.size() && m < state.measures.size(); ++m)
+            if (measures[m].id == goal.measure && state.measures[m].value)
+                return missed_bound(
+                    "`" + goal.measure + "` ", *state.measures[m].value, goal.bound, 1,
+                    [&](double value, int decimals) { return trimmed(value, measures[m].unit(), decimals); });
+        return why_unmeasured(goal.measure, state, measures);
+    }
     return missed_bound("depth ", std::max(0.0, state.deepest), goal.bound, 1, millimetres);
 }
 
 }  // namespace
 
 void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_limit, RunSummary& summary) {
+    const std::vector<Measure>& measures = monitor.measures();
     int demands = 0, met = 0;
     bool is_broken = false, is_missing = false;
     for (const auto& state : monitor.steps()) {
@@ -165,21 +191,28 @@ void judge(const StepMonitor& monitor, RunEnd end, double duration, double time_
                     (limit.limit->quantity == "hole_angle" ? " that is two diameters long." : "."));
                 continue;
             }
+            if (state.is_done() && limit.limit->quantity == "measure" && !limit.is_seen) {
+                is_missing = true;
+                summary.reasons.push_back("Step `" + state.step->id +
+                                          "`: " + why_unmeasured(limit.limit->measure, state, measures) + ".");
+                continue;
+            }
             if (!limit.broken_at) {
                 ++met;
                 continue;
             }
             is_broken = true;
             row.broken_limits.push_back(limit.limit->name());
-            summary.reasons.push_back("Step `" + state.step->id + "`: " + limit.limit->reason + how_far(limit));
+            summary.reasons.push_back("Step `" + state.step->id + "`: " + limit.limit->reason +
+                                      how_far(limit, measures));
         }
         for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
             ++demands;
             met += state.goal_done[g];
             if (state.goal_done[g]) continue;
             is_missing = true;
-            summary.reasons.push_back("Step `" + state.step->id + "`: " + what_was_missed(state.step->goals[g], state) +
-                                      ".");
+            summary.reasons.push_back("Step `" + state.step->id +
+                                      "`: " + what_was_missed(state.step->goals[g], state, measures) + ".");
         }
         if (!state.is_done() && !is_missing && !is_broken) {
             is_missing = true;

@@ -17,6 +17,7 @@
 #include "core/procedure/fracture.h"
 #include "core/procedure/read_procedure.h"
 #include "run/implant_body.h"
+#include "run/measure_bone.h"
 #include "run/run_checks.h"
 #include "run/thread_checks.h"
 
@@ -277,6 +278,8 @@ std::optional<Scene> make_scene(Documents documents, Diagnostics& diagnostics, c
         if (!scene.fragment) return std::nullopt;
         scene.world_from_fragment = world_from_fragment(*scene.anatomy.fracture);
     }
+    measure_before_cuts(scene, diagnostics);
+    if (has_error(diagnostics)) return std::nullopt;
     for (std::size_t r = 0; r < scene.procedure.rehearsals.size(); ++r)
         check_time(scene.procedure, r, least_time_of(plan_of(scene.procedure.rehearsals[r], scene)), diagnostics);
     return scene;

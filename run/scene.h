@@ -40,6 +40,7 @@ struct Scene {
     std::vector<StepHole> holes;               ///< steps that follow a hole of an implant
     /// For each tool: what of it stays as a body when its driver leaves, in its frame; nothing: it stays unseen.
     std::vector<std::optional<Body>> staying;
+    std::vector<MeasureReading> measured_before;  ///< of the procedure's measures, before the first cut
     const DeviceRecord* device = nullptr;
     CouplingGains gains;
     double work_force = 0.0;         ///< [N] the scale was made for

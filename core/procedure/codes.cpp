@@ -244,6 +244,16 @@ constexpr CodeEntry entries[] = {
      .why = "Kerf can only check values that the law reports in each tick.",
      .write = "Write one of the signals that the message lists; `kerf describe` shows what each of them is."},
     // ---- its numbers
+    {.number = 318,
+     .name = "unknown measure",
+     .meaning = "A goal or limit is on a measure that is not under `measures:`.",
+     .why = "It would never be measured.",
+     .write = "Write one that the message lists, or add it under `measures:`."},
+    {.number = 319,
+     .name = "unknown construction",
+     .meaning = "A measure or construction is made of a name that is neither a landmark nor a construction above it.",
+     .why = "Kerf makes constructions in the order in which they are written.",
+     .write = "Write a name that the message lists, or move the construction up."},
     {.number = 401,
      .name = "not a number",
      .meaning = "A value is not a number that Kerf reads.",
@@ -438,6 +448,19 @@ constexpr CodeEntry entries[] = {
      .meaning = "A rehearsal that is to pass works on a hole of an implant before it is placed.",
      .why = "Without the implant the step drills or screws bone alone.",
      .write = "Add `place: NAME`, or `insert: NAME`, to a waypoint before it."},
+    {.number = 528,
+     .name = "sort of a measured thing",
+     .meaning =
+         "A measure or construction is made of another sort of thing than it needs, such as the angle of a point.",
+     .why = "It would have no meaning.",
+     .write = "Name a thing of the sort that the message states."},
+    {.number = 529,
+     .name = "nothing to measure",
+     .meaning =
+         "The bone has nothing where a measure looks: no border near the points of a tangent, no bone on an axis.",
+     .why = "The results of a run would lack the measure from the start.",
+     .write = "Move the landmarks, write a larger `within:`, or give the anatomy an axis there, so that this bone is "
+              "read."},
     // ---- bone and data files
     {.number = 601,
      .name = "phantom without bone",

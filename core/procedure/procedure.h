@@ -12,6 +12,7 @@
 #include "core/procedure/anatomy.h"
 #include "core/procedure/hand_input.h"
 #include "core/procedure/implant_plan.h"
+#include "core/procedure/measure_plan.h"
 #include "core/procedure/source.h"
 #include "kerf/math.hpp"
 
@@ -61,14 +62,18 @@ struct Goal {
     /// "entry" (first bone met), "depth" (of the tip along the step's axis, from the entry [m]), "separated" (the bone
     /// has come apart, in this step or before), "held" (the tool holds the body that the step's axis leads to),
     /// "moved" (how far that body's bone has been moved, at the entry [m]), "removed_volume" (in the step [m³]) or
-    /// "signal" (of the step's law [SI], in any tick of the step).
+    /// "signal" (of the step's law [SI], in any tick of the step); or "measure" [rad] or [m], whenever the tool has
+    /// come out of the bone.
     std::string quantity{};
-    Bound bound{};  ///< of "depth", "moved", "removed_volume" and "signal"
+    Bound bound{};  ///< of "depth", "moved", "removed_volume", "signal" and "measure"
     SourcePlace place{};
-    NamedSignal signal{};  ///< for "signal"
+    NamedSignal signal{};   ///< for "signal"
+    std::string measure{};  ///< for "measure": id of a Measure
 
     /// How results call it.
-    [[nodiscard]] const std::string& name() const noexcept { return !signal.id.empty() ? signal.id : quantity; }
+    [[nodiscard]] const std::string& name() const noexcept {
+        return !signal.id.empty() ? signal.id : !measure.empty() ? measure : quantity;
+    }
 };
 
 struct Limit {
@@ -79,7 +84,7 @@ struct Limit {
     /// When it has ended, of the wall its cut left: "plane_angle" [rad], "plane_offset" [m] or "flatness" [m]; of the
     /// hole it left: "hole_angle" [rad], "entry_offset", "narrowest_offset", "end_offset", "breach" [m] or
     /// "excess_removal" [–]; of where things are then: "reduction_offset" [m], "reduction_angle", "axes_angle" [rad] or
-    /// "tip_apex" [m].
+    /// "tip_apex" [m]; or a "measure" of the bone [rad] or [m].
     std::string quantity{};
     std::string zone{};  ///< for "clearance"
     Bound bound{};
@@ -89,6 +94,7 @@ struct Limit {
     double diameter = 0.0;            ///< [m] for "breach": of the cylinder that is to lie in the hole
     std::string landmark{}, other{};  ///< for "axes_angle" two axes, for "tip_apex" a point and an axis
     NamedSignal signal{};             ///< for "signal"
+    std::string measure{};            ///< for "measure": id of a Measure
 
     /// Measured on the wall of the cut, in the step's plane.
     [[nodiscard]] bool is_of_wall() const noexcept {
@@ -106,7 +112,11 @@ struct Limit {
     }
     /// How rehearsals and results call it.
     [[nodiscard]] const std::string& name() const noexcept {
-        return !zone.empty() ? zone : !event.empty() ? event : !signal.id.empty() ? signal.id : quantity;
+        return !zone.empty()        ? zone
+               : !event.empty()     ? event
+               : !signal.id.empty() ? signal.id
+               : !measure.empty()   ? measure
+                                    : quantity;
     }
 };
 
@@ -123,10 +133,12 @@ struct Step {
     std::vector<std::string> allowed{};  ///< events that spoil the tool and do not fail this step
     double feed = default_feed;          ///< [m/s] at which the tool is meant to work
 
-    /// Whether anything is to be reached in bone, and not only with a piece of it. A signal belongs to either.
+    /// Whether anything is to be reached in bone, and not only with a piece of it. A signal or measure belongs to
+    /// either.
     [[nodiscard]] bool cuts() const noexcept {
         return std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
-            return !is_of_piece(goal) && (goal.quantity != "signal" || !is_with_piece());
+            const bool is_of_either = goal.quantity == "signal" || goal.quantity == "measure";
+            return !is_of_piece(goal) && (!is_of_either || !is_with_piece());
         });
     }
     /// Whether a piece is to be held or moved.
@@ -221,6 +233,8 @@ struct Procedure {
     double time_limit = 120.0;            ///< [s] simulated
     std::vector<Instrument> instruments;
     std::vector<Implant> implants;
+    std::vector<Construction> constructions;
+    std::vector<Measure> measures;
     std::vector<Step> steps;
     std::vector<Rehearsal> rehearsals;
 };

@@ -58,6 +58,8 @@ enum class Code {
     unknown_path = 315,     ///< a rehearsal follows a path that `paths` has not
     unused_path = 316,      ///< warning
     unknown_signal = 317,   ///< a goal or limit is on a signal that the step's law does not declare
+    unknown_measure = 318,  ///< a goal or limit is on a measure that there is not
+    unknown_construction = 319,  ///< a measure is of what is neither a landmark nor a construction
 
     // Its numbers
     not_a_number = 401,
@@ -98,6 +100,8 @@ enum class Code {
     unknown_plate_hole = 524,  ///< a step's axis names a hole that no placed implant has
     narrow_plate_hole = 525,   ///< a screw's thread is wider than the hole it goes through
     wide_plate_hole = 526,     ///< a screw's head is narrower than the hole
+    other_sort = 528,          ///< a measure is made of points where lines are needed, and the like
+    no_measure = 529,          ///< the bone has nothing where a measure looks
     missing_plate = 527,       ///< a rehearsal that is to pass works on a hole of an implant that is not there yet
 
     // Its landmarks that are fitted

@@ -18,6 +18,7 @@
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/read_implants.h"
 #include "core/procedure/read_map.h"
+#include "core/procedure/read_measures.h"
 #include "core/procedure/shapes.h"
 #include "core/procedure/signal_need.h"
 #include "core/procedure/waypoint_nodes.h"
@@ -404,7 +405,39 @@ void read_signal(MapReader& map, const ComponentInfo* law, NamedSignal& signal, 
         [&](const char*) { return declared ? std::optional(need_of(*declared)) : std::nullopt; }, bound, report);
 }
 
-Goal read_goal(const Node& item, const ComponentInfo* law, const Document& document, Report& report) {
+/// `{of: gonial_angle_left, at_least: 120 deg}`. Without a known measure its bounds have no unit, and are not read.
+void read_measure_bound(MapReader& map, const Procedure& procedure, const Document& document, std::string& measure,
+                        Bound& bound, Report& report) {
+    const Measure* declared = nullptr;
+    if (const Node* node = map.find("of")) {
+        measure = read_id(*node, "measure.of", report).value_or("");
+        std::vector<std::string> known;
+        for (const Measure& one : procedure.measures) {
+            known.push_back(one.id);
+            if (one.id == measure) declared = &one;
+        }
+        const Node* place = document.root.find("measures");
+        const bool is_refused_there = place != nullptr && (place->kind != Node::Kind::map || known.empty());
+        if (!measure.empty() && declared == nullptr && !is_refused_there) {
+            const std::string meant = closest(straightened(measure), known, report);
+            report.error(Code::unknown_measure, node->span,
+                         "The measure " + quoted_id(excerpt(measure, 40)) + " is unknown: " +
+                             (known.empty() ? "the procedure has none. Add it under `measures:`."
+                                            : "expected " + listed(known) + "." + or_choose(meant)),
+                         meant);
+        }
+    }
+    read_bound_values(
+        map, shapes::measure_bound, measure.empty() ? "measure" : measure,
+        [&](const char*) -> std::optional<QuantityNeed> {
+            if (declared == nullptr) return std::nullopt;
+            return declared->is_angle() ? shapes::angle_of_measure : shapes::length_of_measure;
+        },
+        bound, report);
+}
+
+Goal read_goal(const Node& item, const ComponentInfo* law, const Procedure& procedure, const Document& document,
+               Report& report) {
     MapReader map(item, shapes::goal, "goal", report);
     Goal goal;
     if (const Node* quantity = map.one_of()) {
@@ -414,6 +447,8 @@ Goal read_goal(const Node& item, const ComponentInfo* law, const Document& docum
         MapReader bound(*quantity, shape, quantity->key, report);
         if (goal.quantity == "signal")
             read_signal(bound, law, goal.signal, goal.bound, report);
+        else if (goal.quantity == "measure")
+            read_measure_bound(bound, procedure, document, goal.measure, goal.bound, report);
         else if (!shape.keys.empty())
             read_own_bound(bound, shape, quantity->key, goal.bound, report);
         if (goal.quantity == "depth" && goal.bound.at_most && *goal.bound.at_most < 0.0)
@@ -494,6 +529,8 @@ Limit read_limit(const Node& item, const ComponentInfo* law, const Procedure& pr
         }
         if (limit.quantity == "signal")
             read_signal(bound, law, limit.signal, limit.bound, report);
+        else if (limit.quantity == "measure")
+            read_measure_bound(bound, procedure, document, limit.measure, limit.bound, report);
         else
             read_own_bound(bound, shape, quantity->key, limit.bound, report);
         bound.finish();
@@ -637,7 +674,7 @@ Step read_step(const Node& item, const Procedure& procedure, const std::vector<s
     const ComponentInfo* law = used != nullptr ? law_of(*used, catalog) : nullptr;
     if (const Node* goals = map.find("goals"))
         for (const Node& goal : read_list(*goals, "goals", report))
-            step.goals.push_back(read_goal(goal, law, document, report));
+            step.goals.push_back(read_goal(goal, law, procedure, document, report));
     if (const Node* limits = map.find("limits"))
         for (const Node& limit : read_list(*limits, "limits", report))
             step.limits.push_back(read_limit(limit, law, procedure, document, report));
@@ -664,10 +701,15 @@ struct LimitNames {
 
 LimitNames limit_names(const Procedure& procedure, const Document& document) {
     LimitNames names;
+    const auto is_declared = [&](const std::string& measure) {
+        return std::any_of(procedure.measures.begin(), procedure.measures.end(),
+                           [&](const Measure& one) { return one.id == measure; });
+    };
     for (const Step& step : procedure.steps)
         for (const Limit& limit : step.limits) {
             const bool is_sound = !limit.quantity.empty() && (limit.quantity != "clearance" || !limit.zone.empty()) &&
                                   (limit.quantity != "signal" || !limit.signal.id.empty()) &&
+                                  (limit.quantity != "measure" || is_declared(limit.measure)) &&
                                   (limit.zone.empty() || contains(procedure.needs_zones, limit.zone));
             if (is_sound && !names.has(limit.name())) names.known.push_back(limit.name());
         }
@@ -676,10 +718,12 @@ LimitNames limit_names(const Procedure& procedure, const Document& document) {
         if (const Node* limits = step.find("limits"))
             for (const Node& limit : limits->children)
                 for (const Node& quantity : limit.children) {
-                    const Node *zone = quantity.find("zone"), *signal = quantity.find("id");
-                    names.refused.insert(zone != nullptr     ? zone->text
-                                         : signal != nullptr ? signal->text
-                                                             : quantity.key);
+                    const Node *zone = quantity.find("zone"), *signal = quantity.find("id"),
+                               *measure = quantity.key == "measure" ? quantity.find("of") : nullptr;
+                    names.refused.insert(zone != nullptr      ? zone->text
+                                         : signal != nullptr  ? signal->text
+                                         : measure != nullptr ? measure->text
+                                                              : quantity.key);
                 }
     return names;
 }
@@ -1104,6 +1148,10 @@ void read_body(MapReader& map, const Document& document, const ComponentCatalog&
         procedure.implants = read_implants(*implants, report);
         check_place_axes(*implants, procedure, document, report);
     }
+    if (const Node* node = map.find("constructions"))
+        procedure.constructions = read_constructions(*node, procedure.needs_landmarks, report);
+    if (const Node* node = map.find("measures"))
+        procedure.measures = read_measures(*node, procedure.needs_landmarks, procedure.constructions, report);
     const Node* steps = map.find("steps");
     UniqueIds step_ids, rehearsal_ids;
     if (steps)
@@ -1472,6 +1520,7 @@ void check_needs(const Procedure& procedure, const Anatomy& anatomy, Diagnostics
     check_planes(procedure, document, report);
     if (!anatomy.fracture) check_pieces(procedure, document, report);
     check_places(procedure, anatomy, axes, points, document, report);
+    check_sorts(procedure.constructions, procedure.measures, anatomy, document, report);
 
     if (contains(points, midline)) return;
     for (std::size_t i = 0; i < procedure.rehearsals.size(); ++i) {

@@ -49,7 +49,7 @@ Json example_of(const KeyShape& key) {
     const Kind kind = key.value.kind;
     const bool is_scalar = kind != Kind::map && kind != Kind::list && kind != Kind::named && kind != Kind::renamed &&
                            kind != Kind::parameters && kind != Kind::drives && kind != Kind::patch &&
-                           kind != Kind::of_signal && !key.example.starts_with('{');
+                           kind != Kind::of_signal && kind != Kind::of_measure && !key.example.starts_with('{');
     if (!is_scalar) return nullptr;
     if (kind == Kind::yes_no) return key.example == "true";
     const bool is_plain = kind == Kind::quantity && key.value.need.unit.empty();
@@ -162,6 +162,9 @@ private:
                 return any_drives();
             case Kind::of_signal:
                 return {{"type", {"number", "string"}}};  // `add_signals` adds the units
+            case Kind::of_measure:
+                return {
+                    {"anyOf", {quantity_schema(shapes::angle_of_measure), quantity_schema(shapes::length_of_measure)}}};
             case Kind::parameters:
             case Kind::patch:
                 break;

@@ -33,6 +33,7 @@ struct ValueShape {
         drives,      ///< of the instrument's tool, likewise
         patch,       ///< of the procedure itself: the paths of values, and what they are instead
         of_signal,   ///< a number in the unit of a signal: the step's law declares it
+        of_measure,  ///< an angle or a length, as the measure is
     };
     Kind kind = Kind::text;
     QuantityNeed need{};

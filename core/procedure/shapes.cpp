@@ -75,7 +75,8 @@ const Shape needs{
     "needs",
     "What the anatomy must have, by name: a procedure holds no coordinates.",
     {
-        {optional, "landmarks", list(id()), "Points, axes and planes.", "[right_pedicle, midline, resection]"},
+        {optional, "landmarks", list(id()), "Points, axes and planes.",
+         "[right_pedicle, midline, resection, other_end, third_end]"},
         {optional, "zones", list(id()), "Regions that limits name.", "[canal]"},
         {optional, "tissues", list(id()), "Tissues that the bone must be made of.", "[cortical, cancellous]"},
     }};
@@ -326,6 +327,19 @@ const Shape signal_bound{
         {any_of, "at_most", of_kind(Kind::of_signal), "No more than this, in the signal's unit.", "30 W"},
     }};
 
+const QuantityNeed angle_of_measure{dimension::angle, "deg", 0.0, 180.0_deg};
+const QuantityNeed length_of_measure{dimension::length, "mm", -500.0_mm, 500.0_mm};
+
+const Shape measure_bound{
+    "measure_bound",
+    "A measure of the bone, when the step has ended; as a goal, whenever the tool has come out of the bone.",
+    {
+        {required, "of", id(), "One of `measures`.", "cortex"},
+        {any_of, "at_least", of_kind(Kind::of_measure), "As much as this: an angle or a length, as the measure is.",
+         "2 mm"},
+        {any_of, "at_most", of_kind(Kind::of_measure), "No more than this.", "8 mm"},
+    }};
+
 const Shape goal{"goal",
                  "What must be reached; goals are met in their order.",
                  {
@@ -338,6 +352,8 @@ const Shape goal{"goal",
                       "{at_least: 100 mm3}"},
                      {one_of, "signal", map(signal_bound), "A signal of the law has been within this.",
                       "{id: drive_power, at_least: 1 W}"},
+                     {one_of, "measure", map(measure_bound), "A measure of the bone is within this.",
+                      "{of: cortex, at_least: 2 mm}"},
                  }};
 
 const Shape limit{
@@ -386,6 +402,8 @@ const Shape limit{
         {one_of, "tip_apex", map(tip_apex_bound),
          "The tip-apex distance of a screw in a femoral head, measured when the step has ended.",
          "{apex: midline, neck: right_pedicle, at_most: 25 mm}"},
+        {one_of, "measure", map(measure_bound), "A measure of the bone, measured when the step has ended.",
+         "{of: cortex, at_least: 2 mm}"},
         {one_of, "plunge", map(plunge_bound), "How far the tip plunges behind a far face.", "{at_most: 5 mm}"},
         {one_of, "time_in_air", map(air_bound), "How long the tip advances without bone in front of it.",
          "{at_most: 1 s}"},
@@ -421,7 +439,7 @@ const Shape expectation{
     "expectation",
     "The expected failure.",
     {
-        {required, "fail", id(), "The one limit that breaks: its zone, its event, its signal, or else its quantity.",
+        {required, "fail", id(), "The one limit that breaks: its zone, event, signal or measure, or else its quantity.",
          "canal"},
         {optional, "step", id(), "The one step in which it breaks; any step if not given.", "drill"},
         {optional, "others", yes_no(), "Other limits may break as well, and goals be missed.", "true", "false"},
@@ -572,6 +590,100 @@ const Shape implant{
          "{axis: right_pedicle, up: 0 0 1}"},
     }};
 
+const Shape mirror{"mirror",
+                   "The plane of symmetry of pairs of points, such as the landmarks of both sides of a skull.",
+                   {
+                       {required, "left", list(id()), "The left point of each pair.", "[midline]"},
+                       {required, "right", list(id()), "The right points, in the same order.", "[other_end]"},
+                   }};
+
+const Shape tangent{
+    "tangent",
+    "The line that touches a border of the bone at two points, as a ruler does that is pressed against its middle.",
+    {
+        {required, "along", list(id()), "The points along which the border leads; the line has this direction.",
+         "[midline, other_end]"},
+        {required, "in", id(), "The plane in which the border is seen, such as the sagittal one.", "resection"},
+        {required, "side", word({"anterior", "posterior", "superior", "inferior", "left", "right"}),
+         "The side from which the ruler touches.", "posterior"},
+        {optional, "within", length(1.0_mm, 100.0_mm),
+         "How far the border may lie from the straight way between the points.", "15 mm", "15 mm"},
+    }};
+
+const Shape axis_entry{"axis_entry",
+                       "The point where a line first meets the bone.",
+                       {
+                           {required, "of", id(), "An axis or line.", "right_pedicle"},
+                       }};
+
+const Shape construction{
+    "construction",
+    "A point, line or plane that is made of landmarks, and of the constructions above it.",
+    {
+        {one_of, "middle", list(id()), "The mean of points.", "[midline, other_end]"},
+        {one_of, "line", list(id()), "The line through points, from the first towards the last.",
+         "[midline, other_end]"},
+        {one_of, "plane", list(id()), "The plane through three or more points.", "[midline, other_end, third_end]"},
+        {one_of, "mirror", map(mirror), "The plane of symmetry of pairs of points.",
+         "{left: [midline], right: [other_end]}"},
+        {one_of, "tangent", map(tangent), "The line that touches a border of the bone.",
+         "{along: [midline, other_end], in: resection, side: posterior}"},
+        {one_of, "entry", map(axis_entry), "The point where a line first meets the bone.", "{of: right_pedicle}"},
+    }};
+
+const Shape angle_measure{
+    "angle_measure",
+    "The angle between two lines, a line and a plane, or two planes.",
+    {
+        {required, "of", id(), "An axis, line or plane.", "right_pedicle"},
+        {required, "to", id(), "Another one.", "resection"},
+        {optional, "in", id(), "The plane in which both are seen, such as the sagittal one; in space if not given.",
+         "resection"},
+    }};
+
+const Shape distance_measure{"distance_measure",
+                             "The shortest distance between points, lines and planes.",
+                             {
+                                 {required, "of", id(), "A point, line or plane.", "midline"},
+                                 {required, "to", id(), "Another one; a plane goes with a point.", "resection"},
+                             }};
+
+const Shape thickness_measure{
+    "thickness_measure",
+    "The thickness of the bone straight through a point, or of the first bone behind it.",
+    {
+        {required, "at", id(), "A point.", "midline"},
+        {required, "along", id(), "An axis or line, of which only the direction counts.", "right_pedicle"},
+    }};
+
+const Shape surface_measure{"surface_measure",
+                            "The distance of a point to the bone's surface, negative inside.",
+                            {
+                                {required, "of", id(), "A point.", "midline"},
+                            }};
+
+const Shape roughness_measure{
+    "roughness_measure",
+    "The unevenness of a border: the root mean square distance of its outline from a smooth curve.",
+    {
+        {required, "of", id(), "A tangent of `constructions`, which says where the border is.", "right_pedicle"},
+    }};
+
+const Shape measure{"measure",
+                    "A number that is measured before the first cut and when each step has ended.",
+                    {
+                        {one_of, "thickness", map(thickness_measure),
+                         "The thickness of the bone at a point, along an axis.", "{at: midline, along: right_pedicle}"},
+                        {one_of, "distance", map(distance_measure), "The distance between points, lines and planes.",
+                         "{of: midline, to: resection}"},
+                        {one_of, "surface_distance", map(surface_measure),
+                         "The distance of a point to the bone's surface.", "{of: midline}"},
+                        {one_of, "roughness", map(roughness_measure),
+                         "The unevenness of the border that a tangent touches.", "{of: right_pedicle}"},
+                        {one_of, "angle", map(angle_measure), "The angle between lines and planes.",
+                         "{of: right_pedicle, to: resection}"},
+                    }};
+
 const Shape procedure{
     "procedure",
     "An operation, in terms of an anatomy's names.",
@@ -580,7 +692,8 @@ const Shape procedure{
         {required, "kind", word({"Procedure"}), "What this document describes.", "Procedure"},
         {required, "metadata", map(metadata), "Its name and status.",
          "{id: hole, title: A hole, version: 0.1.0, status: draft}"},
-        {required, "needs", map(needs), "What the anatomy must have.", "{landmarks: [right_pedicle], zones: [canal]}"},
+        {required, "needs", map(needs), "What the anatomy must have.",
+         "{landmarks: [right_pedicle, midline, other_end], zones: [canal]}"},
         {required, "anatomy", path(),
          "The anatomy that it runs on without `--anatomy`: a file in this document's folder, or a shipped one.",
          "anatomy/vertebra-phantom.yaml"},
@@ -593,6 +706,12 @@ const Shape procedure{
          "{pilot: {plugin: example.drilling, tool: twist_drill, force: drill_cutting}}"},
         {optional, "implants", named(map(implant)), "Solids that waypoints bring in.",
          "{plate: {mesh: {file: plate.stl, unit: mm}}}"},
+        {optional, "constructions", named(map(construction)),
+         "Points, lines and planes that measures use, made of landmarks and of the bone.",
+         "{way: {line: [midline, other_end]}}"},
+        {optional, "measures", named(map(measure)),
+         "Numbers that are measured on the bone, for results, goals and limits.",
+         "{cortex: {thickness: {at: midline, along: right_pedicle}}}"},
         {required, "steps", list(map(step)), "What to do, in this order.",
          "[{id: drill, title: Drill, instrument: pilot, axis: right_pedicle, goals: [{entry: {}}]}]"},
         {optional, "paths", named(list(map(waypoint))), "Waypoints that several rehearsals follow.",

@@ -8,9 +8,11 @@
 namespace kerf::shapes {
 
 extern const Shape implant, implant_hole, implant_place, procedure;
+extern const Shape construction, mirror, tangent, axis_entry;
+extern const Shape measure, angle_measure, distance_measure, thickness_measure, surface_measure, roughness_measure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
 extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound, axes_angle_bound;
-extern const Shape signal_bound, removed_goal;
+extern const Shape signal_bound, measure_bound, removed_goal;
 extern const Shape rehearsal, expectation, hand, stop, turn, until, waypoint, follow, variant;
 
 extern const Shape anatomy;
@@ -20,5 +22,8 @@ extern const Shape fit_residual, sphere_fit, tube_fit, neck_fit, condyles_fit, p
 extern const Shape ct, labels, kept_piece, density_line;
 extern const Shape mesh, repair, canal;
 extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;
+
+/// What a bound on a measure must be.
+extern const QuantityNeed angle_of_measure, length_of_measure;
 
 }  // namespace kerf::shapes

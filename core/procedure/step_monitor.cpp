@@ -126,7 +126,7 @@ void TipSpeed::show(Vec3 tip, bool is_in_bone, double dt) noexcept {
 }
 
 StepMonitor::StepMonitor(const Procedure& procedure, const Anatomy& anatomy, std::vector<AxisFrame> frames)
-    : anatomy_(&anatomy), frames_(std::move(frames)) {
+    : anatomy_(&anatomy), measures_(&procedure.measures), frames_(std::move(frames)) {
     owners_.zone.assign(anatomy.zones.size(), 0);
     owners_.step.assign(procedure.steps.size(), 0);
     for (const auto& step : procedure.steps) {
@@ -181,12 +181,14 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
     for (auto& limit : state.limits)
         if (const auto value = measured(limit, state, now, depth, cutting)) hold(limit, *value, time);
 
-    for (std::size_t g = 0; g < state.goal_done.size(); ++g) {
-        if (state.goal_done[g]) continue;
-        if (!is_reached(g, state, now)) break;  // goals are reached in order
-        state.goal_done[g] = true;
-        news_.emplace_back("goal_reached", state.step->id + ": " + state.step->goals[g].name());
+    std::size_t next_goal = 0;
+    for (; next_goal < state.goal_done.size(); ++next_goal) {
+        if (state.goal_done[next_goal]) continue;
+        if (!is_reached(next_goal, state, now)) break;  // goals are reached in order
+        state.goal_done[next_goal] = true;
+        news_.emplace_back("goal_reached", state.step->id + ": " + state.step->goals[next_goal].name());
     }
+    ask_for_measures(state, next_goal, is_in_bone, state.is_released_at_end ? !is_running : depth < 0.0, now.held);
 
     // The step ends when its goals are reached and the tool is back outside, with nothing in it, or stays.
     const bool is_over = is_released_ || (depth < 0.0 && !state.is_released_at_end);
@@ -199,8 +201,39 @@ void StepMonitor::observe(const Observation& now, const ToolSolid& cutting) {
                     measured_at_end(*limit.limit, *anatomy_, now.world_from_body, now.world_from_tool.position))
                 hold(limit, *value, time);
         news_.emplace_back("step_done", state.step->id);
+        is_measure_due_ = asks_for_measures_ = false;
         ++current_;
     }
+}
+
+void StepMonitor::ask_for_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out,
+                                   int held) {
+    is_measure_due_ = is_measure_due_ || is_in_bone || held >= 0;
+    asks_for_measures_ = is_measure_due_ && is_out && held < 0 && next_goal < state.goal_done.size() &&
+                         state.step->goals[next_goal].quantity == "measure";
+    if (asks_for_measures_) is_measure_due_ = false;
+}
+
+void StepMonitor::show_measures(std::vector<MeasureReading> measures) {
+    asks_for_measures_ = false;
+    if (current_ < steps_.size()) steps_[current_].measures = std::move(measures);
+}
+
+void StepMonitor::judge_measures(std::size_t step, std::vector<MeasureReading> measures, double time) {
+    news_.clear();
+    StepState& state = steps_[step];
+    state.measures = std::move(measures);
+    for (auto& limit : state.limits) {
+        if (limit.limit->quantity != "measure") continue;
+        const MeasureReading* reading = reading_of(limit.limit->measure, state);
+        if (reading != nullptr && reading->value) hold(limit, *reading->value, time);
+    }
+}
+
+const MeasureReading* StepMonitor::reading_of(const std::string& measure, const StepState& state) const noexcept {
+    for (std::size_t m = 0; m < measures_->size() && m < state.measures.size(); ++m)
+        if ((*measures_)[m].id == measure) return &state.measures[m];
+    return nullptr;
 }
 
 std::optional<double> StepMonitor::measured(const LimitState& limit, const StepState& state, const Observation& now,
@@ -214,7 +247,8 @@ std::optional<double> StepMonitor::measured(const LimitState& limit, const StepS
     if (quantity == "duration") return now.time - *state.start;
     if (quantity == "signal") return value_of(asked.signal, now);
     if (!now.is_running) return {};  // a still tool harms nothing
-    if (asked.is_of_wall() || asked.is_of_hole() || asked.is_of_places() || quantity == "damage")
+    if (asked.is_of_wall() || asked.is_of_hole() || asked.is_of_places() || quantity == "measure" ||
+        quantity == "damage")
         return {};  // judged when it is there
     if (quantity == "clearance") return clearance_to(limit, now, cutting);
     if (quantity == "thrust") return now.thrust;
@@ -240,6 +274,10 @@ std::optional<double> StepMonitor::clearance_to(const LimitState& limit, const O
 bool StepMonitor::is_reached(std::size_t index, const StepState& state, const Observation& now) const noexcept {
     const Goal& goal = state.step->goals[index];
     if (goal.quantity == "signal") return state.was_there[index];
+    if (goal.quantity == "measure") {
+        const MeasureReading* reading = reading_of(goal.measure, state);
+        return reading != nullptr && reading->value && is_within(goal.bound, *reading->value);
+    }
     if (goal.quantity == "removed_volume") return is_within(goal.bound, state.removed);
     if (goal.quantity == "entry") return state.has_cut_bone();
     if (goal.quantity == "separated") return now.world_from_body.size() > (anatomy_->fracture ? 2 : 1);

@@ -138,6 +138,7 @@ struct StepState {
     double removed = 0.0;                ///< [m³] in this step
     std::vector<SignalState> signals;    ///< each that the step names, once
     std::vector<bool> was_there;         ///< for each goal on a signal: the signal was within its bound in some tick
+    std::vector<MeasureReading> measures{};  ///< of the procedure, as last measured in this step; empty: not yet
 
     bool is_released_at_end = false;  ///< its tool stays in the bone
     double moved = 0.0;               ///< [m] the farthest that the bone at the entry was from where it had been
@@ -164,6 +165,12 @@ public:
     void judge_cut(std::size_t step, const std::optional<CutWall>& wall, double removed, double time);
     /// Shows the hole that the step left.
     void judge_hole(std::size_t step, HoleResult drilled, double time);
+    /// Whether a goal on a measure waits for the next measurement: the tool has come out of bone since the last one.
+    [[nodiscard]] bool asks_for_measures() const noexcept { return asks_for_measures_; }
+    /// Shows the procedure's measures to the step that runs, in their order.
+    void show_measures(std::vector<MeasureReading> measures);
+    /// Shows the measures that the step left, and compares them with its limits.
+    void judge_measures(std::size_t step, std::vector<MeasureReading> measures, double time);
     /// An event that the tool's law reported in this tick.
     void report(const std::string& event, double time);
     /// The driver leaves an implant where it is: the step ends with the next tick. Returns why not; empty: it does.
@@ -175,6 +182,7 @@ public:
     [[nodiscard]] const Owners& owners() const noexcept { return owners_; }
 
     [[nodiscard]] const std::vector<StepState>& steps() const noexcept { return steps_; }
+    [[nodiscard]] const std::vector<Measure>& measures() const noexcept { return *measures_; }
     /// Index of the step that runs; the number of steps when all are done.
     [[nodiscard]] std::size_t current() const noexcept { return current_; }
     [[nodiscard]] const AxisFrame& frame(std::size_t step) const noexcept { return frames_[step]; }
@@ -188,16 +196,21 @@ private:
                                                  const Observation& now, double depth, const ToolSolid& cutting) const;
     [[nodiscard]] std::optional<double> clearance_to(const LimitState& limit, const Observation& now,
                                                      const ToolSolid& cutting) const;
+    [[nodiscard]] const MeasureReading* reading_of(const std::string& measure, const StepState& state) const noexcept;
+    /// Notes whether a goal on a measure is next, and can be measured now.
+    void ask_for_measures(const StepState& state, std::size_t next_goal, bool is_in_bone, bool is_out, int held);
     static void follow(const Observation& now, double depth, double hand, double dt, StepState& state);
     /// Compares a measured value with its limit.
     void hold(LimitState& limit, double value, double time);
 
     const Anatomy* anatomy_;
+    const std::vector<Measure>* measures_;
     std::vector<AxisFrame> frames_;
     Owners owners_;  ///< at first all belongs to body 0
     std::vector<StepState> steps_;
     std::size_t current_ = 0;
     bool is_released_ = false;
+    bool is_measure_due_ = false, asks_for_measures_ = false;
     double depth_ = 0.0;   ///< [m] of the tip in the last tick
     double before_ = 0.0;  ///< [s] of the last tick that was shown
     std::vector<std::pair<std::string, std::string>> news_;

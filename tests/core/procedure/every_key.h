@@ -12,7 +12,7 @@
 namespace kerf {
 
 struct EveryKey {
-    static constexpr std::size_t choices = 72;
+    static constexpr std::size_t choices = 75;
 
     std::size_t choice = 0;  ///< which of keys that exclude each other
     int depth = 9;           ///< how deep maps are spelled out; below that their example stands
@@ -24,10 +24,19 @@ struct EveryKey {
         std::string text;
         for (const KeyShape& key : shape.keys)
             if (is_written(shape, key)) text += key.name + ": " + value(shape, key, depth) + "\n";
+        if (depth > 0 && chosen_of(shapes::measure) == "angle") {  // the bounds on it are angles, too
+            replace_all("at_least: 2 mm", "at_least: 2 deg", text);
+            replace_all("at_most: 8 mm", "at_most: 8 deg", text);
+        }
         return text;
     }
 
 private:
+    static void replace_all(const std::string& what, const std::string& by, std::string& text) {
+        for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+            text.replace(at, what.size(), by);
+    }
+
     /// Which of `count` ways the document goes at its top, and in every map within.
     std::size_t way(std::size_t count, bool is_top) const { return (is_top ? choice : choice / 3) % count; }
 
@@ -56,11 +65,12 @@ private:
 
     std::string value(const Shape& shape, const KeyShape& key, int levels) const {
         if (shape.id + "/" + key.name == altered) return other;
-        // What a rehearsal breaks is the limit that is there, by its zone, its signal or else its quantity.
+        // What a rehearsal breaks is the limit that is there, by its zone, signal or measure, or else its quantity.
         if (&shape == &shapes::expectation && key.name == std::string_view("fail") &&
             chosen_of(shapes::limit) != "clearance")
-            return chosen_of(shapes::limit) == "signal" ? shapes::signal_bound.find("id")->example
-                                                        : chosen_of(shapes::limit);
+            return chosen_of(shapes::limit) == "signal"    ? shapes::signal_bound.find("id")->example
+                   : chosen_of(shapes::limit) == "measure" ? shapes::measure_bound.find("of")->example
+                                                           : chosen_of(shapes::limit);
         // The last tissue has no thickness, and no density of its own where the image gives it one.
         const bool has_density = chosen_of(shapes::anatomy) == "ct" && depth > 0 && dropped != "ct/density";
         const std::string base =

@@ -752,5 +752,53 @@ TEST(Clearance, IsThatOfTheNearestPointAlongTheOutline) {
     EXPECT_NEAR(clearance(cone, moved, {"cube", {BoxSolid{{0, 0, 8.0_mm}, {2.0_mm, 2.0_mm, 2.0_mm}}}}), 4.0_mm, 1e-9);
 }
 
+/// The goal of the first step is a measure of at most 5 mm.
+struct MeasuringWatch : Watch {
+    MeasuringWatch() : Watch(measuring()) {}
+    explicit MeasuringWatch(Case with) : Watch{std::move(with)} {}
+
+    static Case measuring() {
+        Case made;
+        made.procedure.measures = {{.id = "wall", .kind = Measure::Kind::thickness}};
+        Goal goal;
+        goal.quantity = "measure";
+        goal.measure = "wall";
+        goal.bound = {{}, 5.0_mm};
+        made.procedure.steps[0].goals = {goal};
+        made.procedure.steps[0].limits.clear();
+        return made;
+    }
+};
+
+TEST(StepMonitor, AsksForMeasuresWhenTheToolIsOutOfBone) {
+    MeasuringWatch watch;
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "nothing is cut yet";
+    watch.show(3.0_mm);
+    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "the tool is in bone";
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_TRUE(watch.monitor.asks_for_measures());
+    watch.monitor.show_measures({{.value = 6.0_mm}});
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_FALSE(watch.monitor.asks_for_measures()) << "once is enough";
+    EXPECT_EQ(watch.monitor.current(), 0U);
+    watch.show(4.0_mm);
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_TRUE(watch.monitor.asks_for_measures());
+    watch.monitor.show_measures({{.value = 5.0_mm}});
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_EQ(watch.monitor.current(), 1U) << "the goal is reached at its bound";
+    EXPECT_FALSE(watch.monitor.asks_for_measures());
+}
+
+TEST(StepMonitor, AMeasureThatCannotBeMadeReachesNoGoal) {
+    MeasuringWatch watch;
+    watch.show(3.0_mm);
+    watch.show(-1.0_mm, 0.0, true, false);
+    watch.monitor.show_measures({{.why_not = "there is no bone"}});
+    watch.show(-1.0_mm, 0.0, true, false);
+    EXPECT_EQ(watch.monitor.current(), 0U);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures of a run: before the first cut, as a goal, as a limit and in the results.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "core/session/summary.h"
+#include "kerf/units.hpp"
+#include "run/scene.h"
+#include "tests/support/drill_rig.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/watched_run.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+
+// A plate of 20 mm, whose face z = 10 mm is drilled. The wall beside the hole and the floor under it are known.
+const char* const anatomy_text = R"(apiVersion: kerf/v1
+kind: Anatomy
+metadata: {id: block, title: A block of bone}
+phantom: {parts: [{id: block, box: {centre: 0 0 0 mm, size: 20 20 20 mm}}]}
+tissues: [{id: bone, density: 1.0 g/cm3}]
+landmarks:
+  points:
+    side: {at: 10 0 6 mm, tolerance: 0.5 mm}
+    below: {at: 0 0 -9 mm, tolerance: 0.5 mm}
+    edge_1: {at: 10 -8 10 mm, tolerance: 0.5 mm}
+    edge_2: {at: 10 8 10 mm, tolerance: 0.5 mm}
+  axes:
+    way: {from: 0 0 15 mm, to: 0 0 -9 mm, tolerance: 0.5 mm}
+    inwards: {from: 15 0 6 mm, to: -9 0 6 mm, tolerance: 0.5 mm}
+    upwards: {from: 0 0 -15 mm, to: 0 0 9 mm, tolerance: 0.5 mm}
+  planes: {level: {at: 0 0 0 mm, normal: 0 0 1, tolerance: 0.5 mm}, front: {at: 0 0 0 mm, normal: 1 0 0, tolerance: 0.5 mm}}
+)";
+
+std::string procedure_text(const std::string& goals, const std::string& limits) {
+    return R"(apiVersion: kerf/v1
+kind: Procedure
+metadata: {id: hole, title: A hole, version: 0.1.0, status: draft}
+needs: {landmarks: [way, inwards, upwards, side, below, edge_1, edge_2, level, front]}
+anatomy: block.yaml
+accuracy: {spacing: 0.5 mm}
+haptics: {device: touch}
+instruments:
+  drill:
+    plugin: kerf.drilling
+    tool: twist_drill
+    force: drill_cutting
+    parameters: {diameter: 4 mm}
+    drives: {spindle_speed: 1000 rpm}
+constructions:
+  edge: {tangent: {along: [edge_1, edge_2], in: front, side: superior, within: 5 mm}}
+measures:
+  wall: {thickness: {at: side, along: inwards}}
+  floor: {thickness: {at: below, along: upwards}}
+  tilt: {angle: {of: edge, to: level}}
+steps:
+  - id: drill
+    title: Drill
+    instrument: drill
+    axis: way
+    goals: [)" +
+           goals + R"(]
+)" + (limits.empty() ? "" : "    limits: [" + limits + "]\n") +
+           R"(rehearsals:
+  - id: deeper
+    expect: pass
+    hand: {push: 200 N, feed: 4 mm/s, approach: 20 mm/s}
+    path: [{depth: -3 mm}, {depth: 6 mm}, {depth: -3 mm}, {depth: 12 mm}, {depth: -3 mm}]
+)";
+}
+
+struct MeasuredRun {
+    test::TemporaryFolder folder;
+    Diagnostics diagnostics;
+    std::optional<Scene> scene;
+    test::WatchedRun run;
+
+    MeasuredRun(const std::string& goals, const std::string& limits = "") {
+        std::ofstream(folder.path() + "/block.yaml") << anatomy_text;
+        std::ofstream(folder.path() + "/hole.yaml") << procedure_text(goals, limits);
+        scene = make_scene(folder.path() + "/hole.yaml", "", test::plugins(), diagnostics);
+        EXPECT_TRUE(scene) << to_text(diagnostics);
+        if (scene) run = test::watched_run(*scene, test::plugins(), {});
+    }
+    [[nodiscard]] const MetricRow* metric(const std::string& id) const {
+        const auto& all = run.summary.metrics;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const MetricRow& row) { return row.id == id; });
+        return found != all.end() ? &*found : nullptr;
+    }
+    [[nodiscard]] std::string reasons() const {
+        std::string text;
+        for (const std::string& reason : run.summary.reasons) text += reason + "\n";
+        return text;
+    }
+};
+
+TEST(Measures, AreReadBeforeTheFirstCutAndAtTheEndOfAStep) {
+    const MeasuredRun hole("{depth: {at_least: 5 mm}}");
+    for (const char* id : {"measure.wall.before", "drill.measure.wall"}) ASSERT_NE(hole.metric(id), nullptr) << id;
+    const MetricRow &before = *hole.metric("measure.wall.before"), &after = *hole.metric("drill.measure.wall");
+    EXPECT_NEAR(before.value, 20.0_mm, 2.0 * before.uncertainty);
+    EXPECT_NEAR(after.value, 8.0_mm, 0.2_mm /* the drill wanders a little */);
+    EXPECT_EQ(after.unit, "mm");
+    EXPECT_GT(after.uncertainty, 0.0);
+    EXPECT_EQ(after.status, "info");
+    const MetricRow* tilt = hole.metric("drill.measure.tilt");
+    ASSERT_NE(tilt, nullptr);
+    EXPECT_EQ(tilt->unit, "deg");
+    EXPECT_NEAR(tilt->value, 0.0, 0.5_deg);
+    const std::string json = summary_json(hole.run.summary);
+    EXPECT_NE(json.find("\"drill.measure.wall\""), std::string::npos);
+    EXPECT_NE(json.find("\"measure.wall.before\""), std::string::npos);
+}
+
+TEST(Measures, BreakALimit) {
+    const MeasuredRun thin("{depth: {at_least: 5 mm}}",
+                           "{measure: {of: wall, at_least: 9 mm}, reason: The wall is thin.}");
+    EXPECT_EQ(thin.run.summary.verdict, Verdict::fail);
+    ASSERT_EQ(thin.run.summary.steps.size(), 1U);
+    EXPECT_EQ(thin.run.summary.steps[0].broken_limits, std::vector<std::string>{"wall"});
+    EXPECT_NE(thin.reasons().find("The wall is thin. `wall`: "), std::string::npos) << thin.reasons();
+    EXPECT_EQ(thin.metric("drill.measure.wall")->status, "broken");
+
+    const MeasuredRun thick("{depth: {at_least: 5 mm}}",
+                            "{measure: {of: wall, at_least: 7 mm}, reason: The wall is thin.}");
+    EXPECT_EQ(thick.run.summary.verdict, Verdict::pass) << thick.reasons();
+    EXPECT_EQ(thick.metric("drill.measure.wall")->status, "ok");
+}
+
+TEST(Measures, AreReachedAsAGoalWhenTheToolIsOut) {
+    // The first time the tool comes out, 14 mm of floor are left, and the second time 8 mm.
+    const MeasuredRun deep("{measure: {of: floor, at_most: 10 mm}}");
+    EXPECT_EQ(deep.run.summary.verdict, Verdict::pass) << deep.reasons();
+    EXPECT_GT(deep.metric("drill.depth")->value, 9.0_mm);
+    const auto reached = std::count_if(deep.run.events.begin(), deep.run.events.end(),
+                                       [](const EventRow& event) { return event.id == "goal_reached"; });
+    EXPECT_EQ(reached, 1);
+
+    const MeasuredRun deeper("{measure: {of: floor, at_most: 4 mm}}");
+    EXPECT_EQ(deeper.run.summary.verdict, Verdict::incomplete);
+    EXPECT_NE(deeper.reasons().find("`floor` "), std::string::npos) << deeper.reasons();
+    EXPECT_NE(deeper.reasons().find("must be at most 4 mm"), std::string::npos) << deeper.reasons();
+}
+
+TEST(Measures, GiveTheSameBitsAgain) {
+    const MeasuredRun one("{depth: {at_least: 5 mm}}"), other("{depth: {at_least: 5 mm}}");
+    EXPECT_EQ(one.run.summary.hash, other.run.summary.hash);
+    EXPECT_EQ(one.metric("drill.measure.tilt")->value, other.metric("drill.measure.tilt")->value);
+    EXPECT_EQ(one.metric("drill.measure.tilt")->uncertainty, other.metric("drill.measure.tilt")->uncertainty);
+}
+
+}  // namespace
+}  // namespace kerf
