@@ -47,7 +47,9 @@ std::optional<RecordedDemand> demand_of(const Node& item) {
         if (quantity.kind != Node::Kind::map || quantity.key.empty()) continue;
         RecordedDemand demand;
         demand.quantity = quantity.key;
-        demand.of = text_of(quantity, demand.quantity == "signal" ? "id" : "zone");
+        demand.of = text_of(quantity, demand.quantity == "signal"    ? "id"
+                                      : demand.quantity == "measure" ? "of"
+                                                                     : "zone");
         demand.at_least = quantity_of(quantity, "at_least", demand.unit);
         demand.at_most = quantity_of(quantity, "at_most", demand.unit);
         std::string unit_of_diameter;

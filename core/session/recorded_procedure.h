@@ -12,7 +12,7 @@ namespace kerf {
 /// A goal or limit as it is written.
 struct RecordedDemand {
     std::string quantity;                         ///< "depth", "clearance"; see Goal and Limit
-    std::string of{};                             ///< zone of a clearance, id of a signal; else empty
+    std::string of{};                             ///< zone of a clearance, id of a signal or measure; else empty
     std::optional<double> at_least{}, at_most{};  ///< SI
     std::string unit{};                           ///< of the bounds, as it is written
     std::optional<double> diameter{};             ///< [m] of a breach

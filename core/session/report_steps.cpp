@@ -63,6 +63,11 @@ std::string words_of(std::string_view id) {
     return words;
 }
 
+std::string capitalised(std::string words) {
+    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
 /// What people call a metric or quantity, by its id without the step.
 std::string name_of(std::string_view id) {
     for (const auto& [known, name] : names)
@@ -70,13 +75,14 @@ std::string name_of(std::string_view id) {
     const auto behind = [&](std::string_view prefix) { return words_of(id.substr(prefix.size())); };
     if (id.starts_with("clearance.")) return "Clearance to " + behind("clearance.");
     if (id.starts_with("breach-")) return "Breach of " + std::string(id.substr(7, id.size() - 9)) + "\u00a0mm";
+    if (id.starts_with("measure.") && id.ends_with(".before"))
+        return capitalised(words_of(id.substr(8, id.size() - 15))) + " before the first cut";
+    if (id.starts_with("measure.")) return capitalised(behind("measure."));
     if (id.starts_with("breach.")) return "Breach, " + behind("breach.");
     if (id.starts_with("gertzbein-robbins.")) return "Breach of the thread, " + behind("gertzbein-robbins.");
-    std::string name = id.starts_with("left.")     ? behind("left.") + " at the release"
+    return capitalised(id.starts_with("left.")     ? behind("left.") + " at the release"
                        : id.starts_with("signal.") ? behind("signal.")
-                                                   : words_of(id);
-    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    return name;
+                                                   : words_of(id));
 }
 
 /// The id of a metric without its step.
@@ -163,10 +169,10 @@ bool is_within(double value, const RecordedDemand& demand) {
 
 /// Quantities of the finished cut or hole. The others are watched in every tick.
 bool is_measured_at_end(const std::string& quantity) {
-    constexpr std::array<std::string_view, 13> at_end{
+    constexpr std::array<std::string_view, 14> at_end{
         "plane_angle",      "plane_offset", "flatness", "hole_angle",     "entry_offset",
         "narrowest_offset", "end_offset",   "breach",   "excess_removal", "reduction_offset",
-        "reduction_angle",  "axes_angle",   "tip_apex"};
+        "reduction_angle",  "axes_angle",   "tip_apex", "measure"};
     return std::find(at_end.begin(), at_end.end(), quantity) != at_end.end();
 }
 
@@ -203,7 +209,7 @@ private:
     [[nodiscard]] static std::vector<std::string> ids_of(const RecordedDemand& demand) {
         std::string id = demand.quantity;
         std::replace(id.begin(), id.end(), '_', '-');
-        if (demand.quantity == "clearance") return {id + "." + demand.of};
+        if (demand.quantity == "clearance" || demand.quantity == "measure") return {id + "." + demand.of};
         if (demand.quantity == "signal") return {id + "." + demand.of, id + "." + demand.of + ".least"};
         if (demand.diameter) return {id + "-" + number_as_written(*demand.diameter * 1e3) + "mm", id};
         return {id};

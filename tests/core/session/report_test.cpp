@@ -278,6 +278,38 @@ TEST(Report, ShowsABoundBesideItsValue) {
     EXPECT_LT(html.find("at most 31"), html.find("at least 30")) << "what failed comes first";
 }
 
+TEST(Report, ShowsMeasuresBesideTheirGoalsAndLimits) {
+    const std::string text = R"yaml(
+metadata: {id: pilot, title: Pilot hole}
+steps:
+  - id: pilot-hole
+    goals: [{measure: {of: gonial_angle, at_least: 120 deg}}]
+    limits:
+      - {measure: {of: wall, at_least: 2 mm}, reason: The wall is thin.}
+      - {measure: {of: floor, at_least: 2 mm}, reason: The floor is thin.}
+)yaml";
+    RunSummary summary = drilled(30e-3);
+    constexpr double degree = 0.0174532925199433;
+    summary.steps[0].broken_limits = {"wall"};
+    summary.metrics = {{"pilot-hole.measure.gonial_angle", 1, "pilot-hole", 1, 1, 126.0 * degree, "deg", degree,
+                        0.3 * degree, "info", "Between both."},
+                       {"pilot-hole.measure.wall", 1, "pilot-hole", 1, 1, 1.5e-3, "mm", 1e-3, 0.02e-3, "broken", ""},
+                       {"pilot-hole.measure.depth", 1, "pilot-hole", 1, 1, 7e-3, "mm", 1e-3, 0.02e-3, "info", ""},
+                       {"measure.wall.before", 1, "run", 1, 1, 5e-3, "mm", 1e-3, 0.02e-3, "info", ""}};
+    const std::string html = report_html(summary, DrawnRun(), recorded_procedure(text, ""));
+    const std::string angle = row_with(html, "at least 120"), wall = row_with(html, "Wall <code");
+    EXPECT_TRUE(holds(angle, "Gonial angle")) << angle;
+    EXPECT_TRUE(holds(angle, "126.0 ± 0.3")) << angle;
+    EXPECT_TRUE(holds(angle, "✓ reached")) << angle;
+    EXPECT_TRUE(holds(wall, "1.50 ± 0.02")) << wall;
+    EXPECT_TRUE(holds(wall, "at least 2")) << wall;
+    EXPECT_TRUE(holds(wall, "✗ broken")) << wall;
+    EXPECT_TRUE(holds(wall, "The wall is thin.")) << wall;
+    EXPECT_TRUE(holds(row_with(html, "Floor <code"), "– not measured"));
+    EXPECT_TRUE(holds(row_with(html, "measure.depth"), "7.00 ± 0.02")) << "a measure without a limit";
+    EXPECT_TRUE(holds(row_with(html, "Wall before the first cut"), "5.00 ± 0.02"));
+}
+
 TEST(Report, ShowsTheDigitsThatTellAValueFromItsBound) {
     EXPECT_TRUE(holds(row_with(drilled_report(31.000004e-3), "at most 31"), "31.000004"));
     EXPECT_TRUE(holds(row_with(drilled_report(31e-3), "at least 30"), "|31.00 ±"));
