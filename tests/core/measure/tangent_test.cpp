@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "core/measure/outline.h"
@@ -23,6 +24,27 @@ TEST(OuterHull, LeavesOutWhatARulerCannotTouch) {
     const std::vector<std::size_t> hull = outer_hull(points);
     EXPECT_EQ(hull, (std::vector<std::size_t>{0, 1, 3, 4}));
     EXPECT_TRUE(outer_hull({}).empty());
+}
+
+TEST(OuterHull, HasNoPointAboveIt) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+    for (int trial = 0; trial < 50; ++trial) {
+        std::vector<PlanePoint> points(200);
+        for (PlanePoint& p : points) p = {anywhere(random), anywhere(random)};
+        const std::vector<std::size_t> hull = outer_hull(points);
+        ASSERT_GE(hull.size(), 2U);
+        for (std::size_t i = 0; i + 1 < hull.size(); ++i) {
+            const PlanePoint &a = points[hull[i]], &b = points[hull[i + 1]];
+            ASSERT_LT(a.along, b.along);
+            for (const PlanePoint& p : points)
+                EXPECT_LE((b.along - a.along) * (p.out - a.out) - (b.out - a.out) * (p.along - a.along), 1e-12);
+        }
+        for (const PlanePoint& p : points) {
+            EXPECT_GE(p.along, points[hull.front()].along);
+            EXPECT_LE(p.along, points[hull.back()].along);
+        }
+    }
 }
 
 TEST(ContactsOfRuler, LieOnBothSidesOfTheMiddle) {
