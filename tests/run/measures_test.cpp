@@ -156,5 +156,64 @@ TEST(Measures, GiveTheSameBitsAgain) {
     EXPECT_EQ(one.metric("drill.measure.tilt")->uncertainty, other.metric("drill.measure.tilt")->uncertainty);
 }
 
+// Two rods at 120°, the lower one sloping by 25°: a jaw from the left. Gonion, condylion and menton lie on their
+// borders.
+const char* const jaw_text = R"(apiVersion: kerf/v1
+kind: Anatomy
+metadata: {id: jaw, title: Two rods}
+phantom:
+  parts:
+    - {id: ramus, tube: {from: 40 0.0000 0.0000 mm, to: 40 4.7936 54.7907 mm, radius: 6 mm}}
+    - {id: body, tube: {from: 40 -0.0000 -0.0000 mm, to: 40 -63.4415 -29.5833 mm, radius: 6 mm}}
+tissues: [{id: bone, density: 1.0 g/cm3}]
+landmarks:
+  points:
+    gonion: {at: 40 5.6753 -3.9739 mm, tolerance: 1 mm}
+    condylion: {at: 40 10.7707 54.2678 mm, tolerance: 1 mm}
+    menton: {at: 40 -60.9058 -35.0211 mm, tolerance: 1 mm}
+    porion_l: {at: 55 0 70 mm, tolerance: 1 mm}
+    porion_r: {at: -55 0 70 mm, tolerance: 1 mm}
+    orbitale: {at: 30 -70 70 mm, tolerance: 1 mm}
+  axes: {way: {from: 40 -60 10 mm, to: 40 -50 -30 mm, tolerance: 1 mm}}
+)";
+
+const char* const jaw_procedure_text = R"(apiVersion: kerf/v1
+kind: Procedure
+metadata: {id: jaw, title: The angles of a jaw, version: 0.1.0, status: draft}
+needs: {landmarks: [way, gonion, condylion, menton, porion_l, porion_r, orbitale]}
+anatomy: jaw.yaml
+accuracy: {spacing: 0.5 mm}
+haptics: {device: touch}
+instruments: {drill: {plugin: kerf.drilling, tool: twist_drill, force: drill_cutting, parameters: {diameter: 3 mm}, drives: {spindle_speed: 1000 rpm}}}
+constructions:
+  sagittal: {mirror: {left: [porion_l], right: [porion_r]}}
+  ramus: {tangent: {along: [gonion, condylion], in: sagittal, side: posterior}}
+  border: {tangent: {along: [gonion, menton], in: sagittal, side: inferior}}
+  frankfort: {plane: [porion_l, porion_r, orbitale]}
+measures:
+  gonial_angle: {angle: {of: ramus, to: border}}
+  mandibular_plane: {angle: {of: border, to: frankfort, in: sagittal}}
+steps:
+  - {id: drill, title: Drill, instrument: drill, axis: way, goals: [{depth: {at_least: 5 mm}}]}
+rehearsals:
+  - {id: expert, expect: pass, path: [{depth: -3 mm}, {depth: 6 mm}, {depth: -3 mm}]}
+)";
+
+TEST(Measures, GiveTheAnglesOfAJaw) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() + "/jaw.yaml") << jaw_text;
+    std::ofstream(folder.path() + "/procedure.yaml") << jaw_procedure_text;
+    Diagnostics diagnostics;
+    const auto scene = make_scene(folder.path() + "/procedure.yaml", "", test::plugins(), diagnostics);
+    ASSERT_TRUE(scene) << to_text(diagnostics);
+    ASSERT_EQ(scene->measured_before.size(), 2U);
+    const MeasureReading &gonial = scene->measured_before[0], &plane = scene->measured_before[1];
+    ASSERT_TRUE(gonial.value && plane.value) << gonial.why_not << plane.why_not;
+    EXPECT_NEAR(*gonial.value, 120.0_deg, gonial.uncertainty);
+    EXPECT_NEAR(*plane.value, 25.0_deg, plane.uncertainty);
+    EXPECT_LT(gonial.uncertainty, 1.0_deg);
+    EXPECT_LT(plane.uncertainty, 1.5_deg);
+}
+
 }  // namespace
 }  // namespace kerf
