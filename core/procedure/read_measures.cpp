@@ -58,6 +58,10 @@ public:
     std::vector<std::string> read_all(const Node& node, const std::string& name, std::size_t least) const {
         const std::vector<std::string> ids = read_ids(node, name, *report_);
         for (const Node& item : node.children) check(item, item.text);
+        if (ids.size() > most_construction_points)
+            report_->error(Code::out_of_range, node.key_span,
+                           name + " has too many points: got " + std::to_string(ids.size()) + ", expected at most " +
+                               std::to_string(most_construction_points) + ". Remove some.");
         if (!ids.empty() && ids.size() < least)
             report_->error(Code::degenerate, node.key_span,
                            name + " has too few points: got " + std::to_string(ids.size()) + ", expected at least " +

@@ -136,6 +136,16 @@ TEST(ReadMeasures, RefusesMoreThanThereIsRoomFor) {
     EXPECT_NE(to_text(diagnostics).find("too many measures"), std::string::npos) << to_text(diagnostics);
 }
 
+TEST(ReadMeasures, RefusesMorePointsThanAConstructionTakes) {
+    std::string names = "way";
+    for (std::size_t i = 0; i <= most_construction_points; ++i) names += ", p" + std::to_string(i);
+    const std::string declared = replaced(faultless, "[way,", "[" + names + ",");
+    const MarkedText marked(replaced(declared, "line: [gonion, menton]", "«line»: [" + names + "]"));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read(marked.text, diagnostics));
+    expect_only(Code::out_of_range, marked, diagnostics);
+}
+
 TEST(ReadMeasures, ChecksTheSortsOfTheAnatomy) {
     const std::string anatomy_text = R"(apiVersion: kerf/v1
 kind: Anatomy
