@@ -12,6 +12,7 @@
 #include "core/import/surface/edges.h"
 #include "core/remesh/accept.h"
 #include "core/remesh/base_mesh.h"
+#include "core/remesh/local_cutting.h"
 
 namespace kerf {
 namespace {
@@ -214,7 +215,9 @@ public:
             without_covered(stretches_of(now, *solids_, options_->tolerance), *solids_, options_->tolerance, apart);
         made_->records += now.size();
         made_->stretches += request.cuts.size();
-        std::optional<TaggedMesh> cut = request.cuts.empty() ? std::move(request.base) : cut_by(request);
+        std::optional<TaggedMesh> cut = request.cuts.empty()                   ? std::move(request.base)
+                                        : child_->scope() == KERF_REMESH_PATCH ? cut_locally(request)
+                                                                               : cut_by(request);
         if (!cut) return false;
 
         std::vector<std::vector<Remains>> groups = parted_after(bodies, common);
@@ -247,6 +250,28 @@ private:
             if (!child_->is_running()) break;
         }
         made_->error = "no exact surface could be made: " + why + ".";
+        return std::nullopt;
+    }
+
+    /// One stretch after the other, each in its patch; at the end all of it is checked as one.
+    std::optional<TaggedMesh> cut_locally(const RemeshRequest& request) {
+        LocalCutting cutting(request.base, request.solids, request.tolerance,
+                             [this](const RemeshRequest& patch) { return child_->remesh(patch, options_->limit); });
+        for (std::size_t n = 0; n < request.cuts.size(); ++n) {
+            if (options_->progress)
+                options_->progress(static_cast<double>(n) / static_cast<double>(request.cuts.size()),
+                                   "cutting along " + std::to_string(request.cuts.size()) + " straight stretches");
+            cutting.cut(request.cuts[n]);
+        }
+        made_->refusals += cutting.refusals();
+        TaggedMesh mesh = cutting.surface().mesh();
+        const std::string flaw = cutting.stale().empty() ? flaw_of_result(request, mesh) : std::string();
+        if (cutting.stale().empty() && flaw.empty()) return mesh;
+        made_->error = "no exact surface could be made: " +
+                       (flaw.empty() ? std::to_string(cutting.stale().size()) +
+                                           " stretches could not be cut, the first: " + cutting.stale().front().why
+                                     : flaw) +
+                       ".";
         return std::nullopt;
     }
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <vector>
 
 #include "core/import/surface/crossings.h"
 #include "core/import/surface/diagnose.h"
+#include "core/import/surface/edges.h"
 
 namespace kerf {
 namespace {
@@ -20,63 +22,89 @@ struct BorderEdge {
     friend bool operator==(const BorderEdge& a, const BorderEdge& b) { return a.from == b.from && a.to == b.to; }
 };
 
-std::vector<BorderEdge> border_of(const SurfaceMesh& mesh) {
-    std::vector<BorderEdge> border;
-    const std::vector<HalfEdge> edges = half_edges_of(mesh);
+/// What is wrong with the edges of a mesh, if anything; else its border, sorted.
+std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges,
+                          std::vector<BorderEdge>& border) {
+    std::string flaw;
     for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
-        if (last - first == 1) border.push_back({mesh.vertices[first->from()], mesh.vertices[first->to()]});
+        if (!flaw.empty()) return;
+        const Vec3 from = mesh.vertices[first->from()], to = mesh.vertices[first->to()];
+        if (last - first > 2)
+            flaw = "an edge has more than two faces, at " + place_text(from);
+        else if (last - first == 1)
+            border.push_back({from, to});
+        else if (balance_of(first, last) != 0)
+            flaw = "the faces of an edge look to different sides, at " + place_text(from);
     });
     std::sort(border.begin(), border.end(), [](const BorderEdge& a, const BorderEdge& b) {
         return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
     });
-    return border;
-}
-
-std::string flaw(const Flaw& one, const char* what) {
-    return std::to_string(one.count) + what + ", the first at " + place_text(one.at);
+    return flaw;
 }
 
 /// Whether two corners of a face are one point.
 bool is_collapsed(const SurfaceMesh& mesh, const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || mesh.vertices[t[0]] == mesh.vertices[t[1]] ||
-           mesh.vertices[t[1]] == mesh.vertices[t[2]] || mesh.vertices[t[2]] == mesh.vertices[t[0]];
+    const auto [a, b, c] = mesh.corners(t);
+    return a == b || b == c || c == a;
+}
+
+std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring) {
+    const std::size_t count = mesh.triangles.size();
+    SurfaceMesh both = mesh;
+    const auto first = static_cast<std::uint32_t>(both.vertices.size());
+    both.vertices.insert(both.vertices.end(), ring.mesh.vertices.begin(), ring.mesh.vertices.end());
+    for (const Triangle& t : ring.mesh.triangles) both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    auto crossings = crossings_of(both, TriangleTree(both), true);
+    std::erase_if(crossings, [count](const Crossing& pair) { return pair[0] >= count; });  // of the ring alone
+    if (crossings.empty()) return {};
+    return std::to_string(crossings.size()) + (crossings.size() == 1 ? " pair" : " pairs") +
+           " of faces cross, the first at " + place_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
+}
+
+/// The vertices of a mesh, sorted by position.
+std::vector<Vec3> sorted_vertices(const SurfaceMesh& mesh) {
+    std::vector<Vec3> vertices = mesh.vertices;
+    std::sort(vertices.begin(), vertices.end(), less);
+    return vertices;
 }
 
 }  // namespace
 
 std::string flaw_of_result(const RemeshRequest& request, const TaggedMesh& result) {
+    return flaw_of_patch(request, result, {});
+}
+
+std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring) {
     const SurfaceMesh& mesh = result.mesh;
-    if (mesh.triangles.empty()) return {};  // all of it is gone
     if (result.tags.size() != mesh.triangles.size()) return "not every face has a tag";
+    std::vector<BorderEdge> border_before, border;
+    if (std::string flaw = flaw_of_edges(request.base.mesh, half_edges_of(request.base.mesh), border_before);
+        !flaw.empty())
+        return "the mesh that was to be cut is unsound: " + flaw;
+    if (mesh.triangles.empty()) return border_before.empty() ? "" : "nothing is left, not even its border";
     for (const Triangle& t : mesh.triangles)
-        if (is_collapsed(mesh, t)) return "a face has no area at " + place_text(mesh.vertices[t[0]]);
+        if (is_collapsed(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
 
-    const SurfaceDiagnosis found = diagnose(mesh, 1.0);
-    if (found.crowded_edges.count > 0) return flaw(found.crowded_edges, " edges of more than two faces");
-    if (found.turned_edges.count > 0) return flaw(found.turned_edges, " edges whose faces look to different sides");
-    const std::vector<BorderEdge> before = border_of(request.base.mesh), after = border_of(mesh);
-    if (before.empty() && found.open_edges.count > 0) return flaw(found.open_edges, " open edges");
-    if (before != after) return "its border is another one";
-    if (found.pinched_vertices.count > 0) return flaw(found.pinched_vertices, " vertices where parts only touch");
-    if (found.duplicate_vertices.count > 0) return flaw(found.duplicate_vertices, " vertices where another one is");
-    if (found.duplicate_faces.count > 0) return flaw(found.duplicate_faces, " faces that are there twice");
-    if (const auto crossings = crossings_of(mesh, TriangleTree(mesh), true); !crossings.empty())
-        return std::to_string(crossings.size()) + " pairs of faces that cross, the first at " +
-               place_text(mesh.vertices[mesh.triangles[crossings.front()[0]][0]]);
-
-    if (!request.locked.empty()) {
-        std::vector<Vec3> vertices = mesh.vertices;
-        std::sort(vertices.begin(), vertices.end(), less);
-        for (std::size_t v = 0; v < request.locked.size(); ++v)
-            if (request.locked[v] != 0 &&
-                !std::binary_search(vertices.begin(), vertices.end(), request.base.mesh.vertices[v], less))
-                return "a locked vertex has moved, from " + place_text(request.base.mesh.vertices[v]);
-    }
+    const std::vector<HalfEdge> edges = half_edges_of(mesh);
+    if (std::string flaw = flaw_of_edges(mesh, edges, border); !flaw.empty()) return flaw;
+    if (border_before.empty() && !border.empty())
+        return std::to_string(border.size()) + " open edges, the first at " + place_text(border.front().from);
+    if (border != border_before) return "its border is another one";
+    if (const auto pinched = pinched_vertices_of(mesh, edges); !pinched.empty())
+        return "parts only touch in a vertex, at " + place_text(mesh.vertices[pinched.front()]);
+    const std::vector<Vec3> vertices = sorted_vertices(mesh);
+    for (std::size_t v = 1; v < vertices.size(); ++v)
+        if (vertices[v] == vertices[v - 1]) return "a vertex lies where another one is, at " + place_text(vertices[v]);
+    for (std::size_t v = 0; v < request.locked.size(); ++v)
+        if (request.locked[v] != 0 &&
+            !std::binary_search(vertices.begin(), vertices.end(), request.base.mesh.vertices[v], less))
+            return "a locked vertex has moved, from " + place_text(request.base.mesh.vertices[v]);
     const Box was = bounds_of(request.base.mesh), is = bounds_of(mesh);
+    if (!border.empty()) return flaw_of_faces(mesh, ring);  // a patch's walls leave its box
     if (is.low.x < was.low.x || is.low.y < was.low.y || is.low.z < was.low.z || is.high.x > was.high.x ||
         is.high.y > was.high.y || is.high.z > was.high.z)
         return "it reaches beyond what it was";
-    return {};
+    return flaw_of_faces(mesh, ring);
 }
 
 }  // namespace kerf

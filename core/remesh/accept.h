@@ -10,7 +10,10 @@ namespace kerf {
 /// Returns why the host does not take a result for a request; empty if it does. Checked are: every edge has two faces
 /// that run along it in opposite directions, except on the border of the request's mesh, which must come back; no two
 /// faces cross, decided exactly; parts do not touch in a vertex only; no face lies twice; locked vertices came back bit
-/// for bit; vertices lie within the box of the request's mesh.   [any] pure.
+/// for bit; vertices lie within the box of a request's whole mesh.   [any] pure.
 [[nodiscard]] std::string flaw_of_result(const RemeshRequest& request, const TaggedMesh& result);
+
+/// The same for a patch: its faces must not cross those of the ring around it either.   [any] pure.
+[[nodiscard]] std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring);
 
 }  // namespace kerf

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <vector>
 
 namespace kerf {
 namespace {
@@ -64,8 +63,10 @@ const kerf_remesher* RemeshModule::find(const std::string& strategy) const noexc
 }
 
 RemeshResult remesh_here(const kerf_remesher& remesher, const RemeshRequest& request, void* cache) {
-    std::vector<unsigned char> from(request_bytes(request)), to(result_bytes(request));
-    kerf_arena in_arena{from.data(), from.size(), 0}, out_arena{to.data(), to.size(), 64};
+    // Not set to zero: what is not written is never touched.
+    const std::uint64_t from_size = request_bytes(request), to_size = result_bytes(request);
+    const std::unique_ptr<unsigned char[]> from(new unsigned char[from_size]), to(new unsigned char[to_size]);
+    kerf_arena in_arena{from.get(), from_size, 0}, out_arena{to.get(), to_size, 64};
     kerf_remesh_in in{};
     kerf_remesh_out out{};
     out.size = sizeof out;

@@ -3,6 +3,7 @@
 #include "booleans.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
@@ -12,28 +13,33 @@
 
 #include <array>
 #include <cfenv>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 namespace kerf::remesh_cgal {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Face = Mesh::Face_index;
-using Tags = Mesh::Property_map<Face, std::uint8_t>;
+using ExactMesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+using RoundedMesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+template <class Mesh>
+using Face = typename Mesh::Face_index;
+template <class Mesh>
+using Tags = typename Mesh::template Property_map<typename Mesh::Face_index, std::uint8_t>;
 
 constexpr const char* tags_of_faces = "f:tag";
 
 /// Carries tags over: faces of the tool that stay are walls.
+template <class Mesh>
 struct TagVisitor : pmp::Corefinement::Default_visitor<Mesh> {
+    using Face = typename Mesh::Face_index;
     const Mesh* bone = nullptr;
-    const Mesh* tool = nullptr;
-    Tags bone_tags, result_tags;
+    Tags<Mesh> bone_tags, result_tags;
     std::uint8_t split = 0;
 
     void before_subface_creations(Face face, const Mesh& mesh) {
@@ -59,78 +65,106 @@ private:
     int before_;
 };
 
-bool read(const Triangles& triangles, Mesh& mesh, std::string& why) {
-    Tags tags = mesh.add_property_map<Face, std::uint8_t>(tags_of_faces, KERF_FACE_SURFACE).first;
-    const auto& v = triangles.vertices;
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3) mesh.add_vertex(Point(v[i], v[i + 1], v[i + 2]));
+template <class Mesh>
+bool read(const Triangles& triangles, Mesh& mesh, bool must_be_closed, std::string& why) {
+    using Vertex = typename Mesh::Vertex_index;
+    Tags<Mesh> tags = mesh.template add_property_map<Face<Mesh>, std::uint8_t>(tags_of_faces, KERF_FACE_SURFACE).first;
+    for (const Vec3 v : triangles.vertices) mesh.add_vertex(typename Mesh::Point(v.x, v.y, v.z));
     const auto& t = triangles.triangles;
     for (std::size_t f = 0; 3 * f + 2 < t.size(); ++f) {
-        const Face face = mesh.add_face(Mesh::Vertex_index(t[3 * f]), Mesh::Vertex_index(t[3 * f + 1]),
-                                        Mesh::Vertex_index(t[3 * f + 2]));
+        const Face<Mesh> face = mesh.add_face(Vertex(t[3 * f]), Vertex(t[3 * f + 1]), Vertex(t[3 * f + 2]));
         if (face == Mesh::null_face()) {
             why = "face " + std::to_string(f) + " meets an edge that has two faces already";
             return false;
         }
         tags[face] = triangles.tags[f];
     }
-    if (!CGAL::is_closed(mesh)) {
+    if (must_be_closed && !CGAL::is_closed(mesh)) {
         why = "the mesh is open";
         return false;
     }
     return true;
 }
 
-Triangles written(const Mesh& mesh) {
-    Triangles triangles;
-    const Tags tags = mesh.property_map<Face, std::uint8_t>(tags_of_faces).first;
-    std::vector<std::uint32_t> numbers(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
-    const auto rounded = [](const Kernel::FT& x) {
-        // An interval is wider than one rounding until the exact number was asked for.
-        if (const auto [low, high] = CGAL::to_interval(x); low == high) return low;
-        return CGAL::to_double(x.exact());
-    };
-    // What rounds to one point is one vertex, and a face that this leaves without a side goes.
-    std::map<std::array<double, 3>, std::uint32_t> known;
-    for (const Mesh::Vertex_index v : mesh.vertices()) {
-        const Point& p = mesh.point(v);
-        const std::array<double, 3> at{rounded(p.x()), rounded(p.y()), rounded(p.z())};
-        const auto [place, is_new] = known.try_emplace(at, static_cast<std::uint32_t>(triangles.vertices.size() / 3));
-        if (is_new) triangles.vertices.insert(triangles.vertices.end(), at.begin(), at.end());
-        numbers[v] = place->second;
-    }
-    for (const Face f : mesh.faces()) {
-        std::array<std::uint32_t, 3> corners{};
-        std::size_t n = 0;
-        for (const Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh)) corners[n++] = numbers[v];
-        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-        triangles.triangles.insert(triangles.triangles.end(), corners.begin(), corners.end());
-        triangles.tags.push_back(tags[f]);
-    }
-    return triangles;
+double rounded(double x) { return x; }
+double rounded(const CGAL::Exact_predicates_exact_constructions_kernel::FT& x) {
+    // An interval is wider than one rounding until the exact number was asked for.
+    if (const auto [low, high] = CGAL::to_interval(x); low == high) return low;
+    return CGAL::to_double(x.exact());
 }
 
+/// Collects faces of meshes. What rounds to one point is one vertex, and a face that this leaves without a side goes.
+class Writer {
+public:
+    template <class Mesh>
+    void add(const Mesh& mesh, Face<Mesh> face, bool is_reversed, std::uint8_t tag) {
+        std::array<std::uint32_t, 3> corners{};
+        std::size_t n = 0;
+        for (const auto v : vertices_around_face(mesh.halfedge(face), mesh)) corners[n++] = number_of(mesh.point(v));
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
+        if (is_reversed) std::swap(corners[1], corners[2]);
+        triangles_.triangles.insert(triangles_.triangles.end(), corners.begin(), corners.end());
+        triangles_.tags.push_back(tag);
+    }
+    /// Without slivers narrower than `width` [m].
+    [[nodiscard]] Triangles take(double width) {
+        remove_slivers(triangles_, width);
+        return std::move(triangles_);
+    }
+
+private:
+    template <class Point>
+    std::uint32_t number_of(const Point& p) {
+        const std::array<double, 3> at{rounded(p.x()), rounded(p.y()), rounded(p.z())};
+        const auto [place, is_new] = known_.try_emplace(at, static_cast<std::uint32_t>(known_.size()));
+        if (is_new) triangles_.vertices.push_back({at[0], at[1], at[2]});
+        return place->second;
+    }
+    Triangles triangles_;
+    std::map<std::array<double, 3>, std::uint32_t> known_;
+};
+
+/// How narrow a face may be [m] before rounding, which moves points along lines between nearly parallel faces by far
+/// more than a double's last bit, makes it cross its neighbours.
+template <class Mesh>
+constexpr double narrowest = std::is_same_v<Mesh, ExactMesh> ? 1e-12 : 1e-9;
+
+template <class Mesh>
+Triangles written(const Mesh& mesh) {
+    const Tags<Mesh> tags = mesh.template property_map<Face<Mesh>, std::uint8_t>(tags_of_faces).first;
+    Writer writer;
+    for (const Face<Mesh> f : mesh.faces()) writer.add(mesh, f, false, tags[f]);
+    return writer.take(narrowest<Mesh>);
+}
+
+template <class Mesh>
 Mesh hull_of(const ConvexPart& part) {
-    std::vector<Point> corners;
+    std::vector<typename Mesh::Point> corners;
     for (const Vec3 p : part) corners.emplace_back(p.x, p.y, p.z);
     Mesh hull;
     CGAL::convex_hull_3(corners.begin(), corners.end(), hull);
     return hull;
 }
 
+template <class Mesh>
+bool has_volume(const Mesh& hull) {
+    return hull.number_of_faces() >= 4 && CGAL::is_closed(hull);
+}
+constexpr const char* no_volume = "a part of the tool's sweep has no volume";
+
 /// Neighbours in time overlap, so they are joined first. What cannot be joined stays apart.
-std::vector<Mesh> joined(std::vector<Mesh> parts, const std::function<bool()>& cancelled) {
+std::vector<ExactMesh> joined(std::vector<ExactMesh> parts, const std::function<bool()>& cancelled) {
     for (bool has_joined = true; has_joined && parts.size() > 1;) {
         has_joined = false;
-        std::vector<Mesh> fewer;
+        std::vector<ExactMesh> fewer;
         for (std::size_t i = 0; i < parts.size(); i += 2) {
             if (cancelled()) return parts;
-            Mesh both;
             if (i + 1 == parts.size()) {
                 fewer.push_back(std::move(parts[i]));
                 continue;
             }
             // A copy: corefinement changes its input even where it fails.
-            Mesh one = parts[i], other = parts[i + 1];
+            ExactMesh one = parts[i], other = parts[i + 1], both;
             if (pmp::corefine_and_compute_union(one, other, both)) {
                 fewer.push_back(std::move(both));
                 has_joined = true;
@@ -144,27 +178,21 @@ std::vector<Mesh> joined(std::vector<Mesh> parts, const std::function<bool()>& c
     return parts;
 }
 
-Outcome cut(Triangles& triangles, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
-            std::string& why) {
+/// Removes closed tools from a closed mesh, one after the other.
+template <class Mesh>
+Outcome subtract(Triangles& triangles, std::vector<Mesh> tools, const std::function<bool()>& cancelled,
+                 std::string& why) {
     Mesh bone;
-    if (!read(triangles, bone, why)) return Outcome::refused;
-    std::vector<Mesh> tools;
-    for (const ConvexPart& part : parts) {
-        tools.push_back(hull_of(part));
-        if (!CGAL::is_closed(tools.back()) || tools.back().number_of_faces() < 4) {
-            why = "a part of the tool's sweep has no volume";
-            return Outcome::refused;
-        }
-    }
+    if (!read(triangles, bone, true, why)) return Outcome::refused;
     bool has_changed = false;
-    for (Mesh& tool : joined(std::move(tools), cancelled)) {
+    for (Mesh& tool : tools) {
         if (cancelled()) return Outcome::cancelled;
         Mesh left;
-        TagVisitor visitor;
+        TagVisitor<Mesh> visitor;
         visitor.bone = &bone;
-        visitor.tool = &tool;
-        visitor.bone_tags = bone.property_map<Face, std::uint8_t>(tags_of_faces).first;
-        visitor.result_tags = left.add_property_map<Face, std::uint8_t>(tags_of_faces, KERF_FACE_SURFACE).first;
+        visitor.bone_tags = bone.template property_map<Face<Mesh>, std::uint8_t>(tags_of_faces).first;
+        visitor.result_tags =
+            left.template add_property_map<Face<Mesh>, std::uint8_t>(tags_of_faces, KERF_FACE_SURFACE).first;
         const std::size_t faces = bone.number_of_faces();
         if (!pmp::corefine_and_compute_difference(bone, tool, left, CGAL::parameters::visitor(visitor))) {
             why = "the cut surface would touch itself along an edge";
@@ -178,17 +206,169 @@ Outcome cut(Triangles& triangles, const std::vector<ConvexPart>& parts, const st
     return Outcome::cut;
 }
 
-void keep_quiet(const char*, const char*, const char*, int, const char*) {}
+template <class Mesh>
+bool make_hulls(const std::vector<ConvexPart>& parts, std::vector<Mesh>& hulls, std::string& why) {
+    for (const ConvexPart& part : parts) {
+        hulls.push_back(hull_of<Mesh>(part));
+        if (has_volume(hulls.back())) continue;
+        why = no_volume;
+        return false;
+    }
+    return true;
+}
 
-}  // namespace
+// ---- a piece with a border ----------------------------------------------------------------------------------------
 
-Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
-                  std::string& why) {
+template <class Mesh>
+using Halfedge = typename Mesh::Halfedge_index;
+template <class Mesh>
+using CutEdges = typename Mesh::template Property_map<typename Mesh::Edge_index, bool>;
+
+/// The point of a halfedge's face that does not lie on it.
+template <class Mesh>
+const typename Mesh::Point& apex(const Mesh& mesh, Halfedge<Mesh> h) {
+    return mesh.point(mesh.target(mesh.next(h)));
+}
+
+/// Where a point lies that sees an edge of a surface, next to that edge: 1 in the solid, −1 outside, 0 in the plane of
+/// one of the edge's two faces, or the edge is on the border.
+template <class Mesh>
+int side_at_edge(const Mesh& mesh, Halfedge<Mesh> h, const typename Mesh::Point& point) {
+    const Halfedge<Mesh> other = mesh.opposite(h);
+    if (mesh.is_border(h) || mesh.is_border(other)) return 0;
+    const typename Mesh::Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));
+    const typename Mesh::Point &one = apex(mesh, h), &two = apex(mesh, other);
+    const int under_one = -CGAL::orientation(p, q, one, point), under_two = -CGAL::orientation(q, p, two, point);
+    const int bend = -CGAL::orientation(p, q, one, two);  // 1: the solid is convex there
+    if (under_one == 0 || under_two == 0) {
+        // In the plane of one face, but on the far side of the edge the other one decides.
+        if (bend > 0 && (under_one < 0 || under_two < 0)) return -1;
+        if (bend < 0 && (under_one > 0 || under_two > 0)) return 1;
+        return 0;
+    }
+    if (bend > 0) return under_one > 0 && under_two > 0 ? 1 : -1;
+    if (bend < 0) return under_one > 0 || under_two > 0 ? 1 : -1;
+    return under_one;
+}
+
+template <class Mesh>
+using EdgeKey = std::pair<typename Mesh::Point, typename Mesh::Point>;
+
+/// Halfedges on the lines of intersection by their ends.
+template <class Mesh>
+std::map<EdgeKey<Mesh>, Halfedge<Mesh>> halfedges_of(const Mesh& mesh, const CutEdges<Mesh>& cut) {
+    std::map<EdgeKey<Mesh>, Halfedge<Mesh>> found;
+    for (const auto e : mesh.edges()) {
+        if (!cut[e]) continue;
+        for (const Halfedge<Mesh> h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
+            found.emplace(EdgeKey<Mesh>{mesh.point(mesh.source(h)), mesh.point(mesh.target(h))}, h);
+    }
+    return found;
+}
+
+/// For each stretch of a surface between lines of intersection: whether it lies in the solid that the other surface
+/// bounds. Long edges count more: the ends of short ones were rounded by as much.
+struct Stretches {
+    std::vector<std::size_t> of_face;
+    std::vector<double> votes;  ///< > 0 inside; 0: none of its edges is on a line of intersection
+};
+
+template <class Mesh>
+Stretches judged(const Mesh& mesh, const CutEdges<Mesh>& cut, const Mesh& other,
+                 const std::map<EdgeKey<Mesh>, Halfedge<Mesh>>& of_other) {
+    Stretches found;
+    found.of_face.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), ~std::size_t{0});
+    std::vector<Face<Mesh>> open;
+    for (const auto first : mesh.faces()) {
+        if (found.of_face[first] != ~std::size_t{0}) continue;
+        const std::size_t number = found.votes.size();
+        double votes = 0.0;
+        found.of_face[first] = number;
+        open.push_back(first);
+        while (!open.empty()) {
+            const auto face = open.back();
+            open.pop_back();
+            for (const Halfedge<Mesh> h : halfedges_around_face(mesh.halfedge(face), mesh)) {
+                if (cut[mesh.edge(h)]) {
+                    const typename Mesh::Point &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h));
+                    if (const auto there = of_other.find({p, q}); there != of_other.end())
+                        votes += std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q))) *
+                                 side_at_edge(other, there->second, apex(mesh, h));
+                    continue;
+                }
+                const auto next = mesh.face(mesh.opposite(h));
+                if (next == Mesh::null_face() || found.of_face[next] != ~std::size_t{0}) continue;
+                found.of_face[next] = number;
+                open.push_back(next);
+            }
+        }
+        found.votes.push_back(votes);
+    }
+    return found;
+}
+
+/// Whether a point lies in a convex hull.
+template <class Mesh>
+bool is_in_hull(const Mesh& hull, const typename Mesh::Point& point) {
+    for (const auto face : hull.faces()) {
+        const Halfedge<Mesh> h = hull.halfedge(face);
+        if (CGAL::orientation(hull.point(hull.source(h)), hull.point(hull.target(h)), apex(hull, h), point) ==
+            CGAL::POSITIVE)
+            return false;
+    }
+    return true;
+}
+
+/// Removes one convex part.
+template <class Mesh>
+Outcome cut_once(Triangles& triangles, const ConvexPart& part, std::string& why) {
+    Mesh patch, tool = hull_of<Mesh>(part);
+    if (!has_volume(tool)) {
+        why = no_volume;
+        return Outcome::refused;
+    }
+    if (!read(triangles, patch, false, why)) return Outcome::refused;
+    const Mesh hull = tool;
+    CutEdges<Mesh> cut_patch_edges =
+        patch.template add_property_map<typename Mesh::Edge_index, bool>("e:cut", false).first;
+    CutEdges<Mesh> cut_tool_edges =
+        tool.template add_property_map<typename Mesh::Edge_index, bool>("e:cut", false).first;
+    TagVisitor<Mesh> visitor;
+    visitor.bone = &patch;
+    visitor.bone_tags = patch.template property_map<Face<Mesh>, std::uint8_t>(tags_of_faces).first;
+    pmp::corefine(patch, tool, CGAL::parameters::edge_is_constrained_map(cut_patch_edges).visitor(visitor),
+                  CGAL::parameters::edge_is_constrained_map(cut_tool_edges));
+    const auto of_patch = halfedges_of(patch, cut_patch_edges), of_tool = halfedges_of(tool, cut_tool_edges);
+
+    const Stretches surface = judged(patch, cut_patch_edges, tool, of_tool);
+    const Stretches walls = judged(tool, cut_tool_edges, patch, of_patch);
+    std::vector<double> in_tool = surface.votes;
+    bool has_changed = !of_patch.empty();
+    for (const auto face : patch.faces()) {
+        double& votes = in_tool[surface.of_face[face]];
+        if (votes != 0.0) continue;
+        const typename Mesh::Point& p = patch.point(patch.target(patch.halfedge(face)));
+        votes = is_in_hull(hull, p) ? 1.0 : -1.0;
+        has_changed = has_changed || votes > 0.0;
+    }
+    if (!has_changed) return Outcome::unchanged;
+    Writer writer;
+    for (const auto face : patch.faces())
+        if (in_tool[surface.of_face[face]] < 0.0) writer.add(patch, face, false, visitor.bone_tags[face]);
+    for (const auto face : tool.faces())
+        if (walls.votes[walls.of_face[face]] > 0.0) writer.add(tool, face, true, KERF_FACE_WALL);
+    triangles = writer.take(narrowest<Mesh>);
+    return Outcome::cut;
+}
+
+/// Runs what CGAL may throw out of.
+template <class Work>
+Outcome guarded(std::string& why, const Work& work) {
     const Rounding rounding;
-    CGAL::set_error_handler(&keep_quiet);
+    CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
     CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
     try {
-        return cut(mesh, parts, cancelled, why);
+        return work();
     } catch (const std::exception& e) {
         why = e.what();
         for (char& c : why)
@@ -197,6 +377,41 @@ Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const s
     }
 }
 
-const char* kernel() noexcept { return "CGAL " CGAL_VERSION_STR " EPECK, assertions on, no fused multiply-add"; }
+}  // namespace
+
+Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
+                  std::string& why) {
+    return guarded(why, [&] {
+        std::vector<ExactMesh> hulls;
+        if (!make_hulls(parts, hulls, why)) return Outcome::refused;
+        return subtract(mesh, joined(std::move(hulls), cancelled), cancelled, why);
+    });
+}
+
+Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts, const std::function<bool()>& cancelled,
+                          std::string& why) {
+    return guarded(why, [&] {
+        std::vector<RoundedMesh> hulls;
+        if (!make_hulls(parts, hulls, why)) return Outcome::refused;
+        return subtract(mesh, std::move(hulls), cancelled, why);
+    });
+}
+
+Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact,
+                  const std::function<bool()>& cancelled, std::string& why) {
+    return guarded(why, [&] {
+        Outcome all = Outcome::unchanged;
+        for (const ConvexPart& part : parts) {
+            if (cancelled()) return Outcome::cancelled;
+            const Outcome one =
+                is_exact ? cut_once<ExactMesh>(patch, part, why) : cut_once<RoundedMesh>(patch, part, why);
+            if (one == Outcome::refused) return one;
+            if (one == Outcome::cut) all = one;
+        }
+        return all;
+    });
+}
+
+const char* kernel() noexcept { return "CGAL " CGAL_VERSION_STR ", assertions on, no fused multiply-add"; }
 
 }  // namespace kerf::remesh_cgal

@@ -6,17 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "slivers.h"
 #include "swept_parts.h"
 
 /// CGAL behind a plain header: only booleans.cpp includes it.
 namespace kerf::remesh_cgal {
-
-/// Triangles with tags, as they cross the boundary.
-struct Triangles {
-    std::vector<double> vertices;          ///< x, y, z of each [m]
-    std::vector<std::uint32_t> triangles;  ///< three corners of each, anticlockwise seen from outside
-    std::vector<std::uint8_t> tags;        ///< of each triangle: KERF_FACE_…
-};
 
 enum class Outcome { cut, unchanged, refused, cancelled };
 
@@ -26,6 +20,19 @@ enum class Outcome { cut, unchanged, refused, cancelled };
 /// @param cancelled   asked between two steps
 [[nodiscard]] Outcome cut_whole(Triangles& mesh, const std::vector<ConvexPart>& parts,
                                 const std::function<bool()>& cancelled, std::string& why);
+
+/// Removes convex parts one after the other from a piece of a mesh, which may have a border. Each part of the surface
+/// between the lines of intersection is kept or dropped as a whole, by on which side of the other surface its faces
+/// begin. Refused: a face of both lies in one plane, or the sides contradict each other. No part may meet the border:
+/// the host gives a margin.   [worker]
+/// @param is_exact   points are rounded at the end of each part only: slower by far, where rounded ones fail
+[[nodiscard]] Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact,
+                                const std::function<bool()>& cancelled, std::string& why);
+
+/// The same as `cut_whole`, one part after the other with rounded points: what `cut_patch` is measured against.
+/// [worker]
+[[nodiscard]] Outcome cut_whole_rounded(Triangles& mesh, const std::vector<ConvexPart>& parts,
+                                        const std::function<bool()>& cancelled, std::string& why);
 
 /// The library, its version and the flags that results depend on.
 [[nodiscard]] const char* kernel() noexcept;

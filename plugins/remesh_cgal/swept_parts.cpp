@@ -2,6 +2,7 @@
 #include "swept_parts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -17,11 +18,9 @@ std::uint64_t scrambled(std::uint64_t& state) noexcept {
     return z ^ (z >> 31);
 }
 
-/// Up to 0.1 µm in some direction; nothing without a seed.
-Vec3 nudged(std::uint64_t& seed) noexcept {
-    constexpr double most = 1e-7;  // [m]
-    if (seed == 0) return {};
-    const auto next = [&] { return most * (static_cast<double>(scrambled(seed) >> 11) * 0x1p-52 - 1.0); };
+/// In some direction, by up to the nudge.
+Vec3 nudged(const Nudge& nudge, std::uint64_t& state) noexcept {
+    const auto next = [&] { return nudge.most * (static_cast<double>(scrambled(state) >> 11) * 0x1p-52 - 1.0); };
     const double x = next(), y = next(), z = next();
     return {x, y, z};
 }
@@ -80,33 +79,48 @@ std::vector<ConvexPart> parts_of(const CutSolid& solid, double tolerance) {
     return parts;
 }
 
-/// The same part, smaller by the taper on all sides.
-ConvexPart shrunk(ConvexPart part) {
-    constexpr double taper = 1e-7;  // [m]
+/// The same part, smaller on all sides: by so much along x, y and z.
+ConvexPart shrunk(ConvexPart part, Vec3 by) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Vec3 p : part) {
         low = std::min(low, p.z);
         high = std::max(high, p.z);
     }
-    const auto inwards = [](double from_middle) {
-        return from_middle > 0.0 ? -taper : from_middle < 0.0 ? taper : 0.0;
+    const auto inwards = [](double from_middle, double way) {
+        return from_middle > 0.0 ? -way : from_middle < 0.0 ? way : 0.0;
     };
-    for (Vec3& p : part) p = p + Vec3{inwards(p.x), inwards(p.y), inwards(p.z - 0.5 * (low + high))};
+    for (Vec3& p : part) p = p + Vec3{inwards(p.x, by.x), inwards(p.y, by.y), inwards(p.z - 0.5 * (low + high), by.z)};
     return part;
+}
+
+/// A number that follows from a pose's bits.
+std::uint64_t number_of(const Pose& pose) noexcept {
+    std::uint64_t number = 0;
+    for (const double x : {pose.position.x, pose.position.y, pose.position.z, pose.rotation.w, pose.rotation.x,
+                           pose.rotation.y, pose.rotation.z}) {
+        number ^= std::bit_cast<std::uint64_t>(x + 0.0 /* no −0 */);
+        number = scrambled(number);
+    }
+    return number;
 }
 
 }  // namespace
 
 std::vector<ConvexPart> swept_parts(const CutSolid& solid, const Pose& from, const Pose& to, double tolerance,
-                                    std::uint64_t nudge) {
+                                    const Nudge& nudge) {
+    constexpr double most_apart = 4e-8, taper = 6e-8;  // [m]
     Pose start = from, end = to;
-    start.position = start.position + nudged(nudge);
-    end.position = end.position + nudged(nudge);
+    std::uint64_t number = number_of(to), state = number + nudge.seed;
+    start.position = start.position + nudged(nudge, state);
+    end.position = end.position + nudged(nudge, state);
+    const auto apart = [&] { return most_apart * (static_cast<double>(scrambled(number) >> 11) * 0x1p-53); };
+    const double x = apart(), y = apart(), z = apart();
+    const Vec3 at_end{x, y, z}, at_start = at_end + Vec3{taper, taper, taper};
     std::vector<ConvexPart> swept;
     for (const ConvexPart& part : parts_of(solid, tolerance)) {
         ConvexPart& both = swept.emplace_back();
-        for (const Vec3 corner : shrunk(part)) both.push_back(start * corner);
-        for (const Vec3 corner : part) both.push_back(end * corner);
+        for (const Vec3 corner : shrunk(part, at_start)) both.push_back(start * corner);
+        for (const Vec3 corner : shrunk(part, at_end)) both.push_back(end * corner);
     }
     return swept;
 }

@@ -47,34 +47,6 @@ void count_duplicates(const SurfaceMesh& mesh, SurfaceDiagnosis& found) {
         if (sorted[i] == sorted[i - 1]) count(found.duplicate_faces, mesh.vertices[sorted[i][0]]);
 }
 
-/// A vertex is pinched when its faces do not hang together over edges that end in it.
-void count_pinched(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges, Flaw& pinched) {
-    // Corners (face, corner) that meet over an edge at the same vertex are one fan.
-    std::vector<std::uint32_t> parent(3 * mesh.triangles.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t c) {
-        while (parent[c] != c) c = parent[c] = parent[parent[c]];
-        return c;
-    };
-    const auto corner_at = [&](const HalfEdge& e, std::uint32_t vertex) {
-        for (std::uint32_t c = 0; c < 3; ++c)
-            if (mesh.triangles[e.face][c] == vertex) return 3 * e.face + c;
-        return 3 * e.face;
-    };
-    for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
-        for (const HalfEdge* e = first + 1; e < last; ++e)
-            for (const std::uint32_t vertex : {first->low, first->high}) {
-                const std::uint32_t a = root(corner_at(*first, vertex)), b = root(corner_at(*e, vertex));
-                parent[std::max(a, b)] = std::min(a, b);
-            }
-    });
-    std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
-    for (std::uint32_t c = 0; c < parent.size(); ++c)
-        if (root(c) == c) ++fans[mesh.triangles[c / 3][c % 3]];
-    for (std::size_t v = 0; v < fans.size(); ++v)
-        if (fans[v] > 1) count(pinched, mesh.vertices[v]);
-}
-
 std::vector<SurfacePiece> pieces_in(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
     const Pieces pieces = pieces_of(mesh, edges);
     std::vector<SurfaceMesh> parts(pieces.count);
@@ -159,7 +131,7 @@ SurfaceDiagnosis diagnose(const SurfaceMesh& mesh, double unit) {
     for (const BorderLoop& loop : border_loops_of(edges)) found.openings.push_back(opening_of(mesh, loop));
     std::stable_sort(found.openings.begin(), found.openings.end(),
                      [](const Opening& a, const Opening& b) { return a.width > b.width; });
-    count_pinched(mesh, edges, found.pinched_vertices);
+    for (const std::uint32_t v : pinched_vertices_of(mesh, edges)) count(found.pinched_vertices, mesh.vertices[v]);
     found.pieces = pieces_in(mesh, edges);
     found.is_inside_out = found.is_closed() && found.turned_edges.count == 0 && found.volume < 0.0;
 

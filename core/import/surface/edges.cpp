@@ -87,4 +87,33 @@ Pieces pieces_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
     return pieces;
 }
 
+std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
+    // Corners (face, corner) that meet over an edge at the same vertex are one fan.
+    std::vector<std::uint32_t> parent(3 * mesh.triangles.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t c) {
+        while (parent[c] != c) c = parent[c] = parent[parent[c]];
+        return c;
+    };
+    const auto corner_at = [&](const HalfEdge& e, std::uint32_t vertex) {
+        for (std::uint32_t c = 0; c < 3; ++c)
+            if (mesh.triangles[e.face][c] == vertex) return 3 * e.face + c;
+        return 3 * e.face;
+    };
+    for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
+        for (const HalfEdge* e = first + 1; e < last; ++e)
+            for (const std::uint32_t vertex : {first->low, first->high}) {
+                const std::uint32_t a = root(corner_at(*first, vertex)), b = root(corner_at(*e, vertex));
+                parent[std::max(a, b)] = std::min(a, b);
+            }
+    });
+    std::vector<std::uint32_t> fans(mesh.vertices.size(), 0);
+    for (std::uint32_t c = 0; c < parent.size(); ++c)
+        if (root(c) == c) ++fans[mesh.triangles[c / 3][c % 3]];
+    std::vector<std::uint32_t> pinched;
+    for (std::uint32_t v = 0; v < fans.size(); ++v)
+        if (fans[v] > 1) pinched.push_back(v);
+    return pinched;
+}
+
 }  // namespace kerf

@@ -54,4 +54,8 @@ struct Pieces {
 };
 [[nodiscard]] Pieces pieces_of(const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges);
 
+/// Vertices whose faces do not hang together over edges that end in them, ascending.
+[[nodiscard]] std::vector<std::uint32_t> pinched_vertices_of(const SurfaceMesh& mesh,
+                                                             const std::vector<HalfEdge>& edges);
+
 }  // namespace kerf

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/procedure/solids.h"
+#include "core/remesh/tagged_mesh.h"
+
+namespace kerf {
+
+/// A piece of a surface: some of its faces as a mesh of their own.
+struct SurfacePatch {
+    TaggedMesh mesh;
+    std::vector<std::uint8_t> locked;     ///< of each vertex: 1 on the border to the rest
+    std::vector<std::uint32_t> faces;     ///< their numbers in the surface, ascending
+    std::vector<std::uint32_t> vertices;  ///< the number in the surface of each of its vertices
+};
+
+/// A surface that is cut piece by piece: finding faces and replacing them costs as much as they are many, however
+/// large the surface is. The same operations give the same numbers.   [worker]
+class GrowingSurface {
+public:
+    /// Pre: closed.
+    explicit GrowingSurface(const TaggedMesh& mesh);
+
+    /// Returns all faces whose boxes meet a box, and those that a mesh of them needs to be 2-manifold.
+    [[nodiscard]] SurfacePatch patch_in(const Box& box) const;
+    /// Returns the faces beside a patch that have a vertex on its border.
+    [[nodiscard]] TaggedMesh ring_of(const SurfacePatch& patch) const;
+    /// Puts a mesh in the place of a patch. Vertices at positions of the patch's keep their numbers.
+    /// Pre: it has the patch's border.
+    void replace(const SurfacePatch& patch, const TaggedMesh& mesh);
+
+    [[nodiscard]] std::size_t face_count() const noexcept { return face_count_; }
+    /// The whole surface.
+    [[nodiscard]] TaggedMesh mesh() const;
+
+private:
+    static constexpr std::uint32_t no_face = 0xffffffffu;
+
+    void add_face(const Triangle& corners, std::uint8_t tag);
+    void remove_face(std::uint32_t face);
+    template <class Visit>
+    void for_each_cell(const Box& box, const Visit& visit) const;
+    [[nodiscard]] Box box_of(std::uint32_t face) const noexcept;
+
+    std::vector<Vec3> vertices_;
+    std::vector<std::vector<std::uint32_t>> faces_at_;  ///< of each vertex
+    std::vector<Triangle> faces_;
+    std::vector<std::uint8_t> tags_, is_there_;
+    std::vector<std::uint32_t> free_faces_, free_vertices_;
+    std::size_t face_count_ = 0;
+    Box bounds_{};
+    double cell_ = 1.0;  ///< [m]
+    std::array<std::size_t, 3> cells_{};
+    std::vector<std::vector<std::uint32_t>> in_cell_;
+    mutable std::vector<std::uint32_t> seen_;  ///< of each face: the last search that met it
+    mutable std::uint32_t search_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/remesh/growing_surface.h"
+#include "core/remesh/remesh_request.h"
+
+namespace kerf {
+
+/// Asks a strategy for one result: in this process, or in another.
+using AskStrategy = std::function<RemeshResult(const RemeshRequest&)>;
+
+/// Cuts a surface one stretch after the other, each in the patch that it meets. A result that is refused is requested
+/// again with another nudge; after `most_refusals` the stretch is left out and its box is stale.   [worker]
+class LocalCutting {
+public:
+    static constexpr int most_refusals = 6;
+
+    LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, AskStrategy ask)
+        : surface_(mesh), solids_(std::move(solids)), tolerance_(tolerance), ask_(std::move(ask)) {}
+
+    /// Removes what a tool sweeps on a stretch. Returns whether the surface is what it should be there.
+    bool cut(const CutStretch& stretch);
+
+    [[nodiscard]] const GrowingSurface& surface() const noexcept { return surface_; }
+    [[nodiscard]] double removed() const noexcept { return removed_; }  ///< [m³]
+    [[nodiscard]] int refusals() const noexcept { return refusals_; }
+    /// Where the surface does not show what was cut, and why.
+    struct Stale {
+        Box box{};
+        std::string why;
+    };
+    [[nodiscard]] const std::vector<Stale>& stale() const noexcept { return stale_; }
+
+private:
+    GrowingSurface surface_;
+    std::vector<const ToolSolid*> solids_;
+    double tolerance_;
+    AskStrategy ask_;
+    double removed_ = 0.0;
+    int refusals_ = 0;
+    std::vector<Stale> stale_;
+};
+
+/// A box that holds what a solid sweeps on a stretch, and a little more.   [any] pure.
+[[nodiscard]] Box swept_box(const ToolSolid& solid, const CutStretch& stretch);
+
+}  // namespace kerf
