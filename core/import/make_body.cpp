@@ -203,21 +203,23 @@ public:
         : distance_(&distance),
           progress_(&progress),
           what_(std::move(what)),
-          low_(grid.origin.z),
+          low_(grid.origin),
+          depth_(grid.spacing * brick_edge * grid.bricks[1]),
           height_(grid.spacing * brick_edge * grid.bricks[2]) {}
     [[nodiscard]] double at(Vec3 p, DistanceRange needed) override {
         tell(p.z);
         return distance_->at(p, needed);
     }
     void fill(const BrickLattice& lattice, DistanceRange needed, BrickDistances distances) override {
-        tell(lattice.z.front());
+        const double share_of_layer = (lattice.y.front() - low_.y) / depth_;
+        tell(lattice.z.front() + share_of_layer * (lattice.z.back() - lattice.z.front()));
         distance_->fill(lattice, needed, distances);
     }
 
 private:
     void tell(double z) {
         if (!*progress_) return;
-        const int hundredth = std::clamp(static_cast<int>(100.0 * (z - low_) / height_), 0, 100);
+        const int hundredth = std::clamp(static_cast<int>(100.0 * (z - low_.z) / height_), 0, 100);
         if (hundredth > told_of_ || hundredth + 50 < told_of_ /* begun anew */)
             (*progress_)(0.01 * (told_of_ = hundredth), what_);
     }
@@ -225,7 +227,8 @@ private:
     DistanceSource* distance_;
     const Progress* progress_;
     std::string what_;
-    double low_, height_;
+    Vec3 low_;
+    double depth_, height_;
     int told_of_ = -1;
 };
 

@@ -38,7 +38,7 @@ bool LocalCutting::cut(const CutStretch& stretch) {
         if (result.status == KERF_REMESH_UNCHANGED) return true;
         why = result.status == KERF_OK ? flaw_of_patch(request, result.mesh, surface_.ring_of(patch)) : result.message;
         if (result.status == KERF_OK && why.empty()) {
-            removed_ += signed_volume_of(request.base.mesh) - signed_volume_of(result.mesh.mesh);
+            removed_ += volume_between(result.mesh.mesh, request.base.mesh);
             surface_.replace(patch, result.mesh);
             return true;
         }

@@ -14,4 +14,20 @@ struct TaggedMesh {
     std::vector<std::uint8_t> tags;  ///< of each triangle: KERF_FACE_…
 };
 
+/// Returns the volume between two surfaces with the same border [m³], or the difference of two closed ones; positive
+/// where `outer` is outside.   [any] pure.
+[[nodiscard]] inline double volume_between(const SurfaceMesh& inner, const SurfaceMesh& outer) noexcept {
+    // About one point for both: an open surface alone has no volume.
+    const Vec3 about = outer.vertices.empty() ? Vec3{} : outer.vertices.front();
+    const auto six_volumes = [about](const SurfaceMesh& mesh) {
+        double sum = 0.0;
+        for (const Triangle& t : mesh.triangles) {
+            const auto [a, b, c] = mesh.corners(t);
+            sum += dot(a - about, cross(b - about, c - about));
+        }
+        return sum;
+    };
+    return (six_volumes(outer) - six_volumes(inner)) / 6.0;
+}
+
 }  // namespace kerf

@@ -34,15 +34,16 @@ public:
             }
     }
 
-    /// In rounds, each over all faces in their order, until nothing changes.
-    void run() {
+    /// In rounds, each over all faces in their order, until nothing changes. Returns whether anything did.
+    bool run() {
         constexpr int most_rounds = 20;
-        bool has_changed = true;
-        for (int round = 0; round < most_rounds && has_changed; ++round) {
-            has_changed = false;
+        for (int round = 0; round < most_rounds; ++round) {
+            bool has_changed = false;
             for (std::uint32_t f = 0; f < faces_.size(); ++f)
                 if (is_there_[f] != 0 && (collapse_shortest(f) || flip_longest(f))) has_changed = true;
+            if (!has_changed) return round > 0;
         }
+        return true;
     }
 
     void write() const {
@@ -175,8 +176,7 @@ private:
 
 void remove_slivers(Triangles& mesh, double width) {
     Mender mender(mesh, width);
-    mender.run();
-    mender.write();
+    if (mender.run()) mender.write();
 }
 
 }  // namespace kerf::remesh_cgal

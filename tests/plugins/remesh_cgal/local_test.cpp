@@ -99,5 +99,97 @@ TEST_F(Local, SurvivesATremblingHand) {
     EXPECT_EQ(pieces_in(saw), 2U);
 }
 
+// ---- where methods fail -------------------------------------------------------------------------------------------
+
+/// One way of sawing that has broken a mesh cutter. The stroke is 0, so that edges are parallel.
+struct Scenario {
+    const char* name;
+    std::vector<CutStretch> cuts;  ///< solid 0: the blade; 1: one 2 µm thinner a side; 2: a drill
+    std::uint32_t pieces;
+    bool is_hollow = false;
+};
+
+std::vector<CutStretch> then(std::vector<CutStretch> a, const std::vector<CutStretch>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+std::vector<CutStretch> with(std::uint16_t solid, std::vector<CutStretch> cuts) {
+    for (CutStretch& cut : cuts) cut.solid = solid;
+    return cuts;
+}
+std::vector<CutStretch> moved(Vec3 by, std::vector<CutStretch> cuts) {
+    for (CutStretch& cut : cuts) {
+        cut.from.position = cut.from.position + by;
+        cut.to.position = cut.to.position + by;
+    }
+    return cuts;
+}
+
+std::vector<Scenario> scenarios() {
+    const auto steps = [](double from, double to, double feed) { return cut_across(0.0, from, to, feed, 0.0); };
+    const auto through = steps(-13.0_mm, 13.0_mm, 1.0_mm), half = steps(-13.0_mm, 0.0, 1.0_mm);
+    const Pose before = blade_at(0.0, -13.0_mm), behind = blade_at(0.0, 13.0_mm);
+    const Vec3 normal = rotate(before.rotation, {0, 1, 0});
+    std::vector<CutStretch> tilting;
+    for (int i = 0; i < 26; ++i) {
+        const auto at = [&](int n) {
+            Pose pose = blade_at(0.0, -13.0_mm + n * 1.0_mm);
+            pose.rotation = pose.rotation * quat_from_rotation_vector({0.004 * n, 0, 0});
+            return pose;
+        };
+        tilting.push_back({at(i), at(i + 1), 0});
+    }
+    // The wall of the slot through a vertex of the mesh near its middle
+    const SurfaceMesh bone = bent_bone(8000.0);
+    Vec3 vertex = bone.vertices.front();
+    for (const Vec3 v : bone.vertices)
+        if (length(v) < length(vertex)) vertex = v;
+    const Vec3 onto = dot(vertex - before.position, normal) * normal - 0.2_mm * normal;
+    const Pose drill{{0, 3.0_mm, 12.0_mm}, quat_between({0, 0, 1}, {0, 0, -1})};
+    const std::vector<CutStretch> at_once{{before, behind, 0}}, back{{behind, before, 0}};
+    const std::vector<CutStretch> hole{{drill, {{0, 3.0_mm, -12.0_mm}, drill.rotation}, 2}};
+    const auto nearly = steps(-13.0_mm, -2.0_mm, 1.0_mm);
+    return {
+        {"flush steps", through, 2},
+        {"one step", at_once, 2},
+        {"the same pass twice", then(through, through), 2},
+        {"withdrawn, and over the whole depth again", then(half, at_once), 2},
+        {"again with a thinner blade", then(half, with(1, through)), 2},
+        {"again 0.13 mm beside", then(half, moved(0.13_mm * normal, through)), 2},
+        {"there and back", then(through, back), 2},
+        {"50 steps of 0.01 mm", then(nearly, steps(-2.0_mm, -1.5_mm, 0.01_mm)), 1},
+        {"20 steps of 0.001 mm", then(nearly, steps(-2.0_mm, -1.98_mm, 0.001_mm)), 1},
+        {"grazing", steps(-13.0_mm, -5.9_mm, 0.05_mm), 1},
+        {"through a thin shell", through, 2, true},
+        {"through a drilled hole", then(hole, through), 2},
+        {"a blade that tilts", tilting, 2},
+        {"a wall of 1e-6 mm between two slots", then(through, moved((0.4_mm + 1e-9) * normal, through)), 3},
+        {"a wall through a vertex", moved(onto, through), 2},
+    };
+}
+
+/// A bone and its copy 0.3 mm inside it, or nearly so, inside out.
+SurfaceMesh hollow(const SurfaceMesh& bone) {
+    SurfaceMesh inner = bone;
+    for (Vec3& v : inner.vertices) v = {0.99 * v.x, 0.965 * (v.y - 2.0_mm) + 2.0_mm, 0.965 * v.z};
+    return test::together(bone, test::turned(inner));
+}
+
+class LocalScenarios : public Local, public testing::WithParamInterface<std::size_t> {};
+
+TEST_P(LocalScenarios, StayClosedAndFreeOfCrossings) {
+    const Scenario scenario = scenarios()[GetParam()];
+    const TaggedMesh bone = tagged(scenario.is_hollow ? hollow(bent_bone(8000.0)) : bent_bone(8000.0));
+    const ToolSolid blade = slot_blade(), thinner = ToolSolid::prism(slot_blade().outline(), 0.396_mm),
+                    drill({{0.0, 2.0_mm}, {-1.0_mm, 2.0_mm}});
+    LocalCutting saw(bone, {&blade, &thinner, &drill}, 20e-6,
+                     [](const RemeshRequest& request) { return remesh_here(*module()->find("local"), request); });
+    for (const CutStretch& cut : scenario.cuts) saw.cut(cut);
+    EXPECT_EQ(flaw_of(bone, saw), "") << scenario.name;
+    EXPECT_EQ(pieces_in(saw), scenario.is_hollow ? 2U : scenario.pieces) << scenario.name;
+    RecordProperty("refusals", saw.refusals());
+}
+INSTANTIATE_TEST_SUITE_P(, LocalScenarios, testing::Range<std::size_t>(0, 15));
+
 }  // namespace
 }  // namespace kerf

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact surfaces, on one thread: what a step of a saw costs, with the host's checks, in meshes of any size.
+//
+//     steps      a blade that leaves 0.4 mm, 34 mm wide, in steps of 0.1 mm with a stroke of 3 mm, from 8 mm deep on.
+//                local: the strategy of that name, the patch cut out and put back, all checks. asked: of that the
+//                strategy alone. whole: all of the mesh through CGAL's corefinement with rounded points for each step,
+//                its parts tapered alike, without any check
+//     cut        what one slot takes as a whole: `exact` once, `local` step by step; volume against `exact`
+//     long       four slots in 2000 steps of 0.05 mm: median of the first and of the last tenth, faces, pieces
+//     picture    wire-frame of a slot, to FILE.svg
+//     coplanar   random cuts with walls through vertices, in the plane of faces, or along an old cut: how many end
+//                closed and free of crossings
+//
+// Usage: bench_remesh [steps|cut|long|coplanar COUNT|picture FILE.svg]. Without arguments: all but the picture,
+// coplanar with 200 cases. Times on the processor, so that what else the machine does is not counted.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/import/surface/edges.h"
+#include "core/remesh/accept.h"
+#include "core/remesh/local_cutting.h"
+#include "core/remesh/remesh_module.h"
+#include "studies/times.h"
+#include "tests/support/sawn_tube.h"
+
+namespace {
+
+using namespace kerf;
+using namespace literals;
+using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
+
+std::unique_ptr<RemeshModule> module;
+
+TaggedMesh tagged(SurfaceMesh mesh) {
+    TaggedMesh all{std::move(mesh), {}};
+    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
+    return all;
+}
+
+RemeshResult ask(const char* strategy, const RemeshRequest& request) {
+    return remesh_here(*module->find(strategy), request);
+}
+
+double percentile(std::vector<double> times, double share) {
+    std::sort(times.begin(), times.end());
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+}
+
+std::string flaw_of(const TaggedMesh& base, const LocalCutting& cutting) {
+    for (const auto& stale : cutting.stale()) return stale.why;
+    RemeshRequest request;
+    request.base = base;
+    return flaw_of_result(request, cutting.surface().mesh());
+}
+
+void steps() {
+    const ToolSolid blade = slot_blade();
+    std::printf("steps of 0.1 mm                 ms a step\n");
+    std::printf("%10s  %8s %8s  %8s  %8s %8s  %6s  %s\n", "triangles", "local", "p99", "asked", "whole", "p99", "ratio",
+                "refused");
+    for (const double size : {5e3, 8e3, 20e3, 80e3, 200e3, 320e3}) {
+        const TaggedMesh bone = tagged(bent_bone(size));
+        std::vector<double> local, asked, whole;
+        double in_strategy = 0.0;
+        LocalCutting saw(bone, {&blade}, 20e-6, [&](const RemeshRequest& request) {
+            RemeshResult result;
+            in_strategy += processor_time_of([&] { result = ask("local", request); });
+            return result;
+        });
+        RemeshRequest request;
+        request.base = bone;
+        request.solids = {&blade};
+        const auto all = cut_across(0.0, -13.0_mm, 0.0, 0.1_mm, 3.0_mm);
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            in_strategy = 0.0;
+            const double time = processor_time_of([&] { saw.cut(all[n]); });
+            if (n < 50) continue;  // in the air
+            local.push_back(time);
+            asked.push_back(in_strategy);
+        }
+        request.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, -8.0_mm), 0}};
+        if (RemeshResult begun = ask("whole_rounded", request); begun.status == KERF_OK)
+            request.base = std::move(begun.mesh);
+        const std::size_t count = size > 50e3 ? 15 : 40;
+        for (std::size_t n = 50; n < 50 + count; ++n) {
+            request.cuts = {all[n]};
+            RemeshResult result;
+            whole.push_back(processor_time_of([&] { result = ask("whole_rounded", request); }));
+            if (result.status == KERF_OK) request.base = std::move(result.mesh);
+        }
+        const double ours = times_of(local).median, theirs = times_of(whole).median;
+        std::printf("%10zu  %8.1f %8.1f  %8.1f  %8.1f %8.1f  %6.1f  %d\n", bone.tags.size(), 1e-3 * ours,
+                    1e-3 * percentile(local, 0.99), 1e-3 * times_of(asked).median, 1e-3 * theirs,
+                    1e-3 * percentile(whole, 0.99), theirs / ours, saw.refusals());
+    }
+}
+
+void cut() {
+    const ToolSolid blade = slot_blade();
+    const TaggedMesh bone = tagged(bent_bone(80e3));
+    RemeshRequest request;
+    request.base = bone;
+    request.solids = {&blade};
+    request.cuts = {{blade_at(0.0, -13.0_mm), blade_at(0.0, 13.0_mm), 0}};
+    RemeshResult exact;
+    const double exact_time = processor_time_of([&] { exact = ask("exact", request); });
+    const double volume = signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh);
+    std::printf("\none slot through %zu triangles\n%-24s %10s %12s %10s\n", bone.tags.size(), "", "ms", "removed, mm3",
+                "error");
+    std::printf("%-24s %10.0f %12.4f\n", "exact, at once", 1e-3 * exact_time, 1e9 * volume);
+    for (const double feed : {2.0_mm, 0.5_mm, 0.1_mm}) {
+        LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+        const double time = processor_time_of([&] {
+            for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, feed, 0.0)) saw.cut(step);
+        });
+        std::printf("local, steps of %3.1f mm    %10.0f %12.4f %9.4f %%  %s\n", 1e3 * feed, 1e-3 * time,
+                    1e9 * saw.removed(), 100.0 * (saw.removed() / volume - 1.0), flaw_of(bone, saw).c_str());
+    }
+}
+
+void long_run() {
+    const ToolSolid blade = slot_blade();
+    const TaggedMesh bone = tagged(bent_bone(80e3));
+    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+    std::vector<double> times;
+    for (const double x : {-15.0_mm, -5.0_mm, 5.0_mm, 15.0_mm})
+        for (const CutStretch& step : cut_across(x, -12.5_mm, 12.5_mm, 0.05_mm, 3.0_mm))
+            times.push_back(processor_time_of([&] { saw.cut(step); }));
+    const std::size_t tenth = times.size() / 10;
+    const double first = times_of({times.begin(), times.begin() + static_cast<std::ptrdiff_t>(tenth)}).median,
+                 last = times_of({times.end() - static_cast<std::ptrdiff_t>(tenth), times.end()}).median;
+    const std::string flaw = flaw_of(bone, saw);
+    const SurfaceMesh mesh = saw.surface().mesh().mesh;
+    std::printf(
+        "\n%zu steps of 0.05 mm in four slots: first tenth %.1f ms, last %.1f ms, median of all %.1f ms, p99 %.1f ms\n"
+        "%zu faces, then %zu; %u pieces; %d refused; %s\n",
+        times.size(), 1e-3 * first, 1e-3 * last, 1e-3 * times_of(times).median, 1e-3 * percentile(times, 0.99),
+        bone.tags.size(), mesh.triangles.size(), pieces_of(mesh, half_edges_of(mesh)).count, saw.refusals(),
+        flaw.empty() ? "closed, no crossings" : flaw.c_str());
+}
+
+void coplanar(int count) {
+    const ToolSolid blade = slot_blade();
+    const TaggedMesh bone = tagged(bent_bone(5e3));
+    std::mt19937 random(11);
+    std::uniform_int_distribution<std::size_t> any_face(0, bone.mesh.triangles.size() - 1);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    int passed[3] = {}, tried[3] = {};
+    for (int n = 0; n < count; ++n) {
+        const int kind = n % 3;
+        const Triangle& face = bone.mesh.triangles[any_face(random)];
+        const auto [a, b, c] = bone.mesh.corners(face);
+        Pose pose = blade_at(a.x, 0.0);
+        if (kind == 1) {  // the blade's side in the plane of a face
+            const Vec3 out = normalized(cross(b - a, c - a));
+            pose.rotation = quat_between(rotate(pose.rotation, {0, 1, 0}), out) * pose.rotation;
+        }
+        const Vec3 normal = rotate(pose.rotation, {0, 1, 0}), way = rotate(pose.rotation, {0, 0, 1});
+        pose.position = pose.position + dot(a - pose.position, normal) * normal - 0.2_mm * normal;
+        const double from = dot(a - pose.position, way) - 3.0_mm, deep = 4.0_mm + 2.0_mm * any(random);
+        const auto at = [&](double depth) { return Pose{pose.position + depth * way, pose.rotation}; };
+        LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+        saw.cut({at(from), at(from + deep), 0});
+        if (kind == 2) {  // again along the old cut, deeper
+            saw.cut({at(from), at(from + deep), 0});
+            saw.cut({at(from), at(from + deep + 1.0_mm), 0});
+        }
+        const std::string flaw = flaw_of(bone, saw);
+        ++tried[kind];
+        passed[kind] += flaw.empty();
+        if (!flaw.empty()) std::printf("  case %d: %s\n", n, flaw.c_str());
+    }
+    std::printf("\n%-32s %4d of %d\n%-32s %4d of %d\n%-32s %4d of %d\n", "walls through vertices", passed[0], tried[0],
+                "sides in the plane of a face", passed[1], tried[1], "along an old cut", passed[2], tried[2]);
+}
+
+/// Faces that look at the viewer, the farthest first, with their edges: bone light, walls blue.
+void picture(const char* file) {
+    const ToolSolid blade = slot_blade();
+    const TaggedMesh bone = tagged(bent_bone(20e3));
+    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 1.0_mm, 0.5_mm, 3.0_mm)) saw.cut(step);
+    const TaggedMesh cut = saw.surface().mesh();
+
+    const Vec3 look = normalized(Vec3{-0.75, -0.2, -0.75}), right = normalized(cross(look, {0, 0, 1})),
+               up = cross(right, look), middle = blade_at(0.0, -4.0_mm).position;
+    struct Drawn {
+        double away;
+        std::size_t face;
+    };
+    std::vector<Drawn> drawn;
+    for (std::size_t f = 0; f < cut.tags.size(); ++f) {
+        const auto [a, b, c] = cut.mesh.corners(cut.mesh.triangles[f]);
+        const Vec3 centre = (a + b + c) / 3.0;
+        if (length(centre - middle) > 12.0_mm || dot(cross(b - a, c - a), look) >= 0.0) continue;
+        drawn.push_back({dot(centre, look), f});
+    }
+    std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.away > b.away; });
+    std::FILE* out = std::fopen(file, "w");
+    if (out == nullptr) {
+        std::fprintf(stderr, "%s cannot be written\n", file);
+        return;
+    }
+    std::fprintf(out,
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-11 -9 22 18\" width=\"1100\" height=\"900\">\n"
+                 "<desc>For training and research; not for diagnosis, planning or deciding treatment</desc>\n"
+                 "<rect x=\"-11\" y=\"-9\" width=\"22\" height=\"18\" fill=\"#fff\"/>\n"
+                 "<g stroke=\"#333\" stroke-width=\"0.02\" stroke-linejoin=\"round\">\n");
+    for (const Drawn& one : drawn) {
+        const auto corners = cut.mesh.corners(cut.mesh.triangles[one.face]);
+        const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const double light = 0.55 + 0.45 * std::max(0.0, -dot(normal, look));
+        const bool is_wall = cut.tags[one.face] != KERF_FACE_SURFACE;
+        const auto shade = [&](double full) { return static_cast<int>(full * light); };
+        std::fprintf(out, "<path fill=\"rgb(%d,%d,%d)\" d=\"", shade(is_wall ? 120 : 240), shade(is_wall ? 170 : 228),
+                     shade(is_wall ? 230 : 205));
+        for (std::size_t i = 0; i < 3; ++i)
+            std::fprintf(out, "%c%.3f %.3f", i == 0 ? 'M' : 'L', 1e3 * dot(corners[i] - middle, right),
+                         -1e3 * dot(corners[i] - middle, up));
+        std::fprintf(out, "z\"/>\n");
+    }
+    std::fprintf(out, "</g>\n</svg>\n");
+    std::fclose(out);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::string error;
+    module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
+    if (module == nullptr) {
+        std::fprintf(stderr, "%s\n", error.c_str());
+        return 2;
+    }
+    std::printf("%s\n\n", module->entry().kernel);
+    const std::string what = argc > 1 ? argv[1] : "";
+    if (what.empty() || what == "steps") steps();
+    if (what.empty() || what == "cut") cut();
+    if (what.empty() || what == "long") long_run();
+    if (what == "picture" && argc > 2) picture(argv[2]);
+    if (what.empty() || what == "coplanar") coplanar(argc > 2 ? std::atoi(argv[2]) : 200);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plugins/remesh_cgal/slivers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/import/surface/edges.h"
+#include "core/remesh/base_mesh.h"
+#include "kerf/units.hpp"
+#include "tests/core/import/surface/shapes.h"
+
+namespace kerf {
+namespace {
+
+using namespace literals;
+using remesh_cgal::Triangles;
+
+Triangles triangles_of(const SurfaceMesh& mesh) {
+    Triangles all;
+    all.vertices = mesh.vertices;
+    for (const Triangle& t : mesh.triangles) {
+        all.triangles.insert(all.triangles.end(), t.begin(), t.end());
+        all.tags.push_back(0);
+    }
+    return all;
+}
+SurfaceMesh mesh_of(const Triangles& all) {
+    SurfaceMesh mesh;
+    mesh.vertices = all.vertices;
+    for (std::size_t f = 0; f < all.tags.size(); ++f)
+        mesh.triangles.push_back({all.triangles[3 * f], all.triangles[3 * f + 1], all.triangles[3 * f + 2]});
+    return mesh;
+}
+double least_height(const SurfaceMesh& mesh) {
+    double least = HUGE_VAL;
+    for (const Triangle& t : mesh.triangles) {
+        const auto [a, b, c] = mesh.corners(t);
+        least = std::min(least, length(cross(b - a, c - a)) / std::max({length(b - a), length(c - b), length(a - c)}));
+    }
+    return least;
+}
+
+TEST(Slivers, LeaveASoundMeshAlone) {
+    const SurfaceMesh sphere = test::sphere(5.0_mm, 3);
+    Triangles mesh = triangles_of(sphere);
+    remesh_cgal::remove_slivers(mesh, 1e-9);
+    EXPECT_EQ(mesh_of(mesh).triangles, sphere.triangles);
+}
+
+/// A cube one of whose faces has a vertex this far from the middle of its diagonal.
+SurfaceMesh with_needle(double off) {
+    SurfaceMesh mesh = test::cube(10.0_mm);
+    // Faces 0 and 1 share the edge 0–3.
+    const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Vec3 across = normalized(mesh.vertices[2] - mesh.vertices[1]);
+    mesh.vertices.push_back(0.5 * (mesh.vertices[0] + mesh.vertices[3]) + off * across);
+    mesh.triangles[0] = {0, 2, n};
+    mesh.triangles.push_back({2, 3, n});
+    mesh.triangles.push_back({0, n, 3});  // the needle
+    return mesh;
+}
+
+TEST(Slivers, FlipAVertexOffItsOppositeSide) {
+    const SurfaceMesh needle = with_needle(1e-11);
+    ASSERT_EQ(flaw_of_base(needle), "");
+    Triangles mesh = triangles_of(needle);
+    remesh_cgal::remove_slivers(mesh, 1e-9);
+    const SurfaceMesh mended = mesh_of(mesh);
+    EXPECT_EQ(flaw_of_base(mended), "");
+    EXPECT_GT(least_height(mended), 1.0_mm);
+    EXPECT_NEAR(signed_volume_of(mended), 1e-6, 1e-15);
+}
+
+TEST(Slivers, CollapseShortEdges) {
+    SurfaceMesh mesh = with_needle(2.0_mm);
+    // Split the new vertex's edge to corner 2 a picometre beside the vertex.
+    const std::uint32_t at = 8, n = 9;
+    mesh.vertices.push_back(mesh.vertices[at] + 1e-12 * normalized(mesh.vertices[2] - mesh.vertices[at]));
+    mesh.triangles[0] = {0, 2, n};
+    const auto second = std::find(mesh.triangles.begin(), mesh.triangles.end(), Triangle{2, 3, at});
+    *second = {2, 3, n};
+    mesh.triangles.push_back({0, n, at});
+    mesh.triangles.push_back({n, 3, at});
+    Triangles all = triangles_of(mesh);
+    remesh_cgal::remove_slivers(all, 1e-9);
+    EXPECT_EQ(all.vertices.size(), 9U);
+    EXPECT_EQ(flaw_of_base(mesh_of(all)), "");
+    EXPECT_NEAR(signed_volume_of(mesh_of(all)), 1e-6, 1e-15);
+}
+
+TEST(Slivers, KeepTheBorderBitForBit) {
+    SurfaceMesh open = test::sphere(5.0_mm, 2);
+    std::erase_if(open.triangles, [&](const Triangle& t) {
+        const auto [a, b, c] = open.corners(t);
+        return a.z + b.z + c.z < 0.0;
+    });
+    drop_unused_vertices(open);
+    // Two border vertices a tenth of a nanometre apart
+    const auto loops = border_loops_of(half_edges_of(open));
+    ASSERT_EQ(loops.size(), 1U);
+    const std::uint32_t one = loops[0].vertices[0], next = loops[0].vertices[1];
+    open.vertices[next] = open.vertices[one] + Vec3{1e-10, 0, 0};
+    Triangles mesh = triangles_of(open);
+    remesh_cgal::remove_slivers(mesh, 1e-9);
+    const auto is_there = [&](Vec3 v) {
+        return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](Vec3 w) { return v == w; });
+    };
+    for (const std::uint32_t v : loops[0].vertices) EXPECT_TRUE(is_there(open.vertices[v]));
+}
+
+}  // namespace
+}  // namespace kerf
