@@ -82,7 +82,7 @@ std::string json_of(const ExactSurface& made, const std::string& strategy, const
                                      {"refused_attempts", made.refusals},
                                      {"pieces", pieces},
                                      {"notes", made.notes}};
-    return printable_json(all.dump(2)) + "\n";
+    return printable_json(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 void print_table(const ExactSurface& made, double seconds) {
@@ -118,6 +118,7 @@ public:
         StillWorking sign_of_life("making the exact surface");
         ExactOptions options;
         options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
+        options.is_cancelled = [&] { return interruption_->has_come(); };
         made = exact_surface(*scene_, simulation, *child_, options);
         return {};
     }
@@ -190,7 +191,8 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
     if (!outcome.error.empty()) return complain(outcome.error, outcome.is_bad_input ? exit_bad_input : exit_fault);
     if (interruption.has_come()) return complain("interrupted; nothing is written", exit_fault);
     if (!recorded->hash.empty() && recorded->hash != hex16(outcome.summary.hash))
-        return complain(line.source + ": its replay did not end in the same bits, so its cuts are not to be believed.",
+        return complain(line.source + ": the replay hash differs: got " + hex16(outcome.summary.hash) + ", expected " +
+                            recorded->hash + ". The recorded cuts cannot be used.",
                         exit_fault);
     const ExactSurface& made = remesher.made;
     if (!made.error.empty()) {

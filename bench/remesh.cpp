@@ -183,16 +183,17 @@ void coplanar(int count) {
                 "sides in the plane of a face", passed[1], tried[1], "along an old cut", passed[2], tried[2]);
 }
 
-/// Faces that look at the viewer, the farthest first, with their edges: bone light, walls blue.
+/// One half of a bone that was parted, onto its wall: faces that look at the viewer, the farthest first, with their
+/// edges; bone light, the wall blue.
 void picture(const char* file) {
     const ToolSolid blade = slot_blade();
     const TaggedMesh bone = tagged(bent_bone(20e3));
     LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
-    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 1.0_mm, 0.5_mm, 3.0_mm)) saw.cut(step);
+    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 1.0_mm, 3.0_mm)) saw.cut(step);
     const TaggedMesh cut = saw.surface().mesh();
-
-    const Vec3 look = normalized(Vec3{-0.75, -0.2, -0.75}), right = normalized(cross(look, {0, 0, 1})),
-               up = cross(right, look), middle = blade_at(0.0, -4.0_mm).position;
+    const Vec3 normal_of_slot = rotate(blade_at(0.0, 0.0).rotation, {0, 1, 0}), middle = blade_at(0.0, 2.0_mm).position;
+    const Vec3 look = normalized(normal_of_slot + Vec3{0, 0.55, -0.5}), right = normalized(cross(look, {0, 0, 1})),
+               up = cross(right, look);
     struct Drawn {
         double away;
         std::size_t face;
@@ -201,7 +202,9 @@ void picture(const char* file) {
     for (std::size_t f = 0; f < cut.tags.size(); ++f) {
         const auto [a, b, c] = cut.mesh.corners(cut.mesh.triangles[f]);
         const Vec3 centre = (a + b + c) / 3.0;
-        if (length(centre - middle) > 12.0_mm || dot(cross(b - a, c - a), look) >= 0.0) continue;
+        if (dot(centre - middle, normal_of_slot) < 0.0 || length(centre - middle) > 16.0_mm ||
+            dot(cross(b - a, c - a), look) >= 0.0)
+            continue;
         drawn.push_back({dot(centre, look), f});
     }
     std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.away > b.away; });
@@ -211,9 +214,9 @@ void picture(const char* file) {
         return;
     }
     std::fprintf(out,
-                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-11 -9 22 18\" width=\"1100\" height=\"900\">\n"
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-13 -10 19 17\" width=\"570\" height=\"510\">\n"
                  "<desc>For training and research; not for diagnosis, planning or deciding treatment</desc>\n"
-                 "<rect x=\"-11\" y=\"-9\" width=\"22\" height=\"18\" fill=\"#fff\"/>\n"
+                 "<rect x=\"-13\" y=\"-10\" width=\"19\" height=\"17\" fill=\"#fff\"/>\n"
                  "<g stroke=\"#333\" stroke-width=\"0.02\" stroke-linejoin=\"round\">\n");
     for (const Drawn& one : drawn) {
         const auto corners = cut.mesh.corners(cut.mesh.triangles[one.face]);

@@ -57,7 +57,6 @@ std::vector<Part> parts_of(const TaggedMesh& whole) {
     const Pieces pieces = pieces_of(whole.mesh, half_edges_of(whole.mesh));
     std::vector<Part> parts(pieces.count);
     std::vector<std::uint32_t> numbers(whole.mesh.vertices.size(), 0);
-    for (std::uint32_t n = 0; n < pieces.count; ++n) parts[n].mesh.mesh.vertices = {};
     // A vertex belongs to one part: parts that share one would be pinched, which no accepted mesh is.
     std::vector<bool> is_taken(whole.mesh.vertices.size(), false);
     for (std::size_t f = 0; f < whole.mesh.triangles.size(); ++f) {
@@ -86,16 +85,29 @@ void append(const TaggedMesh& more, TaggedMesh& mesh) {
     mesh.tags.insert(mesh.tags.end(), more.tags.begin(), more.tags.end());
 }
 
-/// The fraction of a part's vertices that lie within a voxel and a half of a body's present surface.
-double fraction_on(const Part& part, const Body& bone, const CutField& cut) {
+/// A body of bone at the end, and the records that made it what it is.
+struct Remains {
+    std::size_t body;
+    std::vector<CutRecord> records;
+};
+
+/// The fraction of a part's vertices, as far as the field reaches, that lie within a voxel and a half of the present
+/// surface of any of some bodies; nothing where the field reaches none.
+std::optional<double> fraction_on(const Part& part, const Body& bone, const PresentBone& present,
+                                  const std::vector<Remains>& bodies) {
     const double near = 1.5 * bone.grid().spacing;
-    std::size_t on = 0;
+    std::size_t on = 0, all = 0;
     for (const Vec3 v : part.mesh.mesh.vertices) {
-        const BrickPlace place = locate(bone.grid(), v);
-        const double distance = std::max(uncut_distance(bone, place), cut.at(place));
-        on += std::abs(distance) <= near;
+        const BrickPlace place = locate(bone, v);
+        if (!place.is_inside || !bone.region.contains(v)) continue;
+        ++all;
+        const double uncut = uncut_distance(bone, place);
+        on += std::any_of(bodies.begin(), bodies.end(), [&](const Remains& one) {
+            return std::abs(std::max(uncut, present.cut(one.body).at(place))) <= near;
+        });
     }
-    return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(part.mesh.mesh.vertices.size(), 1));
+    if (all == 0) return std::nullopt;
+    return static_cast<double>(on) / static_cast<double>(all);
 }
 
 double wall_area_of(const TaggedMesh& mesh) {
@@ -111,12 +123,6 @@ double wall_area_of(const TaggedMesh& mesh) {
 bool are_equal(const CutRecord& a, const CutRecord& b) {
     return a.sequence == b.sequence && a.tick == b.tick && a.body == b.body && a.solid == b.solid;
 }
-
-/// A body of bone at the end, and the records that made it what it is.
-struct Remains {
-    std::size_t body;
-    std::vector<CutRecord> records;
-};
 
 /// The bodies that are left, by the bone that they were part of.
 std::vector<std::pair<const Body*, std::vector<Remains>>> remains_of(const Simulation& simulation) {
@@ -213,6 +219,7 @@ public:
         const double apart = bone_->grid().spacing;
         request.cuts =
             without_covered(stretches_of(now, *solids_, options_->tolerance), *solids_, options_->tolerance, apart);
+        if (request.base.mesh.triangles.empty()) request.cuts.clear();
         made_->records += now.size();
         made_->stretches += request.cuts.size();
         std::optional<TaggedMesh> cut = request.cuts.empty()                   ? std::move(request.base)
@@ -240,6 +247,7 @@ private:
                                         std::to_string(request.cuts.size()) + " straight stretches");
         std::string why;
         for (int n = 0; n <= most_refusals; ++n) {
+            if (is_cancelled()) return cancelled();
             request.nudge_seed = static_cast<std::uint64_t>(n);
             RemeshResult result = child_->remesh(request, options_->limit);
             if (result.status == KERF_REMESH_UNCHANGED) return request.base;
@@ -247,7 +255,7 @@ private:
             if (result.status == KERF_OK && why.empty()) return std::move(result.mesh);
             ++made_->refusals;
             made_->notes.push_back("Attempt " + std::to_string(n + 1) + " was refused: " + why + ".");
-            if (!child_->is_running()) break;
+            if (!child_->is_running() || result.status == KERF_REMESH_CANCELLED) break;
         }
         made_->error = "no exact surface could be made: " + why + ".";
         return std::nullopt;
@@ -261,17 +269,15 @@ private:
             if (options_->progress)
                 options_->progress(static_cast<double>(n) / static_cast<double>(request.cuts.size()),
                                    "cutting along " + std::to_string(request.cuts.size()) + " straight stretches");
-            cutting.cut(request.cuts[n]);
+            if (is_cancelled() || !cutting.cut(request.cuts[n])) break;
         }
+        if (is_cancelled()) return cancelled();
         made_->refusals += cutting.refusals();
         TaggedMesh mesh = cutting.surface().mesh();
         const std::string flaw = cutting.stale().empty() ? flaw_of_result(request, mesh) : std::string();
         if (cutting.stale().empty() && flaw.empty()) return mesh;
         made_->error = "no exact surface could be made: " +
-                       (flaw.empty() ? std::to_string(cutting.stale().size()) +
-                                           " stretches could not be cut, the first: " + cutting.stale().front().why
-                                     : flaw) +
-                       ".";
+                       (flaw.empty() ? "a stretch could not be cut: " + cutting.stale().front().why : flaw) + ".";
         return std::nullopt;
     }
 
@@ -281,16 +287,18 @@ private:
                    std::vector<TaggedMesh>& meshes) {
         std::size_t nearest = 0;
         double most = 0.0;
+        bool is_beyond_the_field = true;
         for (std::size_t g = 0; g < groups.size(); ++g) {
-            double on = 0.0;
-            for (const Remains& one : groups[g]) on += fraction_on(part, *bone_, present_->cut(one.body));
-            if (on > most) {
-                most = on;
-                nearest = g;
-            }
+            const auto on = fraction_on(part, *bone_, *present_, groups[g]);
+            if (!on) continue;
+            is_beyond_the_field = false;
+            if (*on <= most) continue;
+            most = *on;
+            nearest = g;
         }
+        // What the field does not reach was cut by nothing and belongs to what was there first.
         const bool is_cut_further = groups[nearest].front().records.size() > common;
-        if (most > (is_cut_further ? 0.0 : 0.5)) {
+        if (is_beyond_the_field || most > (is_cut_further ? 0.0 : 0.5)) {
             append(part.mesh, meshes[nearest]);
             return;
         }
@@ -307,6 +315,12 @@ private:
             made_->notes.push_back("Body " + std::to_string(body) + ", " + text_of(piece.field_volume) +
                                    " in the field, has no part of the mesh.");
         made_->pieces.push_back(std::move(piece));
+    }
+
+    [[nodiscard]] bool is_cancelled() const { return options_->is_cancelled && options_->is_cancelled(); }
+    std::optional<TaggedMesh> cancelled() {
+        made_->error = "interrupted.";
+        return std::nullopt;
     }
 
     const PresentBone* present_;
@@ -341,6 +355,10 @@ ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, Rem
         made.removed -= piece.volume;
         made.field_removed -= piece.field_volume;
     }
+    made.removed -= made.crumb_volume;
+    if (std::abs(made.removed - made.field_removed) > made.allowed)
+        made.notes.push_back("Mesh and field differ by more than the field explains: the mesh lost " +
+                             text_of(made.removed) + ", the field " + text_of(made.field_removed) + ".");
     made.digest = digest_of(made.pieces);
     return made;
 }

@@ -42,7 +42,8 @@ struct ExactSurface {
 struct ExactOptions {
     double tolerance = 20e-6;  ///< [m] that a straight stretch may be off the recorded path
     std::chrono::milliseconds limit = std::chrono::minutes(5);  ///< for one answer
-    std::function<void(double fraction, const std::string& what)> progress;
+    std::function<void(double fraction, const std::string& what)> progress{};
+    std::function<bool()> is_cancelled{};  ///< asked before each request
 };
 
 /// Makes the exact surface of what a run has left: the anatomy's own surface, or the field's where the anatomy has

@@ -22,13 +22,10 @@ public:
         std::swap(count_, other.count_);
         return *this;
     }
-    /// Link by link: a chain of shared pointers that goes at once would go as deep into the stack as it is long.
-    ~CutHistory() {
-        while (last_ != nullptr && last_.use_count() == 1) last_ = std::move(last_->before);
-    }
+    ~CutHistory() = default;
 
     void push(const CutRecord& record) {
-        last_ = std::make_shared<Link>(Link{record, std::move(last_)});
+        last_ = std::make_shared<Link>(record, std::move(last_));
         ++count_;
     }
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
@@ -44,6 +41,14 @@ private:
     struct Link {
         CutRecord record;
         std::shared_ptr<Link> before;
+
+        Link(const CutRecord& one, std::shared_ptr<Link> earlier) : record(one), before(std::move(earlier)) {}
+        Link(const Link&) = delete;
+        Link& operator=(const Link&) = delete;
+        /// Link by link: a chain that goes at once would go as deep into the stack as it is long.
+        ~Link() {
+            while (before != nullptr && before.use_count() == 1) before = std::move(before->before);
+        }
     };
     std::shared_ptr<Link> last_;
     std::size_t count_ = 0;

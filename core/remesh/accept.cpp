@@ -10,6 +10,7 @@
 #include "core/import/surface/crossings.h"
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/edges.h"
+#include "core/import/surface/orient3d.h"
 
 namespace kerf {
 namespace {
@@ -42,10 +43,40 @@ std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& 
     return flaw;
 }
 
-/// Whether two corners of a face are one point.
+/// Whether the corners of a face lie on one line, exactly.
 bool is_collapsed(const SurfaceMesh& mesh, const Triangle& t) {
     const auto [a, b, c] = mesh.corners(t);
-    return a == b || b == c || c == a;
+    return orient2d(a.x, a.y, b.x, b.y, c.x, c.y) == 0 && orient2d(a.y, a.z, b.y, b.z, c.y, c.z) == 0 &&
+           orient2d(a.z, a.x, b.z, b.x, c.z, c.x) == 0;
+}
+
+/// Whether two faces have the same corners, whichever way they look.
+bool has_faces_twice(const SurfaceMesh& mesh) {
+    std::vector<Triangle> sorted = mesh.triangles;
+    for (Triangle& t : sorted) std::sort(t.begin(), t.end());
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+/// Whether an inner edge of a mesh is an edge of the ring too: four faces would have it.
+bool has_edge_of(const TaggedMesh& ring, const SurfaceMesh& mesh, const std::vector<HalfEdge>& edges) {
+    const auto sorted = [](Vec3 a, Vec3 b) { return less(b, a) ? BorderEdge{b, a} : BorderEdge{a, b}; };
+    const auto before = [](const BorderEdge& a, const BorderEdge& b) {
+        return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
+    };
+    std::vector<BorderEdge> beyond;
+    for (const Triangle& t : ring.mesh.triangles) {
+        const auto corners = ring.mesh.corners(t);
+        for (std::size_t i = 0; i < 3; ++i) beyond.push_back(sorted(corners[i], corners[(i + 1) % 3]));
+    }
+    std::sort(beyond.begin(), beyond.end(), before);
+    bool has_one = false;
+    for_each_edge(edges, [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first != 2 || has_one || beyond.empty()) return;
+        const BorderEdge edge = sorted(mesh.vertices[first->low], mesh.vertices[first->high]);
+        has_one = std::binary_search(beyond.begin(), beyond.end(), edge, before);
+    });
+    return has_one;
 }
 
 std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring) {
@@ -85,11 +116,13 @@ std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result
     for (const Triangle& t : mesh.triangles)
         if (is_collapsed(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
 
+    if (has_faces_twice(mesh)) return "a face lies twice";
     const std::vector<HalfEdge> edges = half_edges_of(mesh);
     if (std::string flaw = flaw_of_edges(mesh, edges, border); !flaw.empty()) return flaw;
     if (border_before.empty() && !border.empty())
         return std::to_string(border.size()) + " open edges, the first at " + place_text(border.front().from);
     if (border != border_before) return "its border is another one";
+    if (has_edge_of(ring, mesh, edges)) return "an edge has two faces, and two more beyond the border";
     if (const auto pinched = pinched_vertices_of(mesh, edges); !pinched.empty())
         return "parts only touch in a vertex, at " + place_text(mesh.vertices[pinched.front()]);
     const std::vector<Vec3> vertices = sorted_vertices(mesh);

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Returns why the host does not take a result for a request; empty if it does. Checked are: every edge has two faces
+/// Returns the reason to refuse a result for a request, or an empty text. It checks: every edge has two faces
 /// that run along it in opposite directions, except on the border of the request's mesh, which must come back; no two
 /// faces cross, decided exactly; parts do not touch in a vertex only; no face lies twice; locked vertices came back bit
 /// for bit; vertices lie within the box of a request's whole mesh.   [any] pure.

@@ -17,8 +17,8 @@ namespace kerf {
 /// onto the lattice, by less than `step`.   [any] pure.
 void snap(SurfaceMesh& mesh, double step);
 
-/// Returns what of a surface an exact cut cannot begin with: open or crowded edges, pinched vertices, faces that cross;
-/// empty if it can. For people, with the first position.   [any] pure.
+/// Returns the first flaw of a surface that prevents an exact cut, or an empty text: open or crowded edges, pinched
+/// vertices, faces that cross. For people, with a position.   [any] pure.
 [[nodiscard]] std::string flaw_of_base(const SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -26,11 +26,24 @@ double fraction_at(const ToolSolid& solid, const Pose& from, const Pose& to, con
     return std::clamp(t, 0.0, 1.0);
 }
 
+/// How far from the straight sweep of a solid its turning one may lie [m]: each point goes along an arc, and the hull
+/// of both ends bridges it. Of a turn about its own axis a solid of revolution sees nothing.
+double bulge(const ToolSolid& solid, const Pose& from, const Pose& to) {
+    Quat turn = conjugate(from.rotation) * to.rotation;
+    if (!solid.is_prism()) turn.z = 0.0;
+    const double half_sine = std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z));
+    const double reach = std::hypot(solid.largest_radius(), 0.5 * solid.thickness(), solid.tip_z() - solid.end_z());
+    return half_sine * reach;
+}
+
 /// Whether the poses where records first … last end lie on the straight stretch from the first one's start to the
 /// last one's end, one after the other.
 bool is_straight(const std::vector<CutRecord>& records, std::size_t first, std::size_t last, const ToolSolid& solid,
                  double tolerance) {
     const Pose &from = records[first].from, &to = records[last].to;
+    // Half of the angle times the reach is more than any chord's height over a small turn, and than the overlap of two
+    // ends that cross in their middle.
+    if (first < last && bulge(solid, from, to) > 2.0 * tolerance) return false;
     double reached = 0.0;
     for (std::size_t i = first; i < last; ++i) {
         const double t = fraction_at(solid, from, to, records[i].to);

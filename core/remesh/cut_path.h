@@ -16,8 +16,8 @@ struct CutStretch {
 };
 
 /// Joins records into straight stretches: no point of the solid is farther than `tolerance` [m] from where it was in
-/// the records. A path that turns back starts a new stretch. Records must be in order; what follows no other one starts
-/// a stretch, too.   [any] pure.
+/// the records. Records must be in order. A path that turns back, a record that does not continue the previous one, and
+/// a turn that the hull of both ends would not cover to twice the tolerance start a new stretch.   [any] pure.
 /// @param solids   by the records' numbers
 [[nodiscard]] std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records,
                                                    const std::vector<const ToolSolid*>& solids, double tolerance);

@@ -19,8 +19,8 @@ struct SurfacePatch {
     std::vector<std::uint32_t> vertices;  ///< the number in the surface of each of its vertices
 };
 
-/// A surface that is cut piece by piece: finding faces and replacing them costs as much as they are many, however
-/// large the surface is. The same operations give the same numbers.   [worker]
+/// A surface that is cut piece by piece. The cost of finding and replacing faces depends on their number, not on the
+/// size of the surface. The same operations give the same numbers.   [worker]
 class GrowingSurface {
 public:
     /// Pre: closed.

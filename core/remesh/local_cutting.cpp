@@ -11,8 +11,8 @@
 namespace kerf {
 
 Box swept_box(const ToolSolid& solid, const CutStretch& stretch) {
-    // Polygons of the same area stand out of a circle, by 0.7 % of its radius where they have 16 sides.
-    const double margin = 0.01 * solid.largest_radius() + 1e-5;
+    // Polygons of the same area stand out of a circle, by 1.3 % of its radius where they have 16 sides.
+    const double margin = 0.014 * solid.largest_radius() + 1e-5;
     const ToolSolid::Box from = solid.box(stretch.from), to = solid.box(stretch.to);
     const Vec3 more{margin, margin, margin};
     return {Vec3{std::min(from.low.x, to.low.x), std::min(from.low.y, to.low.y), std::min(from.low.z, to.low.z)} - more,
@@ -43,6 +43,9 @@ bool LocalCutting::cut(const CutStretch& stretch) {
             return true;
         }
         ++refusals_;
+        if (result.status != KERF_REMESH_CANCELLED) continue;
+        why = "the strategy did not end within its time";
+        break;
     }
     stale_.push_back({box, std::move(why)});
     return false;

@@ -15,7 +15,7 @@ inline constexpr int socket_fd = 3, request_fd = 4, result_fd = 5;
 struct Hello {
     std::uint32_t scope = 0;  ///< KERF_REMESH_PATCH or KERF_REMESH_WHOLE; 0: it cannot work
     char fault[500] = {};     ///< then why not; ends with NUL
-    char plugin_id[100] = {}, plugin_version[100] = {}, licence[100] = {}, kernel[200] = {};
+    char plugin_id[100] = {}, plugin_version[100] = {}, kernel[200] = {};
 };
 
 struct Ask {
@@ -27,7 +27,6 @@ struct Ask {
 
 struct Answer {
     std::uint64_t number = 0;
-    std::uint64_t result_used = 0;
     std::int32_t status = KERF_FAILED;
     kerf_remesh_out out{};
 };

@@ -82,7 +82,8 @@ std::string RemeshChild::spawn() {
     sigset_t none;  // a caller that blocks signals must not leave them blocked here
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    posix_spawnattr_setpgroup(&attributes, 0);  // Ctrl-C is for the parent to answer
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
     char* const arguments[] = {program_.program.data(), program_.module.data(), program_.strategy.data(), nullptr};
     const int fault = in_child < 0 || request < 0 || result < 0
                           ? EMFILE

@@ -54,7 +54,6 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy)
         hello.scope = remesher->scope;
         copy_text(hello.plugin_id, module->entry().plugin_id);
         copy_text(hello.plugin_version, module->entry().plugin_version);
-        copy_text(hello.licence, module->entry().licence);
         copy_text(hello.kernel, module->entry().kernel);
     }
     if (!send_packet(hello) || remesher == nullptr) return 1;
@@ -74,7 +73,6 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy)
             from.used = ask.request_used;
             to.used = 64;  // an offset of 0 means none
             answer.status = remesher->remesh(&ask.in, &from, &to, &answer.out, cache);
-            answer.result_used = to.used;
         } else {
             copy_text(answer.out.message, "the shared memory cannot be mapped");
         }

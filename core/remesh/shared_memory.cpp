@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/remesh/shared_memory.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace kerf {
 
-SharedMemory SharedMemory::make(const char* name) { return of(memfd_create(name, MFD_CLOEXEC)); }
+SharedMemory SharedMemory::make(const char* name) {
+    const int fd = memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    // A file that shrinks under a mapping would end whoever reads it.
+    if (fd >= 0) static_cast<void>(fcntl(fd, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_SEAL));
+    return of(fd);
+}
 
 SharedMemory SharedMemory::of(int fd) {
     SharedMemory memory;

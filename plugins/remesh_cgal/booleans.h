@@ -23,8 +23,8 @@ enum class Outcome { cut, unchanged, refused, cancelled };
 
 /// Removes convex parts one after the other from a piece of a mesh, which may have a border. Each part of the surface
 /// between the lines of intersection is kept or dropped as a whole, by on which side of the other surface its faces
-/// begin. Refused: a face of both lies in one plane, or the sides contradict each other. No part may meet the border:
-/// the host gives a margin.   [worker]
+/// begin; long edges of intersection count more. A wrong decision leaves an open or crossing surface, which the host
+/// refuses. No part may meet the border: the host gives a margin.   [worker]
 /// @param is_exact   points are rounded at the end of each part only: slower by far, where rounded ones fail
 [[nodiscard]] Outcome cut_patch(Triangles& patch, const std::vector<ConvexPart>& parts, bool is_exact,
                                 const std::function<bool()>& cancelled, std::string& why);

@@ -112,6 +112,13 @@ private:
         if (both.size() != 2) return false;
         const std::uint32_t second = other_face(face, kept, gone);
         if (second == none) return false;
+        // An edge between two border vertices may be there already, beyond the border.
+        if (is_on_border_[kept] != 0)
+            for (const std::uint32_t v : two)
+                if (v != kept && is_on_border_[v] != 0 && !std::binary_search(one.begin(), one.end(), v)) return false;
+        // A tetrahedron would become two faces back to back.
+        for (const std::uint32_t apex : both)
+            if (at_[apex].size() <= 3) return false;
         drop(face);
         drop(second);
         const std::vector<std::uint32_t> moved = at_[gone];
@@ -143,6 +150,7 @@ private:
         for (const std::uint32_t corner : faces_[other])
             if (corner != a && corner != b) far = corner;
         if (far == none || far == apex || other_face(none, apex, far) != none) return false;  // that edge is there
+        if (is_on_border_[apex] != 0 && is_on_border_[far] != 0) return false;  // it may be, beyond the border
         // A flip must help: else two needles pass one sliver to and fro.
         const double before = height(faces_[other]);
         const Corners first{a, far, apex}, second{far, b, apex};

@@ -114,6 +114,22 @@ TEST(AcceptResult, WantsBorderAndLockedVerticesBackBitForBit) {
     EXPECT_NE(flaw_of_result(request, tagged(smaller)).find("border"), std::string::npos);
 }
 
+TEST(AcceptResult, RefusesAnEdgeThatIsThereBeyondTheBorder) {
+    // Two faces of a square; the ring has the square's other diagonal already.
+    RemeshRequest request;
+    request.base.mesh.vertices = {{0, 0, 0}, {1.0_mm, 0, 0}, {1.0_mm, 1.0_mm, 0}, {0, 1.0_mm, 0}};
+    request.base.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    request.base.tags.assign(2, KERF_FACE_SURFACE);
+    request.locked.assign(4, 1);
+    TaggedMesh flipped = request.base, ring;
+    flipped.mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+    EXPECT_EQ(flaw_of_patch(request, flipped, ring), "");
+    ring.mesh.vertices = {{1.0_mm, 0, 0}, {0, 1.0_mm, 0}, {0.5_mm, 0.5_mm, -3.0_mm}};
+    ring.mesh.triangles = {{0, 1, 2}};
+    ring.tags.assign(1, KERF_FACE_SURFACE);
+    EXPECT_NE(flaw_of_patch(request, flipped, ring).find("beyond the border"), std::string::npos);
+}
+
 // ---- what cuts begin with
 
 TEST(FieldSurface, IsClosedWithTheVolumeOfTheBlock) {
