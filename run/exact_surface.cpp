@@ -91,20 +91,30 @@ struct Remains {
     std::vector<CutRecord> records;
 };
 
-/// The fraction of a part's vertices, as far as the field reaches, that lie within a voxel and a half of the present
-/// surface of any of some bodies; nothing where the field reaches none.
+/// Whether bone of a body lies at one of the eight samples around a point.
+bool touches(const Body& bone, const CutField& cut, Vec3 point) {
+    const Grid& grid = bone.grid();
+    const Vec3 at = (1.0 / grid.spacing) * (point - grid.origin);
+    const int i = static_cast<int>(std::floor(at.x)), j = static_cast<int>(std::floor(at.y)),
+              k = static_cast<int>(std::floor(at.z));
+    for (int n = 0; n < 8; ++n) {
+        const BrickPlace place =
+            locate(grid, grid.sample_position(i + (n & 1), j + (n >> 1 & 1), k + (n >> 2)) + Vec3{1e-9, 1e-9, 1e-9});
+        if (place.is_inside && std::max(uncut_distance(bone, place), cut.at(place)) < 0.0) return true;
+    }
+    return false;
+}
+
+/// The fraction of a part's vertices, as far as the field reaches, that lie beside bone of any of some bodies; nothing
+/// where the field reaches none.
 std::optional<double> fraction_on(const Part& part, const Body& bone, const PresentBone& present,
                                   const std::vector<Remains>& bodies) {
-    const double near = 1.5 * bone.grid().spacing;
     std::size_t on = 0, all = 0;
     for (const Vec3 v : part.mesh.mesh.vertices) {
-        const BrickPlace place = locate(bone, v);
-        if (!place.is_inside || !bone.region.contains(v)) continue;
+        if (!locate(bone.grid(), v).is_inside || !bone.region.contains(v)) continue;
         ++all;
-        const double uncut = uncut_distance(bone, place);
-        on += std::any_of(bodies.begin(), bodies.end(), [&](const Remains& one) {
-            return std::abs(std::max(uncut, present.cut(one.body).at(place))) <= near;
-        });
+        on += std::any_of(bodies.begin(), bodies.end(),
+                          [&](const Remains& one) { return touches(bone, present.cut(one.body), v); });
     }
     if (all == 0) return std::nullopt;
     return static_cast<double>(on) / static_cast<double>(all);
@@ -355,6 +365,10 @@ ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, Rem
         made.removed -= piece.volume;
         made.field_removed -= piece.field_volume;
     }
+    for (const ExactPiece& piece : made.pieces)
+        if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
+            made.error = "body " + std::to_string(piece.body) +
+                         " came apart in the field while a bridge was left in the mesh; this is not handled yet.";
     made.removed -= made.crumb_volume;
     if (std::abs(made.removed - made.field_removed) > made.allowed)
         made.notes.push_back("Mesh and field differ by more than the field explains: the mesh lost " +
