@@ -205,14 +205,38 @@ std::uint64_t digest_of(const std::vector<ExactPiece>& pieces) {
 /// Makes the pieces of one bone.
 class ExactCutting {
 public:
-    ExactCutting(const Simulation& simulation, RemeshChild& child, const Body& bone,
+    /// Pre: `bodies` are all that is left of the bone.
+    ExactCutting(const Simulation& simulation, RemeshChild& child, const Body& bone, std::vector<Remains> bodies,
                  const std::vector<const ToolSolid*>& solids, const ExactOptions& options, ExactSurface& made)
         : present_(&simulation.present()),
           child_(&child),
           bone_(&bone),
+          bodies_(std::move(bodies)),
+          meshes_(bodies_.size()),
           solids_(&solids),
           options_(&options),
           made_(&made) {}
+
+    /// Cuts the bone's uncut surface and adds the pieces. Returns false, with an error, where that fails.
+    bool make_pieces(TaggedMesh uncut) {
+        if (!cut(std::move(uncut), bodies_, 0)) return false;
+        // What a body gets late was cut by another body's records; it lacks those of its own that came after.
+        is_late_ = true;
+        for (std::size_t n = 0; n < late_.size(); ++n) {
+            const Late late = std::move(late_[n]);
+            if (!cut(late.mesh, {bodies_[late.body]}, late.done)) return false;
+        }
+        for (std::size_t n = 0; n < bodies_.size(); ++n) keep(bodies_[n].body, std::move(meshes_[n]));
+        return true;
+    }
+
+private:
+    /// A part that is found to be another body's.
+    struct Late {
+        TaggedMesh mesh;
+        std::size_t body;  ///< number in `bodies_`
+        std::size_t done;  ///< records of that body that it was cut by
+    };
 
     /// Cuts a mesh by what its bodies have in common after their first `done` records, parts it among them, and goes on
     /// with each. Returns false, with an error, where that fails.
@@ -242,14 +266,13 @@ public:
         for (const Part& part : parts_of(*cut)) share_out(part, groups, common, meshes);
         for (std::size_t g = 0; g < groups.size(); ++g) {
             if (groups[g].size() == 1 && groups[g].front().records.size() == common)
-                keep(groups[g].front().body, std::move(meshes[g]));
+                append(meshes[g], meshes_[number_of(groups[g].front())]);
             else if (!this->cut(std::move(meshes[g]), groups[g], common))
                 return false;
         }
         return true;
     }
 
-private:
     /// The strategy's result, as the host takes it; nothing, with an error, where it takes none.
     std::optional<TaggedMesh> cut_by(RemeshRequest& request) {
         if (options_->progress)
@@ -291,8 +314,9 @@ private:
         return std::nullopt;
     }
 
-    /// Gives a part to the group on whose bodies' surfaces most of it lies. A part of a group that is cut further may
-    /// lie on none of them with most of its vertices; one that lies on none at all is a crumb.
+    /// Gives a part to the group on whose bodies' surfaces most of it lies; or, for later, to a body of none of them:
+    /// the field comes apart a little before the mesh does. A part of a group that is cut further may lie on none of
+    /// its bodies with most of its vertices; one that lies on none at all is a crumb.
     void share_out(const Part& part, const std::vector<std::vector<Remains>>& groups, std::size_t common,
                    std::vector<TaggedMesh>& meshes) {
         std::size_t nearest = 0;
@@ -307,13 +331,35 @@ private:
             nearest = g;
         }
         // What the field does not reach was cut by nothing and belongs to what was there first.
+        if (is_beyond_the_field || most > 0.5) {
+            append(part.mesh, meshes[nearest]);
+            return;
+        }
+        if (const auto other = is_late_ ? std::nullopt : body_under(part)) {
+            const auto& records = groups.front().front().records;
+            late_.push_back({part.mesh, *other, std::min(common, common_count({{0, records}, bodies_[*other]}))});
+            return;
+        }
         const bool is_cut_further = groups[nearest].front().records.size() > common;
-        if (is_beyond_the_field || most > (is_cut_further ? 0.0 : 0.5)) {
+        if (most > 0.0 && is_cut_further) {
             append(part.mesh, meshes[nearest]);
             return;
         }
         ++made_->crumbs;
         made_->crumb_volume += part.volume;
+    }
+
+    /// The number in `bodies_` of the one on which most of a part lies.
+    [[nodiscard]] std::optional<std::size_t> body_under(const Part& part) const {
+        for (std::size_t n = 0; n < bodies_.size(); ++n)
+            if (fraction_on(part, *bone_, *present_, {bodies_[n]}).value_or(0.0) > 0.5) return n;
+        return std::nullopt;
+    }
+
+    [[nodiscard]] std::size_t number_of(const Remains& one) const {
+        return static_cast<std::size_t>(
+            std::find_if(bodies_.begin(), bodies_.end(), [&](const Remains& other) { return other.body == one.body; }) -
+            bodies_.begin());
     }
 
     void keep(std::size_t body, TaggedMesh mesh) {
@@ -336,6 +382,10 @@ private:
     const PresentBone* present_;
     RemeshChild* child_;
     const Body* bone_;
+    std::vector<Remains> bodies_;
+    std::vector<TaggedMesh> meshes_;  ///< of each body: what it has so far
+    std::vector<Late> late_;
+    bool is_late_ = false;  ///< no part is handed on twice
     const std::vector<const ToolSolid*>* solids_;
     const ExactOptions* options_;
     ExactSurface* made_;
@@ -354,8 +404,8 @@ ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, Rem
         made.base_volume += signed_volume_of(*base);
         made.field_base_volume += bone_volume(*bone, CutField(*bone, 0));
         std::vector<std::uint8_t> tags(base->triangles.size(), KERF_FACE_SURFACE);
-        ExactCutting cutting(simulation, child, *bone, solids, options, made);
-        if (!cutting.cut({std::move(*base), std::move(tags)}, bodies, 0)) return made;
+        ExactCutting cutting(simulation, child, *bone, bodies, solids, options, made);
+        if (!cutting.make_pieces({std::move(*base), std::move(tags)})) return made;
     }
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
@@ -368,7 +418,7 @@ ExactSurface exact_surface(const Scene& scene, const Simulation& simulation, Rem
     for (const ExactPiece& piece : made.pieces)
         if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
             made.error = "body " + std::to_string(piece.body) +
-                         " came apart in the field while a bridge was left in the mesh; this is not handled yet.";
+                         " came apart in the field while a bridge was left in the mesh, which no later cut removes.";
     made.removed -= made.crumb_volume;
     if (std::abs(made.removed - made.field_removed) > made.allowed)
         made.notes.push_back("Mesh and field differ by more than the field explains: the mesh lost " +
