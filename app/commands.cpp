@@ -45,6 +45,14 @@ namespace kerf {
 
 namespace {
 
+std::string text_of(const ExactRow& exact) {
+    if (!exact.why_not.empty()) return "  no exact surface: " + exact.why_not + "\n";
+    std::size_t triangles = 0;
+    for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
+    return formatted("  exact surface: %zu bodies, %zu triangles, digest %s\n", exact.pieces.size(), triangles,
+                     hex16(exact.digest).c_str());
+}
+
 void print_summary(const RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
@@ -57,6 +65,7 @@ void print_summary(const RunSummary& s) {
     print_metrics(false);
     print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,
                     s.duration, 1.0 / s.force_scale, static_cast<unsigned long long>(s.hash)));
+    if (s.exact) print(text_of(*s.exact));
     print("checks of the simulation:\n");
     print_metrics(true);
 }
@@ -199,6 +208,9 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     }
     if (const std::string refusal = refusal_of_rehearsal(documents->procedure, rehearsal); !refusal.empty())
         return complain(refusal, exit_bad_input);
+    ExactStrategies strategies;  // started while this process has one thread and little memory
+    if (const std::string error = strategies.start(remesh_folders(line), documents->procedure); !error.empty())
+        return complain(error, exit_fault);
     const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);
@@ -210,6 +222,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
     RunRequest request;
     ShownRun shown_run(interruption);
     request.observers = {&shown_run};
+    request.strategies = &strategies;
     request.learner = line.learner;
     request.mode = line.mode;
     request.rehearsal = rehearsal;

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/request_memory.h"
 #include "core/remesh/remesh_channel.h"
 #include "core/remesh/remesh_server.h"
 
@@ -12,5 +13,5 @@ int main(int argc, char** argv) {
         std::fputs("kerf-remesh is started by kerf. Write `kerf remesh SESSION.db`.\n", stderr);
         return 2;
     }
-    return kerf::serve_remeshing(argv[1], argv[2]);
+    return kerf::serve_remeshing(argv[1], argv[2], kerf::begin_request_memory, kerf::end_request_memory);
 }

@@ -2,7 +2,6 @@
 #include "app/remesh_session.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -19,10 +18,12 @@
 #include "core/procedure/printable_lines.h"
 #include "core/procedure/read_procedure.h"
 #include "core/session/content_hash.h"
+#include "core/session/exact_summary.h"
 #include "core/session/recorder.h"
-#include "core/session/stl.h"
 #include "core/session/write_file.h"
-#include "run/exact_surface.h"
+#include "run/exact/exact_files.h"
+#include "run/exact/exact_strategies.h"
+#include "run/exact/exact_surface.h"
 
 namespace kerf {
 namespace {
@@ -45,43 +46,11 @@ std::string shipped_procedure(const CommandLine& line, const PluginRegistry& plu
     return {};
 }
 
-Mesh shown(const TaggedMesh& exact) {
-    Mesh mesh;
-    mesh.vertices = exact.mesh.vertices;
-    mesh.triangles.assign(exact.mesh.triangles.begin(), exact.mesh.triangles.end());
-    return mesh;
-}
-
-std::string file_of(std::size_t body) {
-    return body == 0 ? "bone-exact.stl" : "bone-exact-" + std::to_string(body) + ".stl";
-}
-
-double in_mm3(double volume) { return std::round(volume * 1e13) / 1e4; }
-
 std::string json_of(const ExactSurface& made, const std::string& strategy, const RemeshChild& child) {
-    nlohmann::ordered_json pieces = nlohmann::ordered_json::array();
-    for (const ExactPiece& piece : made.pieces)
-        pieces.push_back({{"body", piece.body},
-                          {"file", file_of(piece.body)},
-                          {"triangles", piece.mesh.mesh.triangles.size()},
-                          {"volume_mm3", in_mm3(piece.volume)},
-                          {"field_volume_mm3", in_mm3(piece.field_volume)},
-                          {"wall_area_mm2", std::round(piece.wall_area * 1e8) / 1e2}});
-    const nlohmann::ordered_json all{{"notice", notice_line},
-                                     {"strategy", strategy},
-                                     {"module", child.plugin()},
-                                     {"kernel", child.kernel()},
-                                     {"digest", hex16(made.digest)},
-                                     {"records", made.records},
-                                     {"stretches", made.stretches},
-                                     {"removed_mm3", in_mm3(made.removed)},
-                                     {"field_removed_mm3", in_mm3(made.field_removed)},
-                                     {"allowed_difference_mm3", in_mm3(made.allowed)},
-                                     {"crumbs", made.crumbs},
-                                     {"crumbs_mm3", in_mm3(made.crumb_volume)},
-                                     {"refused_attempts", made.refusals},
-                                     {"pieces", pieces},
-                                     {"notes", made.notes}};
+    ExactRow row = exact_row(made);
+    row.strategies = {strategy_row(strategy, child)};
+    nlohmann::ordered_json all{{"notice", notice_line}};
+    all.update(exact_summary(row));
     return printable_json(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
@@ -116,10 +85,11 @@ public:
         if (interruption_->has_come()) return {};
         show_work("");
         StillWorking sign_of_life("making the exact surface");
-        ExactOptions options;
-        options.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
-        options.is_cancelled = [&] { return interruption_->has_come(); };
-        made = exact_surface(*scene_, simulation, *child_, options);
+        ExactTools tools = exact_tools(*scene_);
+        tools.strategies.assign(tools.solids.size(), child_);
+        tools.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
+        tools.is_cancelled = [&] { return interruption_->has_come(); };
+        made = exact_surface(*scene_, simulation, std::move(tools));
         return {};
     }
 
@@ -134,14 +104,18 @@ private:
 std::string write_pieces(const std::string& folder, const ExactSurface& made, const std::string& json) {
     MadeFolders folders;
     std::string error = folders.make(folder);
-    for (const ExactPiece& piece : made.pieces)
-        if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));
+    if (error.empty()) error = write_exact_surfaces(folder, made);
     if (error.empty()) error = write_file(folder + "/remesh.json", json);
     if (error.empty()) folders.keep();
     return error;
 }
 
 }  // namespace
+
+RemeshFolders remesh_folders(const CommandLine& line) {
+    const fs::path prefix = fs::path(line.shipped).parent_path().parent_path().parent_path();
+    return {(prefix / "libexec" / "kerf" / "kerf-remesh").string(), (prefix / "lib" / "kerf-remesh").string()};
+}
 
 ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) {
     std::string error;
@@ -159,10 +133,7 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
                         exit_bad_input);
 
     // First, while this process has one thread and little memory.
-    const fs::path prefix = fs::path(line.shipped).parent_path().parent_path().parent_path();
-    const RemeshProgram program{(prefix / "libexec" / "kerf" / "kerf-remesh").string(),
-                                (prefix / "lib" / "kerf-remesh" / "kerf_remesh_cgal.so").string(), line.strategy};
-    const auto child = RemeshChild::start(program, error);
+    const auto child = start_strategy(remesh_folders(line), line.strategy, error);
     if (child == nullptr) return complain(error, exit_fault);
 
     Diagnostics diagnostics;

@@ -3,8 +3,12 @@
 
 #include "app/command_line.h"
 #include "core/plugin/loader.h"
+#include "run/exact/exact_strategies.h"
 
 namespace kerf {
+
+/// Returns where this program's remeshing modules are.   [main]
+[[nodiscard]] RemeshFolders remesh_folders(const CommandLine& line);
 
 /// `kerf remesh SESSION.db`: repeats a session, and makes the exact surface of what it left: bone-exact.stl, one file
 /// for each further piece, and remesh.json.   [main]

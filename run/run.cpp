@@ -10,6 +10,8 @@
 #include "core/field/removed_volume.h"
 #include "core/procedure/quantity.h"
 #include "run/belongings.h"
+#include "run/exact/exact_files.h"
+#include "run/exact/exact_strategies.h"
 #include "run/measure_bone.h"
 #include "run/plate_steps.h"
 #include "run/run_metrics.h"
@@ -121,6 +123,8 @@ Run::Run(const Scene& scene, const RunRequest& request, const Rehearsal& rehears
         if (scene_->tool(step).outline.is_implant()) monitor_.stays(step);
     if (is_replay()) simulation_.replay_adoptions(request_.adoptions);
     before_.begin(simulation_.present());
+    if (request_.strategies != nullptr && request_.strategies->are_any())
+        exact_ = std::make_unique<ExactFollower>(*scene_, request_.strategies->tools(*scene_));
     lead();
 }
 
@@ -161,6 +165,7 @@ bool Run::tick(const DeviceSample& reported) {
 
     if (simulation_.ticks() % volume_interval == 0) removed_ = simulation_.present().removed();
     take_separations(simulation_.ticks() - 1);
+    if (exact_ != nullptr) exact_->follow(simulation_);
     const double now = static_cast<double>(simulation_.ticks() - 1) * Simulation::dt;
     const std::size_t step = monitor_.current();
     observe(handle, now);
@@ -357,12 +362,30 @@ RunOutcome Run::finish() {
     take_separations(simulation_.ticks());  // a tick that never came: a replay takes over what is left at its end too
     hash_.add(simulation_.present().hash());
     measure();
+    if (exact_ != nullptr) finish_exact_surface();
     if (files_ != nullptr) report_progress(1.0, "writing the results");
     for (RunObserver* observer : observers_) {
         const std::string error = observer->on_result(outcome_.summary, simulation_);
         if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
     }
     return std::move(outcome_);
+}
+
+void Run::finish_exact_surface() {
+    const auto is_interrupted = [this] {
+        return std::any_of(observers_.begin(), observers_.end(),
+                           [](RunObserver* observer) { return observer->end() == RunEnd::interrupted; });
+    };
+    const ExactSurface made = exact_->finish(
+        simulation_, [this](double fraction, const std::string& what) { report_progress(fraction, what); },
+        is_interrupted);
+    outcome_.summary.exact = exact_row(made);
+    for (const auto& [id, strategy] : request_.strategies->running())
+        outcome_.summary.exact->strategies.push_back(strategy_row(id, *strategy));
+    for (RunObserver* observer : observers_) {
+        const std::string error = observer->on_exact_surface(made);
+        if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;
+    }
 }
 
 /// A step through a hole of an implant that was refused, or forgotten, is not done.

@@ -13,6 +13,7 @@
 #include "core/session/content_hash.h"
 #include "devices/simulated_hand/simulated_hand.h"
 #include "run/cut_results.h"
+#include "run/exact/exact_follower.h"
 #include "run/hand_inputs.h"
 #include "run/run_procedure.h"
 #include "run/session_files.h"
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] const TickResult& last() const noexcept { return result_; }
     [[nodiscard]] const Simulation& simulation() const noexcept { return simulation_; }
     [[nodiscard]] const StepMonitor& monitor() const noexcept { return monitor_; }
+    /// The exact surface as far as it is made; null: no instrument leaves one.
+    [[nodiscard]] ExactFollower* exact() noexcept { return exact_.get(); }
 
     /// Judges the run and writes its results. Pre: called once.
     [[nodiscard]] RunOutcome finish();
@@ -78,6 +81,7 @@ private:
     [[nodiscard]] std::optional<RunEnd> end_after_tick();
     void miss_implants();
     void measure();
+    void finish_exact_surface();
 
     std::unique_ptr<SessionFiles> files_;  ///< null: nothing is written
     std::vector<RunObserver*> observers_;  ///< the files first, then those of the request
@@ -101,9 +105,10 @@ private:
     RunEnd end_ = RunEnd::time_over;
     std::vector<Pose> world_from_body_;
     double removed_ = 0.0, removed_before_step_ = 0.0;  ///< [m³]
-    std::vector<MetricRow> left_;                       ///< of implants, as their drivers left them
-    double back_ = 0.0;          ///< [m] by which the next tool is drawn back: the driver leaves its implant
-    bool is_tool_left_ = false;  ///< with the implant that it set: a step takes another one
+    std::unique_ptr<ExactFollower> exact_;
+    std::vector<MetricRow> left_;  ///< of implants, as their drivers left them
+    double back_ = 0.0;            ///< [m] by which the next tool is drawn back: the driver leaves its implant
+    bool is_tool_left_ = false;    ///< with the implant that it set: a step takes another one
 };
 
 }  // namespace kerf

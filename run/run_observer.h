@@ -11,6 +11,7 @@
 namespace kerf {
 
 class Simulation;
+struct ExactSurface;
 
 /// Watches a run: its session, a program's progress, a test. The run calls its observers between two ticks, in the
 /// order of the request. An observer may block and allocate.   [main]
@@ -26,6 +27,9 @@ public:
     virtual void on_tick(const TickRow& /*row*/) {}
     /// Receives the fraction of the run that is done [–], and what it does now. Called every 250 ticks, and at the end.
     virtual void on_progress(double /*fraction*/, const std::string& /*what*/) {}
+    /// Receives the exact surface, before the result, where an instrument leaves one.
+    /// Returns what went wrong, for people; empty if nothing did.
+    [[nodiscard]] virtual std::string on_exact_surface(const ExactSurface& /*made*/) { return {}; }
     /// Returns why the run must end after this tick; nothing while it may continue.
     [[nodiscard]] virtual std::optional<RunEnd> end() { return std::nullopt; }
     /// Receives the result and the bone that is left. Returns what went wrong, for people; empty if nothing did.

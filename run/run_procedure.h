@@ -13,6 +13,8 @@
 /// One run in lock-step: the simulated hand, the tick, the record, the verdict.
 namespace kerf {
 
+class ExactStrategies;
+
 struct RunRequest {
     std::string rehearsal;  ///< id; empty: the first
     std::string
@@ -25,6 +27,7 @@ struct RunRequest {
     std::vector<std::pair<std::uint64_t, std::uint32_t>>
         missed;                           ///< of that run: ticks that did not run, and before which one, in order
     std::vector<RunObserver*> observers;  ///< they must outlive the run
+    const ExactStrategies* strategies = nullptr;  ///< of the procedure's instruments, running; null: no exact surface
 };
 
 struct RunOutcome {

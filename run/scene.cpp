@@ -57,15 +57,6 @@ std::optional<Body> plate_body(const Implant& implant, const Procedure& procedur
     return body;
 }
 
-/// Of a tool that some step uses.
-const Instrument& instrument_of(const Scene& scene, std::size_t tool) {
-    const auto step =
-        std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool) - scene.tool_of_step.begin();
-    const std::string& id = scene.procedure.steps[static_cast<std::size_t>(step)].instrument;
-    return *std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
-                         [&](const Instrument& i) { return i.id == id; });
-}
-
 /// The sleeve of a step's instrument, on the step's axis.
 std::optional<Guide> guide_of(const Procedure& procedure, const Step& step, const AxisFrame& frame) {
     const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
@@ -201,6 +192,14 @@ AxisInBone add_frame_of_hole(Scene& scene, const StepHole& hole, Diagnostics& di
 }
 
 }  // namespace
+
+const Instrument& instrument_of(const Scene& scene, std::size_t tool) {
+    const auto step =
+        std::find(scene.tool_of_step.begin(), scene.tool_of_step.end(), tool) - scene.tool_of_step.begin();
+    const std::string& id = scene.procedure.steps[static_cast<std::size_t>(step)].instrument;
+    return *std::find_if(scene.procedure.instruments.begin(), scene.procedure.instruments.end(),
+                         [&](const Instrument& i) { return i.id == id; });
+}
 
 const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy) {
     const auto plane = std::find_if(anatomy.planes.begin(), anatomy.planes.end(),

@@ -48,6 +48,9 @@ struct Scene {
     std::uint64_t anatomy_hash = 0;  ///< of the anatomy's text and its data files
 };
 
+/// Returns the instrument of a tool that some step uses.   [any] pure.
+[[nodiscard]] const Instrument& instrument_of(const Scene& scene, std::size_t tool);
+
 /// Returns the landmark plane of a step; null: it has none.   [any] pure.
 [[nodiscard]] const LandmarkPlane* plane_of(const Step& step, const Anatomy& anatomy);
 

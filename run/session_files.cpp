@@ -9,6 +9,7 @@
 #include "core/session/report.h"
 #include "core/session/stl.h"
 #include "core/session/summary.h"
+#include "run/exact/exact_files.h"
 
 namespace kerf {
 
@@ -95,6 +96,10 @@ void SessionFiles::on_cut(const CutRecord& cut) {
 
 std::optional<RunEnd> SessionFiles::end() {
     return recorder_->wait_for_room() ? std::nullopt : std::optional(RunEnd::unrecorded);
+}
+
+std::string SessionFiles::on_exact_surface(const ExactSurface& made) {
+    return made.error.empty() ? write_exact_surfaces(folder_, made) : std::string();
 }
 
 std::string SessionFiles::on_result(const RunSummary& summary, const Simulation& simulation) {

@@ -26,6 +26,7 @@ public:
     void on_tick(const TickRow& row) override { recorder_->push(row); }
     /// Waits until the session can take more rows. Returns `unrecorded` when its file cannot be written any more.
     [[nodiscard]] std::optional<RunEnd> end() override;
+    [[nodiscard]] std::string on_exact_surface(const ExactSurface& made) override;
     [[nodiscard]] std::string on_result(const RunSummary& summary, const Simulation& simulation) override;
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -30,14 +31,40 @@ public:
     }
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
     /// The oldest first.
-    [[nodiscard]] std::vector<CutRecord> records() const {
-        std::vector<CutRecord> all(count_);
-        std::size_t n = count_;
-        for (const Link* link = last_.get(); link != nullptr; link = link->before.get()) all[--n] = link->record;
+    [[nodiscard]] std::vector<CutRecord> records() const { return records_after({}); }
+    /// Those that came after an earlier history, the oldest first. Pre: `continues(earlier)`.
+    [[nodiscard]] std::vector<CutRecord> records_after(const CutHistory& earlier) const {
+        std::vector<CutRecord> all(count_ - earlier.count_);
+        const Link* link = last_.get();
+        for (std::size_t n = all.size(); n > 0; link = link->before.get()) all[--n] = link->record;
         return all;
     }
+    /// Whether it is what an earlier history became, or that history itself.
+    [[nodiscard]] bool continues(const CutHistory& earlier) const noexcept {
+        return earlier.count_ <= count_ && first(earlier.count_).last_ == earlier.last_;
+    }
+    /// What both begin with.
+    [[nodiscard]] CutHistory common_with(const CutHistory& other) const noexcept {
+        CutHistory mine = first(std::min(count_, other.count_)), theirs = other.first(mine.count_);
+        while (mine.last_ != theirs.last_) {
+            mine = mine.first(mine.count_ - 1);
+            theirs = theirs.first(mine.count_);
+        }
+        return mine;
+    }
+    [[nodiscard]] bool operator==(const CutHistory& other) const noexcept { return last_ == other.last_; }
 
 private:
+    /// Pre: `count` is not more than there are.
+    [[nodiscard]] CutHistory first(std::size_t count) const noexcept {
+        const std::shared_ptr<Link>* link = &last_;
+        for (std::size_t n = count_; n > count; --n) link = &(*link)->before;
+        CutHistory history;
+        history.last_ = *link;
+        history.count_ = count;
+        return history;
+    }
+
     struct Link {
         CutRecord record;
         std::shared_ptr<Link> before;

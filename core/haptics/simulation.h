@@ -71,6 +71,9 @@ public:
     /// Does again what was taken back, until something else is cut. Returns as `undo`.
     std::string redo() { return turn_back(Turn::redo); }
 
+    /// Whether bone was removed since the tool last touched none.
+    [[nodiscard]] bool is_in_a_cut() const noexcept { return scene_.is_in_a_cut(); }
+
     /// Without lag.
     [[nodiscard]] const PresentBone& present() const noexcept { return scene_.bone(); }
     [[nodiscard]] PresentBone& present() noexcept { return scene_.bone(); }

@@ -44,6 +44,7 @@ struct Instrument {
     int hands = 0;                         ///< 1 or 2; 0: as many as the tool asks for
     std::optional<Sleeve> guide{};
     bool is_inserted = false;  ///< `remeshing: insert`: an implant that is released joins the scene as a body
+    std::string remeshing{};   ///< strategy of the exact surface that it leaves: "local"; empty: none
 };
 
 /// A goal or limit on one number: `at_least` and/or `at_most`, SI.

@@ -141,7 +141,9 @@ public:
         const std::string hands = map.word("hands");
         instrument.hands = hands == "one" ? 1 : hands == "two" ? 2 : 0;
         if (const Node* guide = map.find("guide")) instrument.guide = read_guide(*guide);
-        instrument.is_inserted = map.word("remeshing") == "insert";
+        const std::string remeshing = map.word("remeshing");
+        instrument.is_inserted = remeshing == "insert";
+        if (remeshing != "insert" && remeshing != "isosurface") instrument.remeshing = remeshing;
         const Node* parameters = map.find("parameters");
         const Node* drives = map.find("drives");
         if (parameters) read_parameters(*parameters, tool, force, instrument);

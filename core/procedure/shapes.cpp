@@ -141,8 +141,9 @@ const Shape instrument{
         {optional, "parameters", of_kind(Kind::parameters), "Of tool and force; `kerf describe` lists them.",
          "{diameter: 3.2 mm}"},
         {optional, "guide", map(guide), "A sleeve that leads it along the step's axis.", "{bore: 3.4 mm}"},
-        {optional, "remeshing", word({"isosurface", "insert"}),
-         "What the scene shows of it: the surface of the bone that it cuts, or also the implant that it leaves there.",
+        {optional, "remeshing", word({"isosurface", "insert", "local", "exact", "displace"}),
+         "What the scene shows of it: the surface of the field (`isosurface`), also the implant that it leaves "
+         "(`insert`), or an exact surface too, made by this strategy.",
          "insert", "isosurface"},
         {optional, "hands", word({"one", "two"}), "How many hands hold it, if not as many as the tool demands.", "two"},
         {optional, "drives", of_kind(Kind::drives), "The speeds and positions of the tool's drives.",

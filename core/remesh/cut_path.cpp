@@ -56,74 +56,34 @@ bool is_straight(const std::vector<CutRecord>& records, std::size_t first, std::
     return true;
 }
 
-/// Points on the surface of a solid, tool frame, at most `apart` from each other.
-std::vector<Vec3> surface_points(const ToolSolid& solid, double apart) {
-    std::vector<Vec3> points;
-    const auto steps_for = [&](double way) { return std::max(1, static_cast<int>(std::ceil(way / apart))); };
-    const double half = 0.5 * solid.thickness();
-    const auto add_section = [&](double radius, double z, bool is_end) {
-        if (solid.is_prism()) {
-            // The narrow ends and the flat sides; across the whole front and back too.
-            const int across = steps_for(2.0 * radius), through = is_end ? steps_for(2.0 * half) : 1;
-            for (int i = 0; i <= across; ++i)
-                for (int j = 0; j <= through; ++j)
-                    points.push_back({radius * (2.0 * i / across - 1.0), half * (2.0 * j / through - 1.0), z});
-            return;
-        }
-        constexpr double turn = 2.0 * 3.14159265358979323846;
-        const int around = std::max(8, steps_for(turn * radius)), inwards = is_end ? steps_for(radius) : 0;
-        for (int i = 0; i <= inwards; ++i)
-            for (int j = 0; j < around; ++j) {
-                const double r = inwards == 0 ? radius : radius * i / inwards, angle = turn * j / around;
-                points.push_back({r * std::cos(angle), r * std::sin(angle), z});
-            }
-    };
-    const auto& outline = solid.outline();
-    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-        const kerf_profile_point &a = outline[i], &b = outline[i + 1];
-        const int steps = steps_for(std::hypot(b.z - a.z, b.radius - a.radius));
-        for (int step = i == 0 ? 0 : 1; step <= steps; ++step) {
-            const double t = static_cast<double>(step) / steps;
-            const bool is_first = i == 0 && step == 0, is_last = i + 2 == outline.size() && step == steps;
-            add_section(a.radius + t * (b.radius - a.radius), a.z + t * (b.z - a.z), is_first || is_last);
-        }
-    }
-    return points;
-}
-
 }  // namespace
 
-std::vector<CutStretch> without_covered(const std::vector<CutStretch>& stretches,
-                                        const std::vector<const ToolSolid*>& solids, double tolerance, double apart) {
-    std::vector<std::vector<Vec3>> points_of(solids.size());
-    std::vector<CutStretch> kept;
-    std::vector<Sweep> swept;
-    for (const CutStretch& cut : stretches) {
-        const ToolSolid& solid = *solids[cut.solid];
-        std::vector<Vec3>& points = points_of[cut.solid];
-        if (points.empty()) points = surface_points(solid, apart);
-        const double way = largest_motion(solid, cut.from, cut.to);
-        const int poses = std::max(1, static_cast<int>(std::ceil(way / apart)));
-        std::size_t last = 0;  // what covered the last point covers the next one, mostly
-        const auto is_covered = [&](Vec3 p) {
-            if (last < swept.size() && swept[last].holds(p, -tolerance)) return true;
-            for (std::size_t n = swept.size(); n-- > 0;)
-                if (swept[n].holds(p, -tolerance)) {
-                    last = n;
-                    return true;
-                }
-            return false;
-        };
-        bool is_new = false;
-        for (int n = poses; n >= 0 && !is_new; --n) {
-            const Pose pose = between(cut.from, cut.to, static_cast<double>(n) / poses);
-            is_new = !std::all_of(points.begin(), points.end(), [&](Vec3 p) { return is_covered(pose * p); });
-        }
-        if (!is_new) continue;
-        kept.push_back(cut);
-        swept.emplace_back(solid, cut.from, cut.to, std::max(way, 1e-6), 0.0);
+std::optional<CutStretch> StretchJoiner::push(const CutRecord& record) {
+    const ToolSolid& solid = *solids_[record.solid];
+    if (open_.empty()) {
+        open_.push_back(record);
+        return std::nullopt;
     }
-    return kept;
+    const bool continues = follows(record, open_.back(), *solids_[open_.back().solid]);
+    open_.push_back(record);
+    if (continues && largest_motion(solid, open_.front().from, record.to) <= longest_ &&
+        is_straight(open_, 0, open_.size() - 1, solid, tolerance_))
+        return std::nullopt;
+    open_.pop_back();
+    const auto ended = end();
+    open_.push_back(record);
+    return ended;
+}
+
+std::optional<CutStretch> StretchJoiner::open() const {
+    if (open_.empty()) return std::nullopt;
+    return CutStretch{open_.front().from, open_.back().to, open_.front().solid};
+}
+
+std::optional<CutStretch> StretchJoiner::end() {
+    const auto ended = open();
+    open_.clear();
+    return ended;
 }
 
 std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records, const std::vector<const ToolSolid*>& solids,

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/field/cut_field.h"
@@ -22,11 +24,24 @@ struct CutStretch {
 [[nodiscard]] std::vector<CutStretch> stretches_of(const std::vector<CutRecord>& records,
                                                    const std::vector<const ToolSolid*>& solids, double tolerance);
 
-/// Leaves out the stretches that only pass where others, before them, have: on the way back through a slot, or in the
-/// air. Points on the surface of the solid, at most `apart` [m] from each other, are compared with what was swept
-/// before, grown by `tolerance` [m].   [any] pure.
-[[nodiscard]] std::vector<CutStretch> without_covered(const std::vector<CutStretch>& stretches,
-                                                      const std::vector<const ToolSolid*>& solids, double tolerance,
-                                                      double apart);
+/// Joins records as they come, by the same rules; no stretch is longer than `longest`.   [worker]
+class StretchJoiner {
+public:
+    /// @param longest   [m] that any point of the solid moves on one stretch, unless one record is longer
+    StretchJoiner(std::vector<const ToolSolid*> solids, double tolerance, double longest)
+        : solids_(std::move(solids)), tolerance_(tolerance), longest_(longest) {}
+
+    /// Adds a record. Returns the stretch that ends before it, if one does.
+    std::optional<CutStretch> push(const CutRecord& record);
+    /// Returns the stretch that goes on.
+    [[nodiscard]] std::optional<CutStretch> open() const;
+    /// Ends it.
+    std::optional<CutStretch> end();
+
+private:
+    std::vector<const ToolSolid*> solids_;
+    double tolerance_, longest_;
+    std::vector<CutRecord> open_;
+};
 
 }  // namespace kerf

@@ -11,11 +11,6 @@ namespace {
 
 double component(Vec3 v, std::size_t axis) noexcept { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-bool meet(const Box& a, const Box& b) noexcept {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 /// The fans of faces around a vertex: 1 where the surface is a disc there.
 std::size_t fans_at(std::uint32_t vertex, const std::vector<Triangle>& around) {
     // Each face leads from one neighbour of the vertex to the next; a fan is a chain of them.
@@ -37,7 +32,8 @@ std::size_t fans_at(std::uint32_t vertex, const std::vector<Triangle>& around) {
 
 }  // namespace
 
-GrowingSurface::GrowingSurface(const TaggedMesh& mesh) : bounds_(bounds_of(mesh.mesh)) {
+GrowingSurface::GrowingSurface(const TaggedMesh& mesh)
+    : bounds_(mesh.mesh.vertices.empty() ? Box{} : bounds_of(mesh.mesh)) {
     constexpr double faces_a_cell = 4.0, most_cells = 8e6;
     const Vec3 extent = bounds_.high - bounds_.low;
     const double area = area_of(mesh.mesh),
@@ -51,13 +47,14 @@ GrowingSurface::GrowingSurface(const TaggedMesh& mesh) : bounds_(bounds_of(mesh.
         all *= cells_[axis];
     }
     in_cell_.resize(all);
-    vertices_ = mesh.mesh.vertices;
+    for (const Vec3 v : mesh.mesh.vertices) vertices_.push_back(v);
     faces_at_.resize(vertices_.size());
     for (std::size_t f = 0; f < mesh.mesh.triangles.size(); ++f) add_face(mesh.mesh.triangles[f], mesh.tags[f]);
 }
 
 Box GrowingSurface::box_of(std::uint32_t face) const noexcept {
-    const Vec3 a = vertices_[faces_[face][0]], b = vertices_[faces_[face][1]], c = vertices_[faces_[face][2]];
+    const Triangle& t = faces_[face].corners;
+    const Vec3 a = vertices_[t[0]], b = vertices_[t[1]], c = vertices_[t[2]];
     return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
             {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
@@ -80,29 +77,56 @@ void GrowingSurface::add_face(const Triangle& corners, std::uint8_t tag) {
     if (!free_faces_.empty()) {
         face = free_faces_.back();
         free_faces_.pop_back();
-        faces_[face] = corners;
-        tags_[face] = tag;
-        is_there_[face] = 1;
+        faces_.set(face, {corners, tag, 1});
     } else {
-        faces_.push_back(corners);
-        tags_.push_back(tag);
-        is_there_.push_back(1);
+        faces_.push_back({corners, tag, 1});
         seen_.push_back(0);
     }
-    for (const std::uint32_t v : corners) faces_at_[v].push_back(face);
-    for_each_cell(box_of(face), [&](std::size_t cell) { in_cell_[cell].push_back(face); });
+    enter(face);
     ++face_count_;
 }
 
 void GrowingSurface::remove_face(std::uint32_t face) {
+    strike(face);
+    faces_.set(face, {});
+    free_faces_.push_back(face);
+    --face_count_;
+}
+
+void GrowingSurface::enter(std::uint32_t face) {
+    for (const std::uint32_t v : faces_[face].corners) faces_at_[v].push_back(face);
+    for_each_cell(box_of(face), [&](std::size_t cell) { in_cell_[cell].push_back(face); });
+}
+
+void GrowingSurface::strike(std::uint32_t face) {
     const auto drop = [face](std::vector<std::uint32_t>& from) {
         from.erase(std::find(from.begin(), from.end(), face));
     };
     for_each_cell(box_of(face), [&](std::size_t cell) { drop(in_cell_[cell]); });
-    for (const std::uint32_t v : faces_[face]) drop(faces_at_[v]);
-    is_there_[face] = 0;
-    free_faces_.push_back(face);
-    --face_count_;
+    for (const std::uint32_t v : faces_[face].corners) drop(faces_at_[v]);
+}
+
+GrowingSurface::Moment GrowingSurface::moment() {
+    return {vertices_.share(), faces_.share(), face_count_, free_faces_, free_vertices_};
+}
+
+void GrowingSurface::go_back(const Moment& moment) {
+    const std::vector<std::size_t> pages = faces_.differing_pages(moment.faces);
+    const auto for_each_face = [&](const auto& visit) {
+        constexpr std::size_t page_size = PagedVector<Face>::page_size;
+        for (const std::size_t page : pages)
+            for (std::size_t f = page * page_size; f < std::min(faces_.size(), (page + 1) * page_size); ++f)
+                if (faces_[f].is_there != 0) visit(static_cast<std::uint32_t>(f));
+    };
+    for_each_face([this](std::uint32_t face) { strike(face); });
+    vertices_.go_back(moment.vertices);
+    faces_.go_back(moment.faces);
+    faces_at_.resize(vertices_.size());
+    seen_.resize(faces_.size(), 0);
+    for_each_face([this](std::uint32_t face) { enter(face); });
+    face_count_ = moment.face_count;
+    free_faces_ = moment.free_faces;
+    free_vertices_ = moment.free_vertices;
 }
 
 SurfacePatch GrowingSurface::patch_in(const Box& box) const {
@@ -117,23 +141,24 @@ SurfacePatch GrowingSurface::patch_in(const Box& box) const {
         for (const std::uint32_t face : in_cell_[cell])
             if (seen_[face] != search_ && meet(box_of(face), box)) take(face);
     });
-    // Where the border meets itself in a vertex, all around that vertex comes too.
-    for (std::size_t first = 0; first < patch.faces.size();) {
-        const std::size_t last = patch.faces.size();
-        for (; first < last; ++first)
-            for (const std::uint32_t v : faces_[patch.faces[first]]) {
+    // Where the border meets itself in a vertex, all around that vertex comes too. In rounds: what comes must not
+    // depend on the order of the faces.
+    for (std::vector<std::uint32_t> pinched(1); !pinched.empty();) {
+        pinched.clear();
+        for (const std::uint32_t face : patch.faces)
+            for (const std::uint32_t v : faces_[face].corners) {
                 std::vector<Triangle> taken;
-                for (const std::uint32_t face : faces_at_[v])
-                    if (seen_[face] == search_) taken.push_back(faces_[face]);
-                if (taken.size() < faces_at_[v].size() && fans_at(v, taken) > 1)
-                    for (const std::uint32_t face : faces_at_[v]) take(face);
+                for (const std::uint32_t other : faces_at_[v])
+                    if (seen_[other] == search_) taken.push_back(faces_[other].corners);
+                if (taken.size() < faces_at_[v].size() && fans_at(v, taken) > 1) pinched.push_back(v);
             }
-        if (patch.faces.size() > last) first = 0;  // earlier vertices may have two fans now
+        for (const std::uint32_t v : pinched)
+            for (const std::uint32_t face : faces_at_[v]) take(face);
     }
     std::sort(patch.faces.begin(), patch.faces.end());
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
     for (const std::uint32_t face : patch.faces) {
-        Triangle t = faces_[face];
+        Triangle t = faces_[face].corners;
         for (std::uint32_t& corner : t) {
             const auto [place, is_new] = numbers.try_emplace(corner, static_cast<std::uint32_t>(numbers.size()));
             if (is_new) {
@@ -145,7 +170,7 @@ SurfacePatch GrowingSurface::patch_in(const Box& box) const {
             corner = place->second;
         }
         patch.mesh.mesh.triangles.push_back(t);
-        patch.mesh.tags.push_back(tags_[face]);
+        patch.mesh.tags.push_back(faces_[face].tag);
     }
     return patch;
 }
@@ -160,9 +185,9 @@ TaggedMesh GrowingSurface::ring_of(const SurfacePatch& patch) const {
             if (seen_[face] == search_) continue;
             seen_[face] = search_;
             const auto first = static_cast<std::uint32_t>(ring.mesh.vertices.size());
-            for (const std::uint32_t corner : faces_[face]) ring.mesh.vertices.push_back(vertices_[corner]);
+            for (const std::uint32_t corner : faces_[face].corners) ring.mesh.vertices.push_back(vertices_[corner]);
             ring.mesh.triangles.push_back({first, first + 1, first + 2});
-            ring.tags.push_back(tags_[face]);
+            ring.tags.push_back(faces_[face].tag);
         }
     }
     return ring;
@@ -181,7 +206,7 @@ void GrowingSurface::replace(const SurfacePatch& patch, const TaggedMesh& mesh) 
             if (!free_vertices_.empty()) {
                 place->second = free_vertices_.back();
                 free_vertices_.pop_back();
-                vertices_[place->second] = v;
+                vertices_.set(place->second, v);
             } else {
                 place->second = static_cast<std::uint32_t>(vertices_.size());
                 vertices_.push_back(v);
@@ -202,8 +227,8 @@ TaggedMesh GrowingSurface::mesh() const {
     TaggedMesh all;
     std::vector<std::uint32_t> numbers(vertices_.size(), no_face);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-        if (is_there_[f] == 0) continue;
-        Triangle t = faces_[f];
+        if (faces_[f].is_there == 0) continue;
+        Triangle t = faces_[f].corners;
         for (std::uint32_t& corner : t) {
             if (numbers[corner] == no_face) {
                 numbers[corner] = static_cast<std::uint32_t>(all.mesh.vertices.size());
@@ -212,7 +237,7 @@ TaggedMesh GrowingSurface::mesh() const {
             corner = numbers[corner];
         }
         all.mesh.triangles.push_back(t);
-        all.tags.push_back(tags_[f]);
+        all.tags.push_back(faces_[f].tag);
     }
     return all;
 }

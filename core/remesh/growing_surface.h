@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/procedure/solids.h"
+#include "core/remesh/paged_vector.h"
 #include "core/remesh/tagged_mesh.h"
 
 namespace kerf {
@@ -38,19 +39,37 @@ public:
     /// The whole surface.
     [[nodiscard]] TaggedMesh mesh() const;
 
+    struct Face {
+        Triangle corners{};  ///< numbers of vertices
+        std::uint8_t tag = 0, is_there = 0;
+    };
+    /// The surface at one time. It never changes, and shares with others what they have in common: other threads may
+    /// read it.
+    struct Moment {
+        Pages<Vec3> vertices;
+        Pages<Face> faces;  ///< those that are there
+        std::size_t face_count = 0;
+        std::vector<std::uint32_t> free_faces, free_vertices;
+    };
+    [[nodiscard]] Moment moment();
+    /// Makes the surface what it was: what follows gives the same numbers as it would have then. The cost depends on
+    /// the pages of 1024 faces that have changed.
+    void go_back(const Moment& moment);
+
 private:
     static constexpr std::uint32_t no_face = 0xffffffffu;
 
     void add_face(const Triangle& corners, std::uint8_t tag);
     void remove_face(std::uint32_t face);
+    void enter(std::uint32_t face);  ///< into the indices
+    void strike(std::uint32_t face);
     template <class Visit>
     void for_each_cell(const Box& box, const Visit& visit) const;
     [[nodiscard]] Box box_of(std::uint32_t face) const noexcept;
 
-    std::vector<Vec3> vertices_;
+    PagedVector<Vec3> vertices_;
+    PagedVector<Face> faces_;
     std::vector<std::vector<std::uint32_t>> faces_at_;  ///< of each vertex
-    std::vector<Triangle> faces_;
-    std::vector<std::uint8_t> tags_, is_there_;
     std::vector<std::uint32_t> free_faces_, free_vertices_;
     std::size_t face_count_ = 0;
     Box bounds_{};

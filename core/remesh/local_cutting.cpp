@@ -10,16 +10,6 @@
 
 namespace kerf {
 
-Box swept_box(const ToolSolid& solid, const CutStretch& stretch) {
-    // Polygons of the same area stand out of a circle, by 1.3 % of its radius where they have 16 sides.
-    const double margin = 0.014 * solid.largest_radius() + 1e-5;
-    const ToolSolid::Box from = solid.box(stretch.from), to = solid.box(stretch.to);
-    const Vec3 more{margin, margin, margin};
-    return {Vec3{std::min(from.low.x, to.low.x), std::min(from.low.y, to.low.y), std::min(from.low.z, to.low.z)} - more,
-            Vec3{std::max(from.high.x, to.high.x), std::max(from.high.y, to.high.y), std::max(from.high.z, to.high.z)} +
-                more};
-}
-
 bool LocalCutting::cut(const CutStretch& stretch) {
     const Box box = swept_box(*solids_[stretch.solid], stretch);
     const SurfacePatch patch = surface_.patch_in(box);
@@ -49,6 +39,16 @@ bool LocalCutting::cut(const CutStretch& stretch) {
     }
     stale_.push_back({box, std::move(why)});
     return false;
+}
+
+void LocalCutting::give_up(const Box& box, std::string why) {
+    if (!surface_.patch_in(box).faces.empty()) stale_.push_back({box, std::move(why)});
+}
+
+void LocalCutting::go_back(const Moment& moment) {
+    surface_.go_back(moment.surface);
+    removed_ = moment.removed;
+    stale_ = moment.stale;
 }
 
 }  // namespace kerf

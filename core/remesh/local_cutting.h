@@ -8,6 +8,7 @@
 
 #include "core/remesh/growing_surface.h"
 #include "core/remesh/remesh_request.h"
+#include "core/remesh/swept_before.h"
 
 namespace kerf {
 
@@ -25,6 +26,10 @@ public:
 
     /// Removes what a tool sweeps on a stretch. Returns whether the surface is what it should be there.
     bool cut(const CutStretch& stretch);
+    /// Takes another mesh, made by a strategy of another kind.
+    void replace(const TaggedMesh& mesh) { surface_ = GrowingSurface(mesh); }
+    /// Marks a box as stale if a part of the surface lies in it.
+    void give_up(const Box& box, std::string why);
 
     [[nodiscard]] const GrowingSurface& surface() const noexcept { return surface_; }
     [[nodiscard]] double removed() const noexcept { return removed_; }  ///< [m³]
@@ -36,6 +41,16 @@ public:
     };
     [[nodiscard]] const std::vector<Stale>& stale() const noexcept { return stale_; }
 
+    /// Surface and stale boxes at one time.
+    struct Moment {
+        GrowingSurface::Moment surface;
+        double removed = 0.0;  ///< [m³]
+        std::vector<Stale> stale;
+    };
+    [[nodiscard]] Moment moment() { return {surface_.moment(), removed_, stale_}; }
+    /// Makes everything what it was, but for the count of refusals.
+    void go_back(const Moment& moment);
+
 private:
     GrowingSurface surface_;
     std::vector<const ToolSolid*> solids_;
@@ -45,8 +60,5 @@ private:
     int refusals_ = 0;
     std::vector<Stale> stale_;
 };
-
-/// A box that holds what a solid sweeps on a stretch, and a little more.   [any] pure.
-[[nodiscard]] Box swept_box(const ToolSolid& solid, const CutStretch& stretch);
 
 }  // namespace kerf

@@ -42,7 +42,8 @@ void copy_text(char (&to)[N], const char* text) {
 
 }  // namespace
 
-int serve_remeshing(const std::string& module_path, const std::string& strategy) {
+int serve_remeshing(const std::string& module_path, const std::string& strategy, void (*before)() noexcept,
+                    void (*after)() noexcept) {
     be_a_good_child();
     std::string error;
     const auto module = RemeshModule::open(module_path, error);
@@ -72,7 +73,9 @@ int serve_remeshing(const std::string& module_path, const std::string& strategy)
             kerf_arena from = request.arena(), to = result.arena();
             from.used = ask.request_used;
             to.used = 64;  // an offset of 0 means none
+            before();
             answer.status = remesher->remesh(&ask.in, &from, &to, &answer.out, cache);
+            after();
         } else {
             copy_text(answer.out.message, "the shared memory cannot be mapped");
         }

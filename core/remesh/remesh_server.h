@@ -7,6 +7,8 @@ namespace kerf {
 
 /// The whole of `kerf-remesh`: opens a module and answers requests on the descriptors of `remesh_channel` until its
 /// parent has gone. Returns the exit status.   [main]
-int serve_remeshing(const std::string& module, const std::string& strategy);
+/// @param before, after   called around each call of the strategy
+int serve_remeshing(const std::string& module, const std::string& strategy, void (*before)() noexcept,
+                    void (*after)() noexcept);
 
 }  // namespace kerf

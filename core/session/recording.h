@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,30 @@ struct PieceRow {
     bool is_metal = false;
 };
 
+/// The exact surface of a run: what strategies made of its cuts. No part of the replay hash, and of no verdict.
+struct ExactRow {
+    struct Strategy {
+        std::string id, module, kernel;
+    };
+    struct Piece {
+        std::size_t body = 0;
+        std::string file;
+        std::size_t triangles = 0;
+        double volume = 0.0, field_volume = 0.0;                 ///< [m³]
+        std::vector<std::pair<std::string, double>> wall_areas;  ///< [m²] of what tools left, by tissue
+    };
+    std::vector<Strategy> strategies;
+    std::vector<Piece> pieces;               ///< none without a surface
+    std::uint64_t digest = 0;                ///< of all pieces
+    std::string why_not;                     ///< there is no exact surface; for people
+    std::size_t records = 0, stretches = 0;  ///< of the cut log; straight ones that they were joined into
+    double removed = 0.0, field_removed = 0.0, allowed = 0.0;  ///< [m³] by how much they may differ
+    std::size_t crumbs = 0;                                    ///< parts of the mesh in which the field has no body
+    double crumb_volume = 0.0;                                 ///< [m³]
+    int refusals = 0;
+    std::vector<std::string> notes;  ///< for people
+};
+
 enum class Verdict { pass, fail, incomplete, invalid };
 const char* to_text(Verdict verdict) noexcept;
 
@@ -114,6 +139,7 @@ struct RunSummary {
     std::vector<std::string> tissues;
     std::vector<SignalColumn> signals;
     std::vector<std::string> anatomy_notes;  ///< what import did, for people
+    std::optional<ExactRow> exact{};         ///< where an instrument leaves an exact surface
 };
 
 }  // namespace kerf

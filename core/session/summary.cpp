@@ -10,6 +10,7 @@
 #include "core/procedure/plain_numbers.h"
 #include "core/procedure/printable_lines.h"
 #include "core/session/content_hash.h"
+#include "core/session/exact_summary.h"
 #include "core/session/recorder.h"
 
 namespace kerf {
@@ -77,23 +78,24 @@ std::string summary_json(const RunSummary& summary) {
     Json versions = Json::object();
     for (const auto& [part, version] : summary.versions) versions[part] = version;
 
-    const Json document{{"schema", 1},
-                        {"notice", notice_line},
-                        {"procedure", summary.procedure},
-                        {"verdict", to_text(summary.verdict)},
-                        {"reasons", summary.reasons},
-                        {"score", plain_number(summary.score)},
-                        {"duration_s", plain_number(summary.duration)},
-                        {"steps", std::move(steps)},
-                        {"metrics", std::move(metrics)},
-                        {"ticks", summary.ticks},
-                        {"removed_mm3", plain_number(summary.removed * 1e9)},
-                        {"pieces", std::move(pieces)},
-                        {"force_scale", plain_number(summary.force_scale)},
-                        {"hash", hex16(summary.hash)},
-                        {"versions", std::move(versions)},
-                        {"anatomy_notes", summary.anatomy_notes},
-                        {"variant", summary.variant}};
+    Json document{{"schema", 1},
+                  {"notice", notice_line},
+                  {"procedure", summary.procedure},
+                  {"verdict", to_text(summary.verdict)},
+                  {"reasons", summary.reasons},
+                  {"score", plain_number(summary.score)},
+                  {"duration_s", plain_number(summary.duration)},
+                  {"steps", std::move(steps)},
+                  {"metrics", std::move(metrics)},
+                  {"ticks", summary.ticks},
+                  {"removed_mm3", plain_number(summary.removed * 1e9)},
+                  {"pieces", std::move(pieces)},
+                  {"force_scale", plain_number(summary.force_scale)},
+                  {"hash", hex16(summary.hash)},
+                  {"versions", std::move(versions)},
+                  {"anatomy_notes", summary.anatomy_notes},
+                  {"variant", summary.variant}};
+    if (summary.exact) document["exact_surface"] = exact_summary(*summary.exact);
     return printable_json(document.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/field/sweep.h"
+#include "core/remesh/swept_before.h"
 #include "kerf/units.hpp"
 
 namespace kerf {
@@ -50,7 +51,14 @@ std::vector<CutStretch> stretches(const Path& path, double tolerance = 20e-6) {
 }
 std::size_t kept(const Path& path) {
     const ToolSolid solid = blade();
-    return without_covered(stretches_of(path.records, {&solid}, 20e-6), {&solid}, 20e-6, 0.5_mm).size();
+    SweptBefore swept({&solid}, 20e-6, 0.5_mm);
+    std::size_t count = 0;
+    for (const CutStretch& one : stretches_of(path.records, {&solid}, 20e-6)) {
+        if (swept.covers(one)) continue;
+        swept.add(one);
+        ++count;
+    }
+    return count;
 }
 
 TEST(CutPath, JoinsAStraightWay) {
@@ -129,6 +137,63 @@ TEST(CutPath, KeepsWhatGoesDeeperOrAsideByMoreThanTheTolerance) {
     hardly.jump({0, 0.01_mm, 0});
     hardly.to({0, 0.01_mm, -10.0_mm});
     EXPECT_EQ(kept(hardly), 1U);
+}
+
+// ---- as they come -------------------------------------------------------------------------------------------------
+
+std::vector<CutStretch> as_they_come(const Path& path, double longest) {
+    const ToolSolid solid = blade();
+    StretchJoiner joiner({&solid}, 20e-6, longest);
+    std::vector<CutStretch> all;
+    for (const CutRecord& record : path.records)
+        if (const auto ended = joiner.push(record)) all.push_back(*ended);
+    if (const auto ended = joiner.end()) all.push_back(*ended);
+    EXPECT_FALSE(joiner.open().has_value());
+    return all;
+}
+
+TEST(StretchJoiner, EndsAStretchThatWouldBeTooLong) {
+    Path path;
+    path.to({0, 0, -10.0_mm});
+    const auto all = as_they_come(path, 2.0_mm);
+    ASSERT_EQ(all.size(), 6u) << "a step of 0.03 mm fits 66 times into 2 mm";
+    for (const CutStretch& one : all) EXPECT_LE(length(one.to.position - one.from.position), 2.0_mm + 1e-12);
+    for (std::size_t n = 1; n < all.size(); ++n) EXPECT_EQ(length(all[n].from.position - all[n - 1].to.position), 0.0);
+    EXPECT_EQ(all.back().to.position.z, -10.0_mm);
+}
+
+TEST(StretchJoiner, FollowsTheSameRulesAsAWholeLog) {
+    Path path;
+    path.to({0, 0, -3.0_mm}).to({2.0_mm, 0, -3.0_mm}).to({0, 0, -3.0_mm});
+    path.jump({0, 5.0_mm, 0});
+    path.to({0, 5.0_mm, -2.0_mm});
+    EXPECT_EQ(as_they_come(path, 1.0).size(), stretches(path).size());
+    EXPECT_EQ(as_they_come(path, 1.0).size(), 4u);
+}
+
+TEST(StretchJoiner, ShowsTheStretchThatGoesOn) {
+    Path path;
+    path.to({0, 0, -1.0_mm});
+    const ToolSolid solid = blade();
+    StretchJoiner joiner({&solid}, 20e-6, 1.0);
+    for (const CutRecord& record : path.records) {
+        EXPECT_FALSE(joiner.push(record).has_value());
+        ASSERT_TRUE(joiner.open().has_value());
+        EXPECT_EQ(joiner.open()->to.position.z, record.to.position.z);
+    }
+}
+
+TEST(SweptBefore, ACopyDoesNotKnowWhatComesAfter) {
+    const ToolSolid solid = blade();
+    CutStretch cut{identity_pose(), identity_pose(), 0};
+    cut.to.position.z = -2.0_mm;
+    SweptBefore swept({&solid}, 20e-6, 0.5_mm);
+    const SweptBefore before = swept;
+    swept.add(cut);
+    EXPECT_TRUE(swept.covers(cut));
+    EXPECT_FALSE(before.covers(cut));
+    swept = before;
+    EXPECT_FALSE(swept.covers(cut));
 }
 
 }  // namespace

@@ -24,10 +24,6 @@ TaggedMesh tagged(SurfaceMesh mesh) {
     all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
     return all;
 }
-bool meet(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
 Box box_of(const SurfaceMesh& mesh, const Triangle& t) {
     SurfaceMesh one;
     for (const Vec3 v : mesh.corners(t)) one.vertices.push_back(v);
@@ -128,6 +124,85 @@ TEST(GrowingSurface, FindsNothingInTheAir) {
     const GrowingSurface surface(tagged(test::sphere(6.0_mm, 3)));
     EXPECT_TRUE(surface.patch_in({{20.0_mm, 0, 0}, {21.0_mm, 1.0_mm, 1.0_mm}}).faces.empty());
     EXPECT_TRUE(surface.patch_in({{-1.0_mm, -1.0_mm, -1.0_mm}, {1.0_mm, 1.0_mm, 1.0_mm}}).faces.empty());
+}
+
+// ---- moments ------------------------------------------------------------------------------------------------------
+
+/// Pushes a cap in by an amount and tags it.
+void push_in(GrowingSurface& surface, const Box& where, double by) {
+    const SurfacePatch patch = surface.patch_in(where);
+    TaggedMesh pushed = patch.mesh;
+    for (std::size_t v = 0; v < pushed.mesh.vertices.size(); ++v)
+        if (patch.locked[v] == 0) pushed.mesh.vertices[v].z -= by;
+    std::fill(pushed.tags.begin(), pushed.tags.end(), std::uint8_t{KERF_FACE_WALL});
+    surface.replace(patch, pushed);
+}
+const Box second_cap{{-3.0_mm, -3.0_mm, -7.0_mm}, {3.0_mm, 3.0_mm, -4.0_mm}};
+
+void expect_same(const TaggedMesh& a, const TaggedMesh& b) {
+    EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+    EXPECT_EQ(a.tags, b.tags);
+    ASSERT_EQ(a.mesh.vertices.size(), b.mesh.vertices.size());
+    for (std::size_t v = 0; v < a.mesh.vertices.size(); ++v) EXPECT_TRUE(a.mesh.vertices[v] == b.mesh.vertices[v]);
+}
+
+TEST(GrowingSurface, GoesBackToAMoment) {
+    GrowingSurface surface(tagged(test::sphere(6.0_mm, 5)));
+    push_in(surface, cap, 0.5_mm);
+    const TaggedMesh was = surface.mesh();
+    const GrowingSurface::Moment moment = surface.moment();
+    push_in(surface, cap, 0.7_mm);
+    push_in(surface, second_cap, -0.3_mm);
+    surface.go_back(moment);
+    expect_same(surface.mesh(), was);
+    EXPECT_EQ(surface.face_count(), was.mesh.triangles.size());
+    // And what follows is found by the region and by the vertex, as on a surface that never left.
+    push_in(surface, cap, 0.2_mm);
+    EXPECT_EQ(flaw_of_base(surface.mesh().mesh), "");
+}
+
+TEST(GrowingSurface, GoesOnFromAMomentAsIfNothingHadBeen) {
+    GrowingSurface straight(tagged(test::sphere(6.0_mm, 5))), detour(tagged(test::sphere(6.0_mm, 5)));
+    for (GrowingSurface* one : {&straight, &detour}) push_in(*one, cap, 0.5_mm);
+    const GrowingSurface::Moment moment = detour.moment();
+    push_in(detour, second_cap, -0.3_mm);
+    push_in(detour, cap, 0.7_mm);
+    detour.go_back(moment);
+    for (GrowingSurface* one : {&straight, &detour}) {
+        push_in(*one, second_cap, -0.1_mm);
+        push_in(*one, cap, 0.1_mm);
+    }
+    expect_same(detour.mesh(), straight.mesh());
+}
+
+TEST(GrowingSurface, AMomentSharesThePagesThatDidNotChange) {
+    GrowingSurface surface(tagged(test::sphere(6.0_mm, 6)));
+    const GrowingSurface::Moment before = surface.moment();
+    push_in(surface, {{-0.5_mm, -0.5_mm, 5.0_mm}, {0.5_mm, 0.5_mm, 7.0_mm}}, 0.1_mm);
+    const GrowingSurface::Moment after = surface.moment();
+    std::size_t shared = 0;
+    for (std::size_t page = 0; page < before.faces.pages().size(); ++page)
+        shared += before.faces.pages()[page] == after.faces.pages()[page];
+    EXPECT_GT(shared, before.faces.pages().size() / 2);
+    EXPECT_LT(shared, before.faces.pages().size());
+}
+
+TEST(GrowingSurface, GoesForwardAgain) {
+    GrowingSurface surface(tagged(test::sphere(6.0_mm, 5)));
+    const GrowingSurface::Moment before = surface.moment();
+    push_in(surface, cap, 0.5_mm);
+    const TaggedMesh pushed = surface.mesh();
+    const GrowingSurface::Moment after = surface.moment();
+    surface.go_back(before);
+    surface.go_back(after);
+    expect_same(surface.mesh(), pushed);
+}
+
+TEST(GrowingSurface, HasNothingOfAnEmptyMesh) {
+    GrowingSurface surface((TaggedMesh()));
+    EXPECT_EQ(surface.face_count(), 0u);
+    EXPECT_TRUE(surface.patch_in(cap).faces.empty());
+    EXPECT_TRUE(surface.mesh().mesh.triangles.empty());
 }
 
 }  // namespace

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/request_memory.h"
+
+#include <sys/mman.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t unit = 16, page = 4096;
+constexpr std::size_t most_regions = 16;  // one, and those in which something was left
+constexpr std::uintptr_t first_place = 0x100000000000;
+
+/// Blocks up to a page are used again, the last freed one first; larger ones give their pages back and are not.
+struct Region {
+    char *begin = nullptr, *next = nullptr, *end = nullptr;
+    std::size_t blocks = 0;  ///< that are not freed
+    std::array<void*, page / unit + 1> free{};
+
+    void* take(std::size_t size) noexcept {
+        if (size <= page)
+            if (void*& first = free[size / unit]; first != nullptr) {
+                void* const block = first;
+                first = *static_cast<void**>(block);
+                ++blocks;
+                return block;
+            }
+        if (static_cast<std::size_t>(end - next) < size) return nullptr;
+        char* const block = next;
+        next += size;
+        ++blocks;
+        return block;
+    }
+    void give_back(void* block, std::size_t size) noexcept {
+        --blocks;
+        if (size <= page) {
+            *static_cast<void**>(block) = free[size / unit];
+            free[size / unit] = block;
+            return;
+        }
+        const auto at = reinterpret_cast<std::uintptr_t>(block);
+        const std::uintptr_t from = (at + page - 1) / page * page, to = (at + size) / page * page;
+        if (from < to) madvise(reinterpret_cast<void*>(from), to - from, MADV_DONTNEED);
+    }
+    void clear() noexcept {
+        madvise(begin, static_cast<std::size_t>(next - begin), MADV_DONTNEED);
+        next = begin;
+        free.fill(nullptr);
+    }
+    [[nodiscard]] bool holds(const void* block) const noexcept { return block >= begin && block < end; }
+};
+
+Region regions[most_regions];
+Region* current = nullptr;  // null: between requests, and where there is no room
+
+/// As much as may be had: an address space can be limited.
+bool reserve(Region& region, std::uintptr_t place) noexcept {
+    for (std::size_t size = std::size_t{1} << 36; size >= std::size_t{1} << 26; size /= 4) {
+        void* const at = mmap(reinterpret_cast<void*>(place), size, PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
+        if (at == MAP_FAILED) continue;
+        region.begin = region.next = static_cast<char*>(at);
+        region.end = region.begin + size;
+        return true;
+    }
+    return false;
+}
+
+struct Head {  // before each block
+    std::size_t size;
+    Region* region;  ///< null: from the heap
+};
+static_assert(sizeof(Head) == unit);
+
+void* allocate(std::size_t bytes) {
+    if (bytes > SIZE_MAX - 2 * unit) throw std::bad_alloc();
+    const std::size_t size = (bytes + sizeof(Head) + unit - 1) / unit * unit;
+    Region* region = current;
+    void* block = region != nullptr ? region->take(size) : nullptr;
+    if (block == nullptr) {
+        region = nullptr;
+        block = std::malloc(size);
+        if (block == nullptr) throw std::bad_alloc();
+    }
+    Head* const head = static_cast<Head*>(block);
+    *head = {size, region};
+    return head + 1;
+}
+
+void release(void* bytes) noexcept {
+    if (bytes == nullptr) return;
+    Head* const head = static_cast<Head*>(bytes) - 1;
+    if (head->region != nullptr)
+        head->region->give_back(head, head->size);
+    else
+        std::free(head);
+}
+
+}  // namespace
+
+void begin_request_memory() noexcept {
+    for (std::size_t n = 0; n < most_regions && current == nullptr; ++n) {
+        Region& region = regions[n];
+        if (region.begin == nullptr && !reserve(region, first_place + (n << 37))) return;
+        if (region.blocks > 0) continue;
+        region.clear();
+        current = &region;
+    }
+}
+
+void end_request_memory() noexcept { current = nullptr; }
+
+}  // namespace kerf
+
+void* operator new(std::size_t bytes) { return kerf::allocate(bytes); }
+void* operator new[](std::size_t bytes) { return kerf::allocate(bytes); }
+void operator delete(void* bytes) noexcept { kerf::release(bytes); }
+void operator delete[](void* bytes) noexcept { kerf::release(bytes); }
+void operator delete(void* bytes, std::size_t) noexcept { kerf::release(bytes); }
+void operator delete[](void* bytes, std::size_t) noexcept { kerf::release(bytes); }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/exact/exact_files.h"
+
+#include "core/session/stl.h"
+#include "core/session/write_file.h"
+
+namespace kerf {
+namespace {
+
+std::string file_of(std::size_t body) {
+    return body == 0 ? "bone-exact.stl" : "bone-exact-" + std::to_string(body) + ".stl";
+}
+
+Mesh shown(const TaggedMesh& exact) {
+    Mesh mesh;
+    mesh.vertices = exact.mesh.vertices;
+    mesh.triangles.assign(exact.mesh.triangles.begin(), exact.mesh.triangles.end());
+    return mesh;
+}
+
+}  // namespace
+
+ExactRow exact_row(const ExactSurface& made) {
+    ExactRow row;
+    row.why_not = made.error;
+    if (made.error.empty())
+        for (const ExactPiece& piece : made.pieces)
+            row.pieces.push_back({piece.body, file_of(piece.body), piece.mesh.mesh.triangles.size(), piece.volume,
+                                  piece.field_volume, piece.wall_areas});
+    row.digest = made.digest;
+    row.records = made.records;
+    row.stretches = made.stretches;
+    row.removed = made.removed;
+    row.field_removed = made.field_removed;
+    row.allowed = made.allowed;
+    row.crumbs = made.crumbs;
+    row.crumb_volume = made.crumb_volume;
+    row.refusals = made.refusals;
+    row.notes = made.notes;
+    return row;
+}
+
+ExactRow::Strategy strategy_row(const std::string& id, const RemeshChild& strategy) {
+    return {id, strategy.plugin(), strategy.kernel()};
+}
+
+std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made) {
+    std::string error;
+    for (const ExactPiece& piece : made.pieces)
+        if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));
+    return error;
+}
+
+}  // namespace kerf

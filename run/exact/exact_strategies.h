@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/procedure/procedure.h"
+#include "core/remesh/remesh_child.h"
+#include "run/exact/exact_surface.h"
+
+namespace kerf {
+
+/// Where remeshing modules are, and the program that opens them.
+struct RemeshFolders {
+    std::string program;  ///< kerf-remesh
+    std::string modules;  ///< lib/kerf-remesh
+};
+
+/// Starts a strategy in the first module, by file name, that has it. Null: the reason is in `error`, for people.
+/// [main]
+[[nodiscard]] std::unique_ptr<RemeshChild> start_strategy(const RemeshFolders& folders, const std::string& strategy,
+                                                          std::string& error);
+
+/// The strategies that the instruments of a procedure leave exact surfaces with, each in a process of its own.
+class ExactStrategies {
+public:
+    /// Starts them. They are few when no instrument has one. Returns why one cannot be started, for people, or an empty
+    /// text. Call it before any thread runs.   [main]
+    [[nodiscard]] std::string start(const RemeshFolders& folders, const Procedure& procedure);
+
+    [[nodiscard]] bool are_any() const noexcept { return !running_.empty(); }
+    /// Returns the cutting solids of a scene with the strategy of each.   [main]
+    [[nodiscard]] ExactTools tools(const Scene& scene) const;
+    /// The strategies by id, in the order of their ids.
+    [[nodiscard]] const std::map<std::string, std::unique_ptr<RemeshChild>>& running() const noexcept {
+        return running_;
+    }
+
+private:
+    std::map<std::string, std::unique_ptr<RemeshChild>> running_;
+};
+
+}  // namespace kerf

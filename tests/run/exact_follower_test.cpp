@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exact surface that a run makes while it goes on: the same as afterwards, and never in its way.
+#include "run/exact/exact_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/remesh/accept.h"
+#include "run/exact/exact_strategies.h"
+#include "run/run.h"
+#include "tests/support/drill_rig.h"
+
+namespace kerf {
+namespace {
+
+using namespace std::chrono_literals;
+
+const RemeshFolders folders{KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf-remesh"};
+const RemeshFolders zoo{folders.program, KERF_BUILD_DIR "/lib/kerf-remesh-zoo"};
+
+const Scene& leg() {
+    static const Scene scene = [] {
+        Diagnostics diagnostics;
+        auto documents = check_documents({KERF_SOURCE_DIR "/procedures/amputation.yaml",
+                                          "",
+                                          {"reciprocating", {"accuracy.spacing=0.9 mm"}},
+                                          KERF_SOURCE_DIR "/procedures"},
+                                         test::plugins(), diagnostics);
+        if (documents) documents->procedure.time_limit = 60.0;  // after the cut
+        auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+        if (!made) throw std::runtime_error(to_text(diagnostics));
+        return std::move(*made);
+    }();
+    return scene;
+}
+Scene leg_with(const std::string& strategy, const std::string& instrument = "saw") {
+    Scene scene = leg();
+    for (Instrument& one : scene.procedure.instruments)
+        if (one.id == instrument) one.remeshing = strategy;
+    return scene;
+}
+
+/// The surface as it is made afterwards, by the strategy of the run.
+struct Afterwards final : RunObserver {
+    Afterwards(const Scene& of, const ExactStrategies& with) : scene(&of), strategies(&with) {}
+    std::string on_result(const RunSummary& /*summary*/, const Simulation& simulation) override {
+        made = exact_surface(*scene, simulation, strategies->tools(*scene));
+        return {};
+    }
+    const Scene* scene;
+    const ExactStrategies* strategies;
+    ExactSurface made;
+};
+
+struct Ended {
+    RunSummary summary;
+    ExactSurface afterwards;
+};
+Ended run_with(const Scene& scene) {
+    ExactStrategies strategies;
+    EXPECT_EQ(strategies.start(folders, scene.procedure), "");
+    Afterwards afterwards(scene, strategies);
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.strategies = &strategies;
+    request.observers = {&afterwards};
+    const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
+    EXPECT_EQ(outcome.error, "");
+    return {outcome.summary, afterwards.made};
+}
+const Ended& plain_run(const std::string& strategy) {
+    static std::map<std::string, Ended> runs;
+    if (!runs.contains(strategy)) runs.emplace(strategy, run_with(leg_with(strategy)));
+    return runs.at(strategy);
+}
+/// The expert's way, with inputs once the last cut is out of the bone.
+Scene leg_with_inputs(const std::string& strategy, const std::vector<HandInput::Kind>& kinds) {
+    Scene scene = leg_with(strategy);
+    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
+    const auto away = std::find_if(path.begin(), path.end(), [](const Waypoint& w) { return w.depth < -50e-3; });
+    if (away == path.end()) throw std::runtime_error("the path never leaves the bone");
+    for (const HandInput::Kind kind : kinds) away->inputs.push_back({kind});
+    return scene;
+}
+
+class ExactFollowing : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExactFollowing, EndsWithTheSurfaceThatIsMadeAfterwards) {
+    const Ended& run = plain_run(GetParam());
+    ASSERT_TRUE(run.summary.exact.has_value());
+    EXPECT_EQ(run.summary.exact->why_not, "");
+    ASSERT_EQ(run.afterwards.error, "");
+    EXPECT_EQ(run.summary.exact->digest, run.afterwards.digest);
+    ASSERT_EQ(run.summary.exact->pieces.size(), 2u);
+    EXPECT_LT(std::abs(run.summary.exact->removed - run.summary.exact->field_removed), run.summary.exact->allowed);
+    for (const ExactPiece& piece : run.afterwards.pieces) {
+        RemeshRequest itself;
+        itself.base = piece.mesh;
+        EXPECT_EQ(flaw_of_result(itself, piece.mesh), "") << "body " << piece.body;
+    }
+}
+
+TEST_P(ExactFollowing, LeavesTheRunAsItIs) {
+    RunRequest request;
+    request.rehearsal = "expert";
+    const RunOutcome without = run_procedure(leg(), test::plugins(), request);
+    EXPECT_EQ(plain_run(GetParam()).summary.hash, without.summary.hash);
+    EXPECT_FALSE(without.summary.exact.has_value());
+}
+
+TEST_P(ExactFollowing, ACutTakenBackAndDoneAgainGivesTheSameSurface) {
+    const Ended run = run_with(leg_with_inputs(GetParam(), {HandInput::Kind::undo, HandInput::Kind::redo}));
+    ASSERT_TRUE(run.summary.exact.has_value());
+    EXPECT_EQ(run.summary.exact->why_not, "");
+    EXPECT_EQ(run.summary.exact->digest, plain_run(GetParam()).summary.exact->digest);
+}
+
+TEST_P(ExactFollowing, ACutTakenBackLeavesTheUncutSurface) {
+    const Ended run = run_with(leg_with_inputs(GetParam(), {HandInput::Kind::undo}));
+    ASSERT_TRUE(run.summary.exact.has_value());
+    EXPECT_EQ(run.summary.exact->why_not, "");
+    ASSERT_EQ(run.summary.exact->pieces.size(), 1u);
+    EXPECT_EQ(run.summary.exact->removed, 0.0);
+    EXPECT_EQ(run.summary.exact->digest, run.afterwards.digest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, ExactFollowing, testing::Values("local", "exact"),
+                         [](const auto& strategy) { return std::string(strategy.param); });
+
+TEST(ExactFollower, BothStrategiesFindTheSameWalls) {
+    const auto &local = *plain_run("local").summary.exact, &exact = *plain_run("exact").summary.exact;
+    ASSERT_EQ(local.pieces.size(), exact.pieces.size());
+    for (std::size_t n = 0; n < local.pieces.size(); ++n) {
+        EXPECT_NEAR(local.pieces[n].volume, exact.pieces[n].volume, 1e-4 * exact.pieces[n].volume);
+        ASSERT_EQ(local.pieces[n].wall_areas.size(), exact.pieces[n].wall_areas.size());
+        for (std::size_t m = 0; m < local.pieces[n].wall_areas.size(); ++m) {
+            EXPECT_EQ(local.pieces[n].wall_areas[m].first, exact.pieces[n].wall_areas[m].first);
+            EXPECT_NEAR(local.pieces[n].wall_areas[m].second, exact.pieces[n].wall_areas[m].second,
+                        0.01 * exact.pieces[n].wall_areas[m].second);
+        }
+    }
+}
+
+TEST(ExactFollower, AnInstrumentWithoutAStrategyLeavesNoSurfaceAndSaysSo) {
+    const Ended run = run_with(leg_with("local", "forceps"));
+    ASSERT_TRUE(run.summary.exact.has_value());
+    EXPECT_NE(run.summary.exact->why_not.find("its instrument leaves no exact surface"), std::string::npos)
+        << run.summary.exact->why_not;
+    EXPECT_TRUE(run.summary.exact->pieces.empty());
+    EXPECT_EQ(run.summary.hash, plain_run("local").summary.hash);
+}
+
+TEST(ExactFollower, AnUnknownStrategyIsRefusedByName) {
+    ExactStrategies strategies;
+    const std::string why = strategies.start(folders, leg_with("lokal").procedure);
+    EXPECT_NE(why.find("instrument `saw`"), std::string::npos) << why;
+    EXPECT_NE(why.find("`lokal`"), std::string::npos) << why;
+    EXPECT_FALSE(strategies.are_any());
+}
+
+class ExactAnimals : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExactAnimals, CostTheSurfaceAndNotTheRun) {
+    const Scene scene = leg_with(GetParam());
+    ExactStrategies strategies;
+    ASSERT_EQ(strategies.start(zoo, scene.procedure), "");
+    ExactTools tools = strategies.tools(scene);
+    tools.limit = 100ms;
+    ExactFollower follower(scene, std::move(tools));
+    RunRequest request;
+    request.rehearsal = "expert";
+    RunOutcome outcome;
+    const auto run = Run::create(scene, test::plugins(), request, outcome);
+    ASSERT_NE(run, nullptr) << outcome.error;
+    while (run->step()) follower.follow(run->simulation());
+    const ExactSurface made = follower.finish(run->simulation(), {}, {});
+    EXPECT_NE(made.error.find("no exact surface could be made"), std::string::npos) << made.error;
+    EXPECT_EQ(run->finish().summary.hash, plain_run("local").summary.hash);
+}
+
+INSTANTIATE_TEST_SUITE_P(Zoo, ExactAnimals, testing::Values("dies", "hangs", "flips_a_face", "drops_a_face"),
+                         [](const auto& strategy) { return std::string(strategy.param); });
+
+TEST(ExactFollower, ShowsTheSurfaceWhileItIsCut) {
+    const Scene scene = leg_with("local");
+    ExactStrategies strategies;
+    ASSERT_EQ(strategies.start(folders, scene.procedure), "");
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.strategies = &strategies;
+    RunOutcome outcome;
+    const auto run = Run::create(scene, test::plugins(), request, outcome);
+    ASSERT_NE(run, nullptr) << outcome.error;
+    ASSERT_NE(run->exact(), nullptr);
+    run->exact()->watch();
+    std::shared_ptr<const ExactView> first, last;
+    while (run->step()) {
+        if (const auto view = run->exact()->view(); view != nullptr && !view->pieces.empty()) {
+            if (first == nullptr) first = view;
+            last = view;
+            if (last->pieces.size() > 1 && last != first) break;
+        }
+        std::this_thread::sleep_for(200us);  // a little nearer to a loop on the clock
+    }
+    ASSERT_NE(first, nullptr);
+    // A view never changes: its pages are whole while the surface goes on.
+    for (const auto& view : {first, last})
+        for (const ExactView::Piece& piece : view->pieces) {
+            std::size_t faces = 0;
+            for (std::size_t f = 0; f < piece.surface.faces.size(); ++f) {
+                const GrowingSurface::Face& face = piece.surface.faces[f];
+                if (face.is_there == 0) continue;
+                ++faces;
+                for (const std::uint32_t corner : face.corners) ASSERT_LT(corner, piece.surface.vertices.size());
+            }
+            EXPECT_EQ(faces, piece.surface.face_count);
+        }
+    while (run->step()) {
+    }
+    // Who looked on makes no difference.
+    EXPECT_EQ(run->finish().summary.exact->digest, plain_run("local").summary.exact->digest);
+}
+
+}  // namespace
+}  // namespace kerf
