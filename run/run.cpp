@@ -11,6 +11,7 @@
 #include "core/procedure/quantity.h"
 #include "run/belongings.h"
 #include "run/exact/exact_files.h"
+#include "run/exact/exact_follower.h"
 #include "run/exact/exact_strategies.h"
 #include "run/measure_bone.h"
 #include "run/plate_steps.h"

@@ -13,13 +13,14 @@
 #include "core/session/content_hash.h"
 #include "devices/simulated_hand/simulated_hand.h"
 #include "run/cut_results.h"
-#include "run/exact/exact_follower.h"
 #include "run/hand_inputs.h"
 #include "run/run_procedure.h"
 #include "run/session_files.h"
 #include "run/signal_table.h"
 
 namespace kerf {
+
+class ExactFollower;
 
 /// A run in lock-step, one tick at a time: `create`, `step` until it says no more, `finish`.
 ///
