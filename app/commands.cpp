@@ -272,7 +272,7 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
         return complain(refusal, exit_bad_input);
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
-    const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out);
+    const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out, remesh_folders(line));
     print(outcome.text);
     if (!outcome.error.empty()) return complain(outcome.error, outcome.text.empty() ? exit_bad_input : exit_fault);
     return outcome.is_kept ? exit_pass : exit_not_passed;

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/progress.h"
+#include "app/standard_streams.h"
 #include "core/import/make_body.h"
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
+#include "run/exact/compare_strategies.h"
 #include "run/run_checks.h"
 #include "studies/plan/plan_text.h"
 
@@ -40,6 +42,26 @@ double depth_of(const Step& step, const Procedure& procedure) {
     return depth;
 }
 
+/// The surfaces that the planned cut of a step may leave: the cheapest one whose volume is as accurate as required.
+std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy) {
+    const StrategyCost& exact = costs.back();
+    std::string text = "\n  surface       removed      off        farthest   faces     time\n", chosen;
+    for (const StrategyCost& cost : costs) {
+        if (!cost.why_not.empty()) {
+            text += formatted("  %-12s  none: ", cost.strategy.c_str()) + cost.why_not + "\n";
+            continue;
+        }
+        const double off = exact.why_not.empty() ? std::abs(cost.removed / exact.removed - 1.0) : 0.0;
+        if (chosen.empty() && off <= accuracy) chosen = cost.strategy;
+        text += formatted("  %-12s  %-11s  %-9s  %-9s  %-8zu  %.2f s\n", cost.strategy.c_str(),
+                          (rounded(cost.removed * 1e9, 1) + " mm3").c_str(), (rounded(100.0 * off, 3) + " %").c_str(),
+                          (rounded(cost.farthest * 1e3, 4) + " mm").c_str(), cost.triangles, cost.seconds);
+    }
+    if (!exact.why_not.empty()) return text;
+    return text + "  the cheapest within " + rounded(100.0 * accuracy, 1) + " % of the volume: `remeshing: " + chosen +
+           "`; `farthest` says how far its edges are off\n";
+}
+
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {
     const std::string failed = write_file(folder + "/plan.txt", text);
     return failed.empty() ? write_file(folder + "/plan.csv", csv) : failed;
@@ -47,7 +69,8 @@ std::string write_plan(const std::string& folder, const std::string& text, const
 
 }  // namespace
 
-PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder) {
+PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
+                           const RemeshFolders& remeshing) {
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
@@ -90,7 +113,10 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         }
         outcome.is_kept = outcome.is_kept && found->keeps_accuracy && found->keeps(procedure.budget);
         plans.push_back(*found);
-        text += "\n" + plan::plan_text(task, *found);
+        text += "\n" + plan::plan_text(task, *found) +
+                surface_text(compare_strategies(scene, s, depth, remeshing, {"local", "exact"}, show_work),
+                             procedure.accuracy.volume);
+        show_work("");
     }
     outcome.text = text;
     if (!folder.empty()) outcome.error = write_plan(folder, text, plan::plan_csv(plans));

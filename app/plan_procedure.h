@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "run/exact/exact_strategies.h"
 #include "run/scene.h"
 
 /// `kerf plan`: the least that each step of a procedure needs.
@@ -15,6 +16,8 @@ struct PlanOutcome {
 };
 
 /// Plans every step of `scene`; with `folder` not empty, writes plan.txt and plan.csv there as well.   [main]
-[[nodiscard]] PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder);
+/// @param remeshing   where strategies for exact surfaces are
+[[nodiscard]] PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
+                                         const RemeshFolders& remeshing);
 
 }  // namespace kerf

@@ -11,21 +11,29 @@
 //     its like in all rounds, so
 //                    that what the machine does besides drops out, unless it comes at the same tick every time
 //     ratio          with / without
+//
+// At the end the same on the clock, but with a thread that cuts a mesh of 200 000 triangles by the strategy `local` in
+// the turns that count as with it, one patch after the other without a pause.
 #include <time.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/field/block_kernel.h"
 #include "core/haptics/surface_worker.h"
+#include "core/remesh/local_cutting.h"
+#include "core/remesh/remesh_child.h"
 #include "studies/times.h"
 #include "tests/support/drilled_block.h"
 #include "tests/support/saw_rig.h"
+#include "tests/support/sawn_tube.h"
 
 namespace {
 
@@ -161,6 +169,79 @@ void measure(const Body& body, bool is_on_the_clock, int rounds) {
     std::fflush(stdout);
 }
 
+/// A thread that asks a strategy for one patch after the other while it may.
+class Cutter {
+public:
+    explicit Cutter(RemeshChild& child) : child_(&child), thread_([this] { cut(); }) {}
+    ~Cutter() {
+        is_over_ = true;
+        thread_.join();
+    }
+    Cutter(const Cutter&) = delete;
+    Cutter& operator=(const Cutter&) = delete;
+
+    std::atomic<bool> may_cut{false};
+    std::atomic<std::size_t> patches{0};
+
+private:
+    void cut() {
+        const ToolSolid blade = test::slot_blade();
+        TaggedMesh bone{test::bent_bone(200'000.0), {}};
+        bone.tags.assign(bone.mesh.triangles.size(), KERF_FACE_SURFACE);
+        LocalCutting saw(bone, {&blade}, 20e-6, [this](const RemeshRequest& request) {
+            ++patches;
+            return child_->remesh(request, std::chrono::seconds(20));
+        });
+        const auto uncut = saw.moment();
+        while (!is_over_) {
+            saw.go_back(uncut);
+            for (const CutStretch& step : test::cut_across(0.0, -13.0_mm, 13.0_mm, 0.1_mm, 3.0_mm)) {
+                while (!may_cut && !is_over_) std::this_thread::sleep_for(std::chrono::microseconds(200));
+                if (is_over_) return;
+                saw.cut(step);
+            }
+        }
+    }
+
+    RemeshChild* child_;
+    std::atomic<bool> is_over_{false};
+    std::thread thread_;
+};
+
+void measure_beside_cuts(const Body& body, int rounds) {
+    std::string error;
+    const auto child = RemeshChild::start(
+        {KERF_BUILD_DIR "/libexec/kerf/kerf-remesh", KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", "local"},
+        error);
+    if (child == nullptr) {
+        std::printf("%s\n", error.c_str());
+        return;
+    }
+    Cutter cutter(*child);
+    Felt felt_with, felt_without;
+    for (int round = 0; round < rounds; ++round) {
+        Sawing with{body}, without{body};
+        for (Sawing* one : {&with, &without}) {
+            while (one->depth() < 5.0_mm) one->tick(approach, false);
+            for (int i = 0; i < 1000; ++i) one->tick(feed, false);
+        }
+        for (int done = 0; done < ticks; done += turn) {
+            saw_on(without, true);
+            cutter.may_cut = true;
+            saw_on(with, true);
+            cutter.may_cut = false;
+        }
+        felt_with.add(with);
+        felt_without.add(without);
+    }
+    std::printf("beside `local`, on the clock: %d rounds of %d ticks each, %zu patches\n", rounds, ticks,
+                cutter.patches.load());
+    print("processor, all", felt_with.processor.all(), felt_without.processor.all());
+    print("processor, alike", felt_with.processor.alike(), felt_without.processor.alike());
+    print("wall, all", felt_with.wall.all(), felt_without.wall.all());
+    print("wall, alike", felt_with.wall.alike(), felt_without.wall.alike());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -172,5 +253,6 @@ int main(int argc, char** argv) {
     std::printf("                        with  without      with  without    median   p99.9\n");
     measure(body, false, 3 * rounds);
     measure(body, true, rounds);
+    measure_beside_cuts(body, rounds);
     return 0;
 }

@@ -11,6 +11,7 @@
 #include "core/import/surface/diagnose.h"
 #include "core/import/surface/edges.h"
 #include "core/import/surface/orient3d.h"
+#include "core/remesh/base_mesh.h"
 
 namespace kerf {
 namespace {
@@ -41,13 +42,6 @@ std::string flaw_of_edges(const SurfaceMesh& mesh, const std::vector<HalfEdge>& 
         return less(a.from, b.from) || (a.from == b.from && less(a.to, b.to));
     });
     return flaw;
-}
-
-/// Whether the corners of a face lie on one line, exactly.
-bool is_collapsed(const SurfaceMesh& mesh, const Triangle& t) {
-    const auto [a, b, c] = mesh.corners(t);
-    return orient2d(a.x, a.y, b.x, b.y, c.x, c.y) == 0 && orient2d(a.y, a.z, b.y, b.z, c.y, c.z) == 0 &&
-           orient2d(a.z, a.x, b.z, b.x, c.z, c.x) == 0;
 }
 
 /// Whether two faces have the same corners, whichever way they look.
@@ -114,7 +108,7 @@ std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result
         return "the mesh that was to be cut is unsound: " + flaw;
     if (mesh.triangles.empty()) return border_before.empty() ? "" : "nothing is left, not even its border";
     for (const Triangle& t : mesh.triangles)
-        if (is_collapsed(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
+        if (has_no_area(mesh, t)) return "a face has no area, at " + place_text(mesh.vertices[t[0]]);
 
     if (has_faces_twice(mesh)) return "a face lies twice";
     const std::vector<HalfEdge> edges = half_edges_of(mesh);

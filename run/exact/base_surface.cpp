@@ -13,6 +13,7 @@ std::optional<SurfaceMesh> base_surface(const Scene& scene, const Body& bone, st
         Diagnostics ignored;  // it was read when the scene was made
         if (const auto read = make_mesh_bone(scene.anatomy, ignored)) {
             SurfaceMesh surface = whole_surface_of(*read);
+            remove_flat_faces(surface);
             flaw = flaw_of_base(surface);
             if (flaw.empty()) {
                 notes.emplace_back("Base: the anatomy's own surface.");

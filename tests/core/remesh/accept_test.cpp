@@ -160,5 +160,58 @@ TEST(FlawOfBase, NamesWhatIsWrong) {
     EXPECT_NE(flaw_of_base({}).find("no faces"), std::string::npos);
 }
 
+// ---- bases --------------------------------------------------------------------------------------------------------
+
+/// A cube of which an edge is divided in its middle, on one side only, where a face without area closes the gap.
+SurfaceMesh cube_with_a_flat_face() {
+    SurfaceMesh mesh = cube(10.0_mm);
+    const Triangle t = mesh.triangles[0];
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(0.5 * (mesh.vertices[t[0]] + mesh.vertices[t[1]]));
+    mesh.triangles[0] = {t[0], middle, t[2]};
+    mesh.triangles.push_back({middle, t[1], t[2]});
+    mesh.triangles.push_back({t[0], t[1], middle});
+    return mesh;
+}
+
+TEST(BaseMesh, NamesAFaceWithoutArea) {
+    EXPECT_NE(flaw_of_base(cube_with_a_flat_face()).find("no area"), std::string::npos)
+        << flaw_of_base(cube_with_a_flat_face());
+}
+
+TEST(BaseMesh, AFlatFaceSharesTheAreaOfItsNeighbour) {
+    SurfaceMesh mesh = cube_with_a_flat_face();
+    const std::size_t faces = mesh.triangles.size();
+    remove_flat_faces(mesh);
+    EXPECT_EQ(flaw_of_base(mesh), "");
+    EXPECT_EQ(mesh.triangles.size(), faces);
+    EXPECT_NEAR(signed_volume_of(mesh), 1e-6, 1e-20);
+}
+
+TEST(BaseMesh, AnEdgeWithoutLengthBecomesAVertex) {
+    SurfaceMesh mesh = cube(10.0_mm);
+    // One corner twice: a fan of two faces hangs on the second one, and two flat ones close the gap.
+    const std::uint32_t corner = mesh.triangles[0][0];
+    const auto copy = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(mesh.vertices[corner]);
+    const Triangle t = mesh.triangles[0];
+    mesh.triangles[0] = {copy, t[1], t[2]};
+    mesh.triangles.push_back({corner, t[1], copy});
+    mesh.triangles.push_back({corner, copy, t[2]});
+    EXPECT_NE(flaw_of_base(mesh), "");
+    remove_flat_faces(mesh);
+    EXPECT_EQ(flaw_of_base(mesh), "");
+    EXPECT_EQ(mesh.triangles.size(), 12u);
+    EXPECT_EQ(mesh.vertices.size(), 8u);
+}
+
+TEST(BaseMesh, ASoundOneStaysAsItIs) {
+    SurfaceMesh mesh = sphere(5.0_mm, 3);
+    const SurfaceMesh before = mesh;
+    remove_flat_faces(mesh);
+    EXPECT_EQ(mesh.triangles, before.triangles);
+    EXPECT_EQ(mesh.vertices.size(), before.vertices.size());
+}
+
 }  // namespace
 }  // namespace kerf
