@@ -73,14 +73,41 @@ bool has_edge_of(const TaggedMesh& ring, const SurfaceMesh& mesh, const std::vec
     return has_one;
 }
 
-std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring) {
+/// Which faces of a mesh are not faces of another one, by their corners.
+std::vector<std::uint8_t> new_faces_of(const SurfaceMesh& mesh, const SurfaceMesh& before) {
+    using Corners = std::array<Vec3, 3>;
+    const auto corners_less = [](const Corners& a, const Corners& b) {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (a[i] != b[i]) return less(a[i], b[i]);
+        return false;
+    };
+    const auto sorted = [](Corners corners) {
+        std::sort(corners.begin(), corners.end(), less);
+        return corners;
+    };
+    std::vector<Corners> known;
+    for (const Triangle& t : before.triangles) known.push_back(sorted(before.corners(t)));
+    std::sort(known.begin(), known.end(), corners_less);
+    std::vector<std::uint8_t> is_new;
+    for (const Triangle& t : mesh.triangles)
+        is_new.push_back(!std::binary_search(known.begin(), known.end(), sorted(mesh.corners(t)), corners_less));
+    return is_new;
+}
+
+/// @param before   a mesh whose faces cross neither each other nor the ring; null: all faces are judged
+std::string flaw_of_faces(const SurfaceMesh& mesh, const TaggedMesh& ring, const SurfaceMesh* before) {
     const std::size_t count = mesh.triangles.size();
     SurfaceMesh both = mesh;
     const auto first = static_cast<std::uint32_t>(both.vertices.size());
     both.vertices.insert(both.vertices.end(), ring.mesh.vertices.begin(), ring.mesh.vertices.end());
     for (const Triangle& t : ring.mesh.triangles) both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    auto crossings = crossings_of(both, TriangleTree(both), true);
-    std::erase_if(crossings, [count](const Crossing& pair) { return pair[0] >= count; });  // of the ring alone
+    std::vector<std::uint8_t> asked(both.triangles.size(), 1);
+    std::fill(asked.begin() + static_cast<std::ptrdiff_t>(count), asked.end(), std::uint8_t{0});
+    if (before != nullptr) {
+        const std::vector<std::uint8_t> is_new = new_faces_of(mesh, *before);
+        std::copy(is_new.begin(), is_new.end(), asked.begin());
+    }
+    const auto crossings = crossings_of(both, TriangleTree(both), true, asked);
     if (crossings.empty()) return {};
     return std::to_string(crossings.size()) + (crossings.size() == 1 ? " pair" : " pairs") +
            " of faces cross, the first at " + place_text(both.vertices[both.triangles[crossings.front()[0]][0]]);
@@ -93,13 +120,8 @@ std::vector<Vec3> sorted_vertices(const SurfaceMesh& mesh) {
     return vertices;
 }
 
-}  // namespace
-
-std::string flaw_of_result(const RemeshRequest& request, const TaggedMesh& result) {
-    return flaw_of_patch(request, result, {});
-}
-
-std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring) {
+/// @param ring   null: of a whole mesh
+std::string flaw_of(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh* ring) {
     const SurfaceMesh& mesh = result.mesh;
     if (result.tags.size() != mesh.triangles.size()) return "not every face has a tag";
     std::vector<BorderEdge> border_before, border;
@@ -116,7 +138,8 @@ std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result
     if (border_before.empty() && !border.empty())
         return std::to_string(border.size()) + " open edges, the first at " + place_text(border.front().from);
     if (border != border_before) return "its border is another one";
-    if (has_edge_of(ring, mesh, edges)) return "an edge has two faces, and two more beyond the border";
+    if (ring != nullptr && has_edge_of(*ring, mesh, edges))
+        return "an edge has two faces, and two more beyond the border";
     if (const auto pinched = pinched_vertices_of(mesh, edges); !pinched.empty())
         return "parts only touch in a vertex, at " + place_text(mesh.vertices[pinched.front()]);
     const std::vector<Vec3> vertices = sorted_vertices(mesh);
@@ -127,11 +150,20 @@ std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result
             !std::binary_search(vertices.begin(), vertices.end(), request.base.mesh.vertices[v], less))
             return "a locked vertex has moved, from " + place_text(request.base.mesh.vertices[v]);
     const Box was = bounds_of(request.base.mesh), is = bounds_of(mesh);
-    if (!border.empty()) return flaw_of_faces(mesh, ring);  // a patch's walls leave its box
-    if (is.low.x < was.low.x || is.low.y < was.low.y || is.low.z < was.low.z || is.high.x > was.high.x ||
-        is.high.y > was.high.y || is.high.z > was.high.z)
-        return "it reaches beyond what it was";
-    return flaw_of_faces(mesh, ring);
+    if (border.empty() && (is.low.x < was.low.x || is.low.y < was.low.y || is.low.z < was.low.z ||
+                           is.high.x > was.high.x || is.high.y > was.high.y || is.high.z > was.high.z))
+        return "it reaches beyond what it was";  // the walls of an open patch may
+    return ring != nullptr ? flaw_of_faces(mesh, *ring, &request.base.mesh) : flaw_of_faces(mesh, {}, nullptr);
+}
+
+}  // namespace
+
+std::string flaw_of_result(const RemeshRequest& request, const TaggedMesh& result) {
+    return flaw_of(request, result, nullptr);
+}
+
+std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring) {
+    return flaw_of(request, result, &ring);
 }
 
 }  // namespace kerf

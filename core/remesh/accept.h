@@ -13,7 +13,8 @@ namespace kerf {
 /// for bit; vertices lie within the box of a request's whole mesh.   [any] pure.
 [[nodiscard]] std::string flaw_of_result(const RemeshRequest& request, const TaggedMesh& result);
 
-/// The same for a patch: its faces must not cross those of the ring around it either.   [any] pure.
+/// The same for a patch of an accepted surface, with the ring of faces around it: only its new faces are compared with
+/// the others.   [any] pure.
 [[nodiscard]] std::string flaw_of_patch(const RemeshRequest& request, const TaggedMesh& result, const TaggedMesh& ring);
 
 }  // namespace kerf

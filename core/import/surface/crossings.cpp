@@ -118,9 +118,11 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) noexcept {
     return length(cross(b - a, c - a)) <= nanometre * longest;
 }
 
-std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree, bool needles) {
+std::vector<Crossing> crossings_of(const SurfaceMesh& mesh, const TriangleTree& tree, bool needles,
+                                   const std::vector<std::uint8_t>& asked) {
     std::vector<Crossing> found;
     tree.for_each_near_pair([&](std::uint32_t face, std::uint32_t other) {
+        if (!asked.empty() && asked[face] == 0 && asked[other] == 0) return;
         if (do_cross(mesh, face, other, needles)) found.push_back({face, other});
     });
     std::sort(found.begin(), found.end());

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/remesh/base_mesh.h"
+#include "core/remesh/growing_surface.h"
 #include "kerf/units.hpp"
 #include "tests/core/import/surface/shapes.h"
 #include "tests/support/block.h"
@@ -158,6 +159,28 @@ TEST(FlawOfBase, NamesWhatIsWrong) {
     EXPECT_NE(flaw_of_base(together(cube(4.0_mm), cube(4.0_mm, {1.0_mm, 1.1_mm, 1.2_mm}))).find("cross"),
               std::string::npos);
     EXPECT_NE(flaw_of_base({}).find("no faces"), std::string::npos);
+}
+
+/// A patch of a sphere with one vertex moved, and its ring.
+std::string flaw_of_moved(Vec3 way) {
+    const GrowingSurface surface(tagged(sphere(6.0_mm, 4)));
+    const SurfacePatch patch = surface.patch_in({{-3.0_mm, -3.0_mm, 4.0_mm}, {3.0_mm, 3.0_mm, 7.0_mm}});
+    RemeshRequest request;
+    request.base = patch.mesh;
+    request.locked = patch.locked;
+    TaggedMesh moved = patch.mesh;
+    std::size_t top = 0;
+    for (std::size_t v = 0; v < moved.mesh.vertices.size(); ++v)
+        if (moved.mesh.vertices[v].z > moved.mesh.vertices[top].z) top = v;
+    moved.mesh.vertices[top] = moved.mesh.vertices[top] + way;
+    return flaw_of_patch(request, moved, surface.ring_of(patch));
+}
+
+TEST(AcceptPatch, FindsNewFacesThatCrossOldOnesOrTheRing) {
+    EXPECT_EQ(flaw_of_moved({}), "");
+    EXPECT_EQ(flaw_of_moved({0, 0, -0.2_mm}), "");
+    EXPECT_NE(flaw_of_moved({4.0_mm, 0, -0.8_mm}).find("cross"), std::string::npos) << "old faces of the patch";
+    EXPECT_NE(flaw_of_moved({5.0_mm, 0, -1.5_mm}).find("cross"), std::string::npos) << "the ring";
 }
 
 // ---- bases --------------------------------------------------------------------------------------------------------
