@@ -16,13 +16,20 @@ namespace kerf {
 using AskStrategy = std::function<RemeshResult(const RemeshRequest&)>;
 
 /// Cuts a surface one stretch after the other, each in the patch that it meets. A result that is refused is requested
-/// again with another nudge; after `most_refusals` the stretch is left out and its box is stale.   [worker]
+/// again with another nudge; after `most_refusals` the stretch is left out and its box is stale. Where a strategy
+/// declines a stretch, or its first result is refused, a second strategy gets the stretch, if there is one.   [worker]
 class LocalCutting {
 public:
     static constexpr int most_refusals = 6;
 
-    LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, AskStrategy ask)
-        : surface_(mesh), solids_(std::move(solids)), tolerance_(tolerance), ask_(std::move(ask)) {}
+    /// @param otherwise   the second strategy; may be empty
+    LocalCutting(const TaggedMesh& mesh, std::vector<const ToolSolid*> solids, double tolerance, AskStrategy ask,
+                 AskStrategy otherwise = {})
+        : surface_(mesh),
+          solids_(std::move(solids)),
+          tolerance_(tolerance),
+          ask_(std::move(ask)),
+          otherwise_(std::move(otherwise)) {}
 
     /// Removes what a tool sweeps on a stretch. Returns whether the surface is what it should be there.
     bool cut(const CutStretch& stretch);
@@ -34,6 +41,9 @@ public:
     [[nodiscard]] const GrowingSurface& surface() const noexcept { return surface_; }
     [[nodiscard]] double removed() const noexcept { return removed_; }  ///< [m³]
     [[nodiscard]] int refusals() const noexcept { return refusals_; }
+    /// Stretches that the second strategy got.
+    [[nodiscard]] int handed_over() const noexcept { return handed_over_; }
+    [[nodiscard]] const std::string& why_handed_over() const noexcept { return why_handed_over_; }  ///< the last one
     /// Where the surface does not show what was cut, and why.
     struct Stale {
         Box box{};
@@ -52,12 +62,17 @@ public:
     void go_back(const Moment& moment);
 
 private:
+    enum class Attempt { done, refused, ended };
+    /// Requests one result and puts it in the place of the patch, if it passes all checks.
+    Attempt attempt(const AskStrategy& ask, const RemeshRequest& request, const SurfacePatch& patch, std::string& why);
+
     GrowingSurface surface_;
     std::vector<const ToolSolid*> solids_;
     double tolerance_;
-    AskStrategy ask_;
+    AskStrategy ask_, otherwise_;
     double removed_ = 0.0;
-    int refusals_ = 0;
+    int refusals_ = 0, handed_over_ = 0;
+    std::string why_handed_over_;
     std::vector<Stale> stale_;
 };
 

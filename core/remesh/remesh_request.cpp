@@ -7,22 +7,14 @@
 #include <cstring>
 #include <optional>
 
+#include "kerf/draft/remesh_mesh.hpp"
+
 namespace kerf {
 namespace {
 
+using remeshing::append;
+
 constexpr std::uint64_t alignment = 8;
-
-std::uint64_t aligned(std::uint64_t offset) noexcept { return (offset + alignment - 1) / alignment * alignment; }
-
-/// Copies `count` values behind what is in the arena. Returns their offset, 0 where there is no room or no value.
-template <class T>
-kerf_offset append(kerf_arena& arena, const T* values, std::size_t count) {
-    const kerf_offset at = aligned(std::max<std::uint64_t>(arena.used, alignment));  // 0 stands for none
-    if (count == 0 || at > arena.capacity || count > (arena.capacity - at) / sizeof(T)) return 0;
-    std::memcpy(arena.base + at, values, count * sizeof(T));
-    arena.used = at + count * sizeof(T);
-    return at;
-}
 
 /// Reads an array; nothing where it is not wholly in the arena.
 template <class T>
@@ -107,7 +99,7 @@ RemeshResult unpack(kerf_status status, const kerf_remesh_out& out, const kerf_a
     result.want_low = {out.want_low[0], out.want_low[1], out.want_low[2]};
     result.want_high = {out.want_high[0], out.want_high[1], out.want_high[2]};
     if (status == KERF_REMESH_UNCHANGED || status == KERF_REMESH_CANCELLED || status == KERF_REMESH_REFUSED ||
-        status == KERF_FAILED)
+        status == KERF_REMESH_DECLINED || status == KERF_FAILED)
         return result;
     if (status == KERF_REMESH_NEED_REGION)
         return is_finite(result.want_low) && is_finite(result.want_high) ? result

@@ -1,51 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
-#include <cstring>
-#include <span>
+#include <exception>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "booleans.h"
 
 namespace kerf::remesh_cgal {
 namespace {
 
-template <class T>
-std::span<const T> array(const kerf_arena& arena, kerf_offset at, std::size_t count) {
-    return {reinterpret_cast<const T*>(arena.base + at), count};
-}
-
-/// Copies values behind what is in the arena. Returns their offset; 0 where there is no room.
-template <class T>
-kerf_offset append(kerf_arena& arena, const std::vector<T>& values) {
-    const kerf_offset at = (arena.used + 7) / 8 * 8;
-    const std::size_t size = values.size() * sizeof(T);
-    if (at > arena.capacity || size > arena.capacity - at) return 0;
-    std::memcpy(arena.base + at, values.data(), size);
-    arena.used = at + size;
-    return at;
-}
-
-Triangles read(const kerf_patch& patch, const kerf_arena& arena) {
-    const auto copied = [](const auto& values, auto& to) { to.assign(values.begin(), values.end()); };
-    Triangles mesh;
-    copied(array<Vec3>(arena, patch.vertices, patch.vertex_count), mesh.vertices);
-    copied(array<std::uint32_t>(arena, patch.triangles, 3 * std::size_t{patch.triangle_count}), mesh.triangles);
-    copied(array<std::uint8_t>(arena, patch.tags, patch.triangle_count), mesh.tags);
-    return mesh;
-}
-
-bool write(const Triangles& mesh, kerf_arena& arena, kerf_patch& patch) {
-    patch.vertex_count = static_cast<std::uint32_t>(mesh.vertices.size());
-    patch.triangle_count = static_cast<std::uint32_t>(mesh.tags.size());
-    patch.vertices = append(arena, mesh.vertices);
-    patch.triangles = append(arena, mesh.triangles);
-    patch.tags = append(arena, mesh.tags);
-    patch.locked = 0;
-    return mesh.tags.empty() || (patch.vertices != 0 && patch.triangles != 0 && patch.tags != 0);
-}
+using remeshing::array, remeshing::read, remeshing::write;
 
 kerf_status refuse(kerf_remesh_out& out, const std::string& why) {
-    std::snprintf(out.message, sizeof out.message, "%s", why.c_str());
-    return KERF_REMESH_REFUSED;
+    return remeshing::refuse(KERF_REMESH_REFUSED, out, why);
 }
 
 using Cancelled = std::function<bool()>;

@@ -92,7 +92,8 @@ enum {
     KERF_REMESH_UNCHANGED = 1,   /* the cuts meet none of the faces; `result` is not read */
     KERF_REMESH_NEED_REGION = 2, /* the patch is too small */
     KERF_REMESH_REFUSED = 3,     /* this input cannot be cut; another seed may help */
-    KERF_REMESH_CANCELLED = 4
+    KERF_REMESH_CANCELLED = 4,
+    KERF_REMESH_DECLINED = 5 /* this strategy does not make such a cut, with any seed; another strategy may */
 };
 
 typedef struct kerf_remesher {
