@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "displace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "half_edges.h"
+#include "refine.h"
+#include "tidy.h"
+
+namespace kerf::remesh_displace {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::size_t most_faces = 2'000'000;
+constexpr std::size_t most_attempts = 4;  // with one source each
+
+struct FaceCorners {
+    std::array<std::uint32_t, 3> numbers;
+    Vec3 a, b, c;
+};
+FaceCorners corners_of(const Triangles& mesh, std::size_t f) {
+    const auto& t = mesh.triangles;
+    return {{t[3 * f], t[3 * f + 1], t[3 * f + 2]},
+            mesh.vertices[t[3 * f]],
+            mesh.vertices[t[3 * f + 1]],
+            mesh.vertices[t[3 * f + 2]]};
+}
+
+/// On which side of the burr's surface vertices lie.
+enum class Side : std::int8_t { inside = -1, on = 0, outside = 1 };
+
+/// One cut of one mesh.
+class Displacement {
+public:
+    Displacement(Triangles& mesh, const std::vector<std::uint8_t>& locked, const SweptBurr& burr, double tolerance)
+        : mesh_(&mesh),
+          locked_(&locked),
+          burr_(&burr),
+          fineness_(Fineness::of(tolerance, burr.largest_radius())),
+          deep_(0.5 * tolerance),
+          count_(mesh.vertices.size()) {}
+
+    Outcome run(const Cancelled& cancelled, std::string& why) {
+        if (!split_near_burr()) {
+            why = "the surface near the burr would have more than " + std::to_string(most_faces) + " faces";
+            return Outcome::declined;
+        }
+        if (cancelled()) return Outcome::cancelled;
+        find_sides();
+        if (std::find(sides_.begin(), sides_.end(), Side::inside) == sides_.end()) return Outcome::unchanged;
+        for (std::size_t v = 0; v < locked_->size(); ++v)
+            if ((*locked_)[v] != 0 && sides_[v] == Side::inside) {
+                why = "the burr reaches the border of the patch";
+                return Outcome::declined;
+            }
+        if (!split_at_rim()) {
+            why = "the mesh is not 2-manifold";
+            return Outcome::refused;
+        }
+        const std::vector<std::uint8_t> is_inside = faces_inside();
+        const std::vector<Source> sources = sources_of(is_inside);
+        why = "inside the swept burr the surface does not look at its axis everywhere: another wall is in the way";
+        Outcome moved = Outcome::declined;
+        for (std::size_t n = 0; n < std::min(sources.size(), most_attempts) && moved == Outcome::declined; ++n) {
+            std::vector<std::uint32_t> numbers;
+            Triangles wall = taken(is_inside, numbers);
+            moved = move_onto_burr(wall, *burr_, sources[n], fineness_, cancelled, why);
+            if (moved == Outcome::cut) put_back(wall, numbers, is_inside);
+        }
+        return moved;
+    }
+
+private:
+    /// Whether the burr is deeper than `deep_` in a face. The burr is convex: no point of a face is farther from its
+    /// middle than the farthest corner.
+    [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c) const {
+        const Vec3 middle = (a + b + c) / 3.0;
+        const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
+        const double at_middle = burr_->outside(middle);
+        if (at_middle < -deep_) return true;
+        if (at_middle - reach >= -deep_ || reach < 0.25 * fineness_.edge) return false;
+        const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+        return is_met(a, ab, ca) || is_met(b, bc, ab) || is_met(c, ca, bc) || is_met(ab, bc, ca);
+    }
+
+    [[nodiscard]] bool split_near_burr() {
+        const auto wants = [this](const Triangles& mesh, std::uint32_t f) {
+            const auto [numbers, a, b, c] = corners_of(mesh, f);
+            return std::max({length(b - a), length(c - b), length(a - c)}) > fineness_.edge && is_met(a, b, c);
+        };
+        return refine(
+            *mesh_, wants, [](Vec3 a, Vec3 b) { return 0.5 * (a + b); }, most_faces);
+    }
+
+    void find_sides() {
+        const double just_inside = std::max(0.02 * fineness_.tolerance, 1e-8);
+        // A vertex of an earlier wall lies on the burr as it was then: a face from there to the burr is off by less.
+        std::vector<double> just_outside(mesh_->vertices.size(), fineness_.tolerance);
+        for (std::size_t f = 0; f < mesh_->tags.size(); ++f)
+            if (mesh_->tags[f] == KERF_FACE_SURFACE)
+                for (const std::uint32_t v : corners_of(*mesh_, f).numbers)
+                    just_outside[v] = 0.25 * fineness_.tolerance;
+        std::vector<double> outside;
+        for (std::size_t v = 0; v < mesh_->vertices.size(); ++v) {
+            const double x = outside.emplace_back(burr_->outside(mesh_->vertices[v]));
+            sides_.push_back(x < -just_inside ? Side::inside : x > just_outside[v] ? Side::outside : Side::on);
+        }
+        forget_shallow(outside);
+    }
+    /// What hangs together inside the burr and is nowhere deep counts as on its surface.
+    void forget_shallow(const std::vector<double>& outside) {
+        std::vector<std::uint32_t> leader(sides_.size());
+        for (std::uint32_t v = 0; v < leader.size(); ++v) leader[v] = v;
+        const auto find = [&](std::uint32_t v) {
+            while (leader[v] != v) v = leader[v] = leader[leader[v]];
+            return v;
+        };
+        for (std::size_t f = 0; f < mesh_->tags.size(); ++f) {
+            const auto numbers = corners_of(*mesh_, f).numbers;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t a = numbers[i], b = numbers[(i + 1) % 3];
+                if (sides_[a] == Side::inside && sides_[b] == Side::inside) leader[find(b)] = find(a);
+            }
+        }
+        std::vector<double> deepest(sides_.size(), 0.0);
+        for (std::uint32_t v = 0; v < sides_.size(); ++v)
+            if (sides_[v] == Side::inside) deepest[find(v)] = std::min(deepest[find(v)], outside[v]);
+        for (std::uint32_t v = 0; v < sides_.size(); ++v)
+            if (sides_[v] == Side::inside && deepest[find(v)] > -deep_) sides_[v] = Side::on;
+    }
+
+    /// Gives each edge that crosses the burr's surface a vertex there.
+    [[nodiscard]] bool split_at_rim() {
+        HalfEdges half_edges;
+        FaceTags tags;
+        if (!load(*mesh_, half_edges, tags)) return false;
+        const std::size_t count = half_edges.n_edges();
+        for (std::size_t n = 0; n < count; ++n) {
+            const auto edge = half_edges.edge_handle(static_cast<unsigned>(n));
+            const auto h = half_edges.halfedge_handle(edge, 0);
+            auto a = half_edges.from_vertex_handle(h), b = half_edges.to_vertex_handle(h);
+            if (side_of(a) == Side::outside) std::swap(a, b);
+            if (side_of(a) != Side::inside || side_of(b) != Side::outside) continue;
+            const Vec3 rim = burr_->crossing(position(half_edges, a), position(half_edges, b));
+            half_edges.split_copy(edge, half_edges.add_vertex(point_of(rim)));
+            sides_.push_back(Side::on);
+        }
+        *mesh_ = faces_of(half_edges, tags);
+        return true;
+    }
+    [[nodiscard]] Side side_of(HalfEdges::VertexHandle v) const { return sides_[static_cast<std::size_t>(v.idx())]; }
+
+    /// Pre: no edge crosses the burr's surface.
+    [[nodiscard]] std::vector<std::uint8_t> faces_inside() const {
+        std::vector<std::uint8_t> is_inside;
+        for (std::size_t f = 0; f < mesh_->tags.size(); ++f) {
+            const auto [numbers, a, b, c] = corners_of(*mesh_, f);
+            const auto has = [&, n = numbers](Side side) {
+                return std::any_of(n.begin(), n.end(), [&](std::uint32_t v) { return sides_[v] == side; });
+            };
+            const bool is_bridge =
+                !has(Side::inside) && !has(Side::outside) && burr_->outside((a + b + c) / 3.0) < -fineness_.tolerance;
+            is_inside.push_back(has(Side::inside) || is_bridge);
+        }
+        return is_inside;
+    }
+
+    /// The sources that all faces inside look at. Points come first: along rays from a point no face turns over. Then
+    /// those that the faces look at more squarely.
+    [[nodiscard]] std::vector<Source> sources_of(const std::vector<std::uint8_t>& is_inside) const {
+        constexpr double least_needed = 0.01;  // [–] the sine of an angle
+        struct Rated {
+            bool is_point;
+            double least;
+            Source source;
+        };
+        std::vector<Rated> found;
+        for (const Source& source : burr_->sources()) {
+            double least = 1.0;
+            for (std::size_t f = 0; f < is_inside.size() && least > least_needed; ++f) {
+                if (is_inside[f] == 0) continue;
+                const auto [numbers, a, b, c] = corners_of(*mesh_, f);
+                const Vec3 across = cross(b - a, c - a), normal = normalized(across);
+                // Where a sliver looks means nothing: it is turned with its neighbour.
+                if (length(across) < fineness_.tolerance * std::max({length(b - a), length(c - b), length(a - c)}))
+                    continue;
+                for (const Vec3 p : {a, b, c, (a + b + c) / 3.0})
+                    least = std::min(least, dot(normal, normalized(source.nearest(p) - p)));
+            }
+            if (least > least_needed) found.push_back({source.from == source.to, least, source});
+        }
+        std::stable_sort(found.begin(), found.end(), [](const Rated& a, const Rated& b) {
+            return a.is_point != b.is_point ? a.is_point : a.least > b.least;
+        });
+        std::vector<Source> sources;
+        for (const Rated& one : found) sources.push_back(one.source);
+        return sources;
+    }
+
+    /// The faces inside as a mesh of their own, and the numbers of its vertices in the whole.
+    [[nodiscard]] Triangles taken(const std::vector<std::uint8_t>& is_inside,
+                                  std::vector<std::uint32_t>& numbers) const {
+        Triangles wall;
+        std::vector<std::uint32_t> own(mesh_->vertices.size(), none);
+        for (std::size_t f = 0; f < is_inside.size(); ++f) {
+            if (is_inside[f] == 0) continue;
+            for (const std::uint32_t v : corners_of(*mesh_, f).numbers) {
+                if (own[v] == none) {
+                    own[v] = static_cast<std::uint32_t>(numbers.size());
+                    numbers.push_back(v);
+                    wall.vertices.push_back(mesh_->vertices[v]);
+                }
+                wall.triangles.push_back(own[v]);
+            }
+            wall.tags.push_back(KERF_FACE_WALL);
+        }
+        return wall;
+    }
+    /// Puts a wall in the place of the faces inside, and mends slivers beside it. Vertices that nothing needs go.
+    void put_back(const Triangles& wall, std::vector<std::uint32_t> numbers,
+                  const std::vector<std::uint8_t>& is_inside) {
+        for (std::size_t v = 0; v < wall.vertices.size(); ++v) {
+            if (v < numbers.size()) {
+                mesh_->vertices[numbers[v]] = wall.vertices[v];
+            } else {
+                numbers.push_back(static_cast<std::uint32_t>(mesh_->vertices.size()));
+                mesh_->vertices.push_back(wall.vertices[v]);
+            }
+        }
+        Triangles whole;
+        for (std::size_t f = 0; f < is_inside.size(); ++f) {
+            if (is_inside[f] != 0) continue;
+            for (const std::uint32_t v : corners_of(*mesh_, f).numbers) whole.triangles.push_back(v);
+            whole.tags.push_back(mesh_->tags[f]);
+        }
+        for (const std::uint32_t v : wall.triangles) whole.triangles.push_back(numbers[v]);
+        whole.tags.insert(whole.tags.end(), wall.tags.begin(), wall.tags.end());
+        whole.vertices = std::move(mesh_->vertices);
+        *mesh_ = std::move(whole);
+
+        std::vector<std::uint8_t> stays = *locked_, is_new(mesh_->vertices.size(), 1);
+        stays.resize(is_new.size(), 0);
+        std::fill_n(is_new.begin(), count_, std::uint8_t{0});
+        tidy(*mesh_, stays, is_new, {1e-9, 0.1 * fineness_.tolerance, 0.5 * fineness_.tolerance});
+        drop_unused();
+    }
+    void drop_unused() {
+        std::vector<Vec3> used;
+        std::vector<std::uint32_t> own(mesh_->vertices.size(), none);
+        for (std::uint32_t& v : mesh_->triangles) {
+            if (own[v] == none) {
+                own[v] = static_cast<std::uint32_t>(used.size());
+                used.push_back(mesh_->vertices[v]);
+            }
+            v = own[v];
+        }
+        mesh_->vertices = std::move(used);
+    }
+
+    Triangles* mesh_;
+    const std::vector<std::uint8_t>* locked_;
+    const SweptBurr* burr_;
+    Fineness fineness_;
+    double deep_;        ///< [m]
+    std::size_t count_;  ///< of vertices before the cut
+    std::vector<Side> sides_;
+};
+
+}  // namespace
+
+Outcome displace(Triangles& mesh, const std::vector<std::uint8_t>& locked, const SweptBurr& burr, double tolerance,
+                 const Cancelled& cancelled, std::string& why) {
+    return Displacement(mesh, locked, burr, tolerance).run(cancelled, why);
+}
+
+}  // namespace kerf::remesh_displace

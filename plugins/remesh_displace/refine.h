@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "kerf/draft/remesh_mesh.hpp"
+
+namespace kerf::remesh_displace {
+
+using remeshing::Triangles;
+
+/// Whether a face has to be split. Asked once for each face, and once for each face that a split makes.
+using WantsSplit = std::function<bool(const Triangles& mesh, std::uint32_t face)>;
+/// The new vertex of an edge.
+using Middle = std::function<Vec3(Vec3 a, Vec3 b)>;
+
+/// Splits faces in four, as the pattern of Loop's subdivision does, until no face wants it. Neighbours differ by one
+/// level at most; a face beside one that is split more is halved at the end (green closure), so the mesh stays
+/// conforming. Edges with one face stay: their faces are split in three or in two. Vertices keep their numbers and
+/// positions; there is no smoothing mask. Returns false beyond `most_faces`.   [any] pure.
+///
+/// Source: [loop-1987] for the pattern; [bank-1983] for the closure.
+[[nodiscard]] bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t most_faces);
+
+}  // namespace kerf::remesh_displace

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "swept_burr.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::remesh_displace {
+namespace {
+
+/// Returns where a function that is convex on [low, high], negative at `low` and not negative at `high`, is 0.
+template <class Function>
+double root(const Function& value, double low, double high) noexcept {
+    double at_low = value(low), at_high = value(high);
+    if (!(at_low < 0.0)) return low;
+    if (!(at_high > 0.0)) return high;
+    // False position; the end that stays twice counts half (the Illinois rule).
+    int stayed = 0;
+    for (int n = 0; n < 100 && high - low > 1e-13; ++n) {
+        const double middle = low + (high - low) * (at_low / (at_low - at_high));
+        const double at_middle = value(middle);
+        if (std::abs(at_middle) < 1e-10) return middle;
+        if (at_middle < 0.0) {
+            low = middle;
+            at_low = at_middle;
+            if (stayed < 0) at_high *= 0.5;
+            stayed = -1;
+        } else {
+            high = middle;
+            at_high = at_middle;
+            if (stayed > 0) at_low *= 0.5;
+            stayed = 1;
+        }
+    }
+    return low;
+}
+
+}  // namespace
+
+Vec3 Source::nearest(Vec3 point) const noexcept {
+    const Vec3 way = to - from;
+    const double size = dot(way, way);
+    if (!(size > 0.0)) return from;
+    return from + std::clamp(dot(point - from, way) / size, 0.0, 1.0) * way;
+}
+
+std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> outline, double kerf, const Pose& from,
+                                         const Pose& to, std::string& why) {
+    const auto no = [&why](const char* reason) {
+        why = reason;
+        return std::nullopt;
+    };
+    if (kerf != 0.0) return no("a blade is no burr: its slot has edges");
+    if (outline.size() < 2) return no("the tool has no outline");
+    if (!is_finite(from) || !is_finite(to)) return no("a pose of the tool is no number");
+    SweptBurr burr;
+    burr.tip_ = outline.front().z;
+    burr.end_ = outline.back().z;
+    burr.faces_.push_back({0.0, 1.0, burr.tip_});
+    burr.faces_.push_back({0.0, -1.0, -burr.end_});
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (!std::isfinite(outline[i].z) || !(outline[i].radius >= 0.0) || !std::isfinite(outline[i].radius))
+            return no("a point of the tool's outline is no number");
+        burr.largest_radius_ = std::max(burr.largest_radius_, outline[i].radius);
+        if (i == 0) continue;
+        const double dz = outline[i].z - outline[i - 1].z, dr = outline[i].radius - outline[i - 1].radius;
+        const double size = std::sqrt(dz * dz + dr * dr);
+        if (!(dz < 0.0)) return no("the tool's outline turns back");
+        const double across = -dz / size, along = dr / size;
+        burr.faces_.push_back({across, along, across * outline[i].radius + along * outline[i].z});
+    }
+    if (!(burr.largest_radius_ > 0.0)) return no("the tool has no volume");
+    constexpr double hollow = 1e-9;  // [m]
+    for (const kerf_profile_point& p : outline)
+        for (const Face& face : burr.faces_)
+            if (face.across * p.radius + face.along * p.z - face.offset > hollow) return no("the tool is not convex");
+    burr.from_ = from;
+    burr.to_ = to;
+    const Quat &a = from.rotation, &b = to.rotation;
+    burr.turns_ = !(a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
+    burr.way_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
+    const Vec3 end{0, 0, burr.end_}, tip{0, 0, burr.tip_};
+    burr.motion_ = std::max(length(to * end - from * end), length(to * tip - from * tip)) +
+                   (burr.turns_ ? 2.0 * burr.largest_radius_ : 0.0);
+    return burr;
+}
+
+Pose SweptBurr::pose_at(double t) const noexcept {
+    Pose pose{from_.position + t * (to_.position - from_.position), from_.rotation};
+    if (!turns_) return pose;
+    const Quat &a = from_.rotation, &b = to_.rotation;
+    const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -t : t, rest = 1.0 - t;
+    pose.rotation = normalized(
+        Quat{rest * a.w + sign * b.w, rest * a.x + sign * b.x, rest * a.y + sign * b.y, rest * a.z + sign * b.z});
+    return pose;
+}
+
+Vec3 SweptBurr::in_tool(double t, Vec3 point) const noexcept {
+    return turns_ ? inverse(pose_at(t)) * point
+                  : rotate(conjugate(from_.rotation), point - from_.position) - t * way_in_tool_;
+}
+
+SweptBurr::Instant SweptBurr::at(double t, Vec3 point) const noexcept {
+    const Vec3 p = in_tool(t, point);
+    const double r = std::sqrt(p.x * p.x + p.y * p.y);
+    double most = -HUGE_VAL;
+    const Face* nearest = &faces_.front();
+    for (const Face& face : faces_) {
+        const double outside = face.across * r + face.along * p.z - face.offset;
+        if (outside > most) {
+            most = outside;
+            nearest = &face;
+        }
+    }
+    Vec3 way = -way_in_tool_;
+    if (turns_) {
+        constexpr double step = 1e-6;
+        way = (in_tool(t + step, point) - in_tool(t - step, point)) / (2.0 * step);
+    }
+    const double outwards = r > 0.0 ? (p.x * way.x + p.y * way.y) / r : 0.0;
+    return {t, most, nearest->across * outwards + nearest->along * way.z};
+}
+
+double SweptBurr::outside(Vec3 point) const noexcept {
+    // Where it is convex in t, it lies above its tangents: their intersection is a lower bound, and the next guess.
+    constexpr double near = 1e-10;  // [m]
+    Instant low = at(0.0, point), high = at(1.0, point);
+    double least = std::min(low.outside, high.outside);
+    for (int n = 0; n < 60 && low.slope < 0.0 && high.slope > 0.0; ++n) {
+        const double width = high.t - low.t;
+        const double share =
+            (high.outside - low.outside - high.slope * width) / ((low.slope - high.slope) * width);  // [–] of the width
+        if (!(least - (low.outside + low.slope * share * width) > near)) break;
+        const Instant next = at(low.t + std::clamp(share, 0.01, 0.99) * width, point);
+        least = std::min(least, next.outside);
+        (next.slope < 0.0 ? low : high) = next;
+        if (next.slope == 0.0) break;
+    }
+    return least;
+}
+
+Vec3 SweptBurr::exit(const Source& source, Vec3 through) const noexcept {
+    const Vec3 begin = source.nearest(through), ray = normalized(through - begin);
+    const auto value = [&](double s) { return outside(begin + s * ray); };
+    double low = 0.0, high = length(through - begin);
+    for (double at = value(high); at < 0.0; at = value(high)) {
+        low = high;
+        high += std::max({-2.0 * at, 0.25 * high, 1e-6});
+    }
+    return begin + root(value, low, high) * ray;
+}
+
+Vec3 SweptBurr::crossing(Vec3 inside, Vec3 other) const noexcept {
+    const Vec3 ray = normalized(other - inside);
+    return inside + root([&](double s) { return outside(inside + s * ray); }, 0.0, length(other - inside)) * ray;
+}
+
+std::vector<Source> SweptBurr::sources() const {
+    std::vector<Source> found;
+    for (const double height : {0.5, 0.25, 0.1, 0.02, 0.75}) {
+        const Vec3 in_tool{0, 0, end_ + height * (tip_ - end_)};
+        const auto at = [&](double t) { return pose_at(t) * in_tool; };
+        for (const double t : {1.0, 0.75, 0.5, 0.25}) found.push_back({at(0.0), at(t)});
+        for (const double t : {0.0, 0.5, 1.0}) found.push_back({at(t), at(t)});
+    }
+    return found;
+}
+
+}  // namespace kerf::remesh_displace

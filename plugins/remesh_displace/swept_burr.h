@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kerf/draft/remesh.h"
+#include "kerf/math.hpp"
+
+namespace kerf::remesh_displace {
+
+/// A straight line inside the swept burr. Rays leave it at right angles, and at its ends in all directions away from
+/// it. A convex body has one point of its surface on each ray.
+struct Source {
+    Vec3 from{}, to{};  ///< body frame [m]; a point where they are equal
+
+    [[nodiscard]] Vec3 nearest(Vec3 point) const noexcept;
+};
+
+/// What a convex solid of revolution sweeps on a straight stretch.
+class SweptBurr {
+public:
+    /// Returns nothing, with the reason, for a prism, an outline that is not convex to 1 nm, has fewer than two points
+    /// or no volume, and for a pose that is no number.
+    static std::optional<SweptBurr> make(std::span<const kerf_profile_point> outline, double kerf, const Pose& from,
+                                         const Pose& to, std::string& why);
+
+    /// Returns how far a point lies outside [m]; negative inside. Along any line it is convex; it changes no faster
+    /// than the point moves, and is no more than the distance. Off by up to 0.1 nm.
+    /// [any] pure.
+    [[nodiscard]] double outside(Vec3 point) const noexcept;
+
+    /// Returns the point on the ray from a source through a point where the ray leaves the burr.
+    /// Pre: the source lies inside.   [any] pure.
+    [[nodiscard]] Vec3 exit(const Source& source, Vec3 through) const noexcept;
+    /// Returns the point of the surface between a point inside and one that is not.   [any] pure.
+    [[nodiscard]] Vec3 crossing(Vec3 inside, Vec3 other) const noexcept;
+
+    /// Sources along the axis of the tool, at several heights and parts of the stretch; all lie inside.
+    [[nodiscard]] std::vector<Source> sources() const;
+
+    [[nodiscard]] double largest_radius() const noexcept { return largest_radius_; }  ///< [m]
+
+private:
+    /// A face of the solid, in the plane of its outline: across · r + along · z ≤ offset.
+    struct Face {
+        double across, along, offset;
+    };
+    /// How far outside a point is at one pose [m], and how fast that grows with t [m].
+    struct Instant {
+        double t, outside, slope;
+    };
+    [[nodiscard]] Instant at(double t, Vec3 point) const noexcept;
+    [[nodiscard]] Vec3 in_tool(double t, Vec3 point) const noexcept;
+    [[nodiscard]] Pose pose_at(double t) const noexcept;
+
+    std::vector<Face> faces_;
+    Pose from_{}, to_{};
+    Vec3 way_in_tool_{};
+    bool turns_ = false;
+    double motion_ = 0.0;           ///< [m] an upper bound of how far a point of the solid moves
+    double tip_ = 0.0, end_ = 0.0;  /// z [m]
+    double largest_radius_ = 0.0;
+};
+
+}  // namespace kerf::remesh_displace

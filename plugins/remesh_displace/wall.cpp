@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "half_edges.h"
+#include "refine.h"
+#include "triangle_shape.h"
+
+namespace kerf::remesh_displace {
+namespace {
+
+using Vertex = HalfEdges::VertexHandle;
+using Edge = HalfEdges::EdgeHandle;
+
+constexpr std::size_t most_faces = 200'000;
+
+/// A wall with its half-edges: what makes its triangles better.
+class WallEdges {
+public:
+    WallEdges(const Triangles& wall, const SweptBurr& burr, const Source& source, const Fineness& fineness)
+        : burr_(&burr), source_(&source), fineness_(&fineness) {
+        is_sound_ = load(wall, mesh_, tags_);
+    }
+    [[nodiscard]] bool is_sound() const noexcept { return is_sound_; }
+    [[nodiscard]] Triangles triangles() const { return faces_of(mesh_, tags_); }
+
+    /// Mends slivers that look away from the source: turns one of their edges, or joins two of their vertices.
+    void mend_slivers() {
+        constexpr int most_sweeps = 4;
+        bool has_mended = true;
+        for (int sweep = 0; sweep < most_sweeps && has_mended; ++sweep) {
+            has_mended = false;
+            for (std::size_t n = 0; n < mesh_.n_faces(); ++n) {
+                const auto f = mesh_.face_handle(static_cast<unsigned>(n));
+                if (!mesh_.status(f).deleted() && !is_right(corners(f)) && mend(f)) has_mended = true;
+            }
+        }
+    }
+
+    void project() {
+        for (const auto v : mesh_.vertices())
+            if (is_free(v)) move(v, burr_->exit(*source_, at(v)));
+    }
+
+    [[nodiscard]] bool all_face_the_source() const {
+        for (const auto f : mesh_.faces())
+            if (!is_right(corners(f))) return false;
+        return true;
+    }
+
+    /// Joins a vertex with a neighbour that is nearer than half of what the wall needs.
+    void collapse_short() {
+        const double shortest = 0.45 * fineness_->edge, longest = 1.3 * fineness_->edge;
+        const std::size_t count = mesh_.n_edges();
+        for (std::size_t n = 0; n < count; ++n) {
+            const Edge e = mesh_.edge_handle(static_cast<unsigned>(n));
+            if (mesh_.status(e).deleted()) continue;
+            const auto h = mesh_.halfedge_handle(e, 0);
+            Vertex gone = mesh_.from_vertex_handle(h), kept = mesh_.to_vertex_handle(h);
+            if (!is_free(gone)) std::swap(gone, kept);
+            if (length(at(gone) - at(kept)) >= shortest || !is_good_to_join(gone, kept, longest)) continue;
+            mesh_.collapse(mesh_.find_halfedge(gone, kept));
+        }
+    }
+
+    void improve() {
+        constexpr int rounds = 4;
+        for (int round = 0; round < rounds; ++round) {
+            flip();
+            relax();
+        }
+        flip();
+    }
+
+    /// The faces beside an edge that bends too much, or whose middle lies too deep in the burr. Edges of half the
+    /// wall's fineness stay: the tool itself has an edge there.
+    [[nodiscard]] std::vector<std::uint8_t> coarse_faces() const {
+        std::vector<std::uint8_t> coarse(mesh_.n_faces(), 0);
+        for (const auto e : mesh_.edges()) {
+            if (mesh_.is_boundary(e)) continue;
+            const auto h = mesh_.halfedge_handle(e, 0), other = mesh_.halfedge_handle(e, 1);
+            const Vec3 a = at(mesh_.from_vertex_handle(h)), b = at(mesh_.to_vertex_handle(h));
+            if (length(b - a) < 0.5 * fineness_->edge) continue;
+            const Corners one = corners(mesh_.face_handle(h)), two = corners(mesh_.face_handle(other));
+            const double bend = dot(normal_of(one), normal_of(two));
+            // A bend off the burr by less than the tolerance is that of a sliver.
+            const double off = std::min(height_of(one), height_of(two)) * std::sqrt(std::max(0.0, 1.0 - bend * bend));
+            if ((bend >= fineness_->bend_cosine || (bend > 0.0 && off < fineness_->tolerance)) &&
+                burr_->outside(0.5 * (a + b)) >= -fineness_->tolerance)
+                continue;
+            for (const auto side : {h, other}) coarse[static_cast<std::size_t>(mesh_.face_handle(side).idx())] = 1;
+        }
+        // By their order among those that are left, as in triangles().
+        std::vector<std::uint8_t> of_left;
+        for (const auto f : mesh_.faces()) of_left.push_back(coarse[static_cast<std::size_t>(f.idx())]);
+        return of_left;
+    }
+
+private:
+    [[nodiscard]] Vec3 at(Vertex v) const { return position(mesh_, v); }
+    void move(Vertex v, Vec3 to) { mesh_.set_point(v, point_of(to)); }
+    [[nodiscard]] bool is_free(Vertex v) const {
+        return !mesh_.status(v).deleted() && !mesh_.is_isolated(v) && !mesh_.is_boundary(v);
+    }
+    [[nodiscard]] Corners corners(HalfEdges::FaceHandle f) const { return corners_of(mesh_, f); }
+    [[nodiscard]] bool is_right(const Corners& c) const { return faces(*source_, c[0], c[1], c[2]); }
+
+    /// The faces around a vertex, as they would be with that vertex elsewhere.
+    template <class Visit>
+    void for_each_moved(Vertex v, Vec3 to, const Visit& visit) const {
+        for (const auto f : mesh_.vf_range(v)) {
+            Corners c{};
+            std::size_t n = 0;
+            for (const auto corner : mesh_.fv_range(f)) c[n++] = corner == v ? to : at(corner);
+            visit(f, c);
+        }
+    }
+
+    /// Whether a vertex may become one with a neighbour: the surface stays one, and no face looks away then.
+    [[nodiscard]] bool may_join(Vertex gone, Vertex kept) {
+        if (!is_free(gone) || !mesh_.is_collapse_ok(mesh_.find_halfedge(gone, kept))) return false;
+        for (const auto v : mesh_.vv_range(gone))
+            // The surface beyond the border may have that edge already.
+            if (v != kept && mesh_.is_boundary(v) && mesh_.is_boundary(kept) &&
+                !mesh_.find_halfedge(v, kept).is_valid())
+                return false;
+        bool is_good = true;
+        for_each_left(gone, kept, [&](const auto, const Corners& c) { is_good = is_good && is_right(c); });
+        return is_good;
+    }
+    /// The faces that stay when a vertex becomes one with a neighbour.
+    template <class Visit>
+    void for_each_left(Vertex gone, Vertex kept, const Visit& visit) const {
+        for_each_moved(gone, at(kept), [&](const auto f, const Corners& c) {
+            for (const auto v : mesh_.fv_range(f))
+                if (v == kept) return;
+            visit(f, c);
+        });
+    }
+    [[nodiscard]] bool is_good_to_join(Vertex gone, Vertex kept, double longest) {
+        if (!may_join(gone, kept)) return false;
+        for (const auto v : mesh_.vv_range(gone))
+            if (v != kept && length(at(v) - at(kept)) > longest) return false;
+        double before = 0.0, after = 0.0;
+        for (const auto f : mesh_.vf_range(gone)) before = std::max(before, worst_cotangent(corners(f)));
+        for_each_left(gone, kept, [&](const auto, const Corners& c) { after = std::max(after, worst_cotangent(c)); });
+        constexpr double of_20_degrees = 2.747;
+        return after <= std::max(before, of_20_degrees);
+    }
+
+    bool mend(HalfEdges::FaceHandle f) {
+        for (const auto e : mesh_.fe_range(f))
+            if (may_flip(e) && both_right(e)) {
+                mesh_.flip(e);
+                return true;
+            }
+        for (const HalfEdges::HalfedgeHandle h : mesh_.fh_range(f))
+            for (const HalfEdges::HalfedgeHandle side : {h, mesh_.opposite_halfedge_handle(h)})
+                if (may_join(mesh_.from_vertex_handle(side), mesh_.to_vertex_handle(side))) {
+                    mesh_.collapse(side);
+                    return true;
+                }
+        return false;
+    }
+
+    void flip() {
+        constexpr int most_sweeps = 6;
+        for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+            bool has_flipped = false;
+            for (const auto e : mesh_.edges())
+                if (flip(e)) has_flipped = true;
+            if (!has_flipped) return;
+        }
+    }
+    /// The corners of the two faces beside an edge as they would be with the edge turned.
+    struct Turned {
+        Vec3 a, b, c, d;  ///< the edge from a to b, left of it c, right of it d
+        [[nodiscard]] Corners one() const { return {a, d, c}; }
+        [[nodiscard]] Corners two() const { return {d, b, c}; }
+    };
+    [[nodiscard]] Turned turned(Edge e) const {
+        const auto h = mesh_.halfedge_handle(e, 0), other = mesh_.halfedge_handle(e, 1);
+        return {at(mesh_.from_vertex_handle(h)), at(mesh_.to_vertex_handle(h)),
+                at(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))),
+                at(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(other)))};
+    }
+    [[nodiscard]] bool may_flip(Edge e) const {
+        if (mesh_.is_boundary(e) || !mesh_.is_flip_ok(e)) return false;
+        const auto apex = [&](unsigned side) {
+            return mesh_.to_vertex_handle(mesh_.next_halfedge_handle(mesh_.halfedge_handle(e, side)));
+        };
+        // The surface beyond the border may have that edge already.
+        return !mesh_.is_boundary(apex(0)) || !mesh_.is_boundary(apex(1));
+    }
+    [[nodiscard]] bool both_right(Edge e) const {
+        const Turned t = turned(e);
+        return is_right(t.one()) && is_right(t.two());
+    }
+    /// Turns an edge of two faces where that makes their least angle larger.
+    bool flip(Edge e) {
+        if (!may_flip(e)) return false;
+        const Turned t = turned(e);
+        const double before = std::max(worst_cotangent({t.a, t.b, t.c}), worst_cotangent({t.b, t.a, t.d}));
+        const double after = std::max(worst_cotangent(t.one()), worst_cotangent(t.two()));
+        if (!(after < before - 1e-9) || !both_right(e)) return false;
+        // Not across an edge of the tool.
+        if (burr_->outside(0.5 * (t.c + t.d)) < std::min(-fineness_->tolerance, burr_->outside(0.5 * (t.a + t.b))))
+            return false;
+        mesh_.flip(e);
+        return true;
+    }
+
+    /// Moves vertices to the middle of the faces around them, and back onto the burr.
+    void relax() {
+        for (const auto v : mesh_.vertices()) {
+            if (!is_free(v)) continue;
+            Vec3 sum{};
+            double area = 0.0, before = 0.0;
+            for (const auto f : mesh_.vf_range(v)) {
+                const Corners c = corners(f);
+                const double size = length(cross(c[1] - c[0], c[2] - c[0]));
+                sum = sum + size * ((c[0] + c[1] + c[2]) / 3.0);
+                area += size;
+                before = std::max(before, worst_cotangent(c));
+            }
+            constexpr double of_35_degrees = 1.428;
+            if (before < of_35_degrees) continue;
+            const Vec3 to = burr_->exit(*source_, sum / area);
+            double after = 0.0;
+            bool is_good = is_finite(to);
+            for_each_moved(v, to, [&](const auto, const Corners& c) {
+                after = std::max(after, worst_cotangent(c));
+                is_good = is_good && is_right(c);
+            });
+            if (is_good && after < before) move(v, to);
+        }
+    }
+
+    HalfEdges mesh_;
+    FaceTags tags_;
+    const SweptBurr* burr_;
+    const Source* source_;
+    const Fineness* fineness_;
+    bool is_sound_ = false;
+};
+
+}  // namespace
+
+Fineness Fineness::of(double tolerance, double radius) noexcept {
+    Fineness fine;
+    fine.tolerance = tolerance;
+    fine.edge = std::min(std::sqrt(6.0 * radius * tolerance), 0.5 * radius);
+    fine.bend_cosine = 1.0 - fine.edge * fine.edge / (6.0 * radius * radius);
+    return fine;
+}
+
+bool faces(const Source& source, Vec3 a, Vec3 b, Vec3 c) noexcept {
+    const Vec3 normal = cross(b - a, c - a), middle = (a + b + c) / 3.0;
+    return dot(normal, source.nearest(middle) - middle) > 0.0;
+}
+
+Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& source, const Fineness& fineness,
+                       const Cancelled& cancelled, std::string& why) {
+    constexpr int most_passes = 12;
+    for (int pass = 0;; ++pass) {
+        if (cancelled()) return Outcome::cancelled;
+        WallEdges edges(wall, burr, source, fineness);
+        if (!edges.is_sound()) {
+            why = "the surface inside the swept burr is not 2-manifold";
+            return Outcome::refused;
+        }
+        edges.mend_slivers();
+        if (pass == 0 && edges.all_face_the_source()) edges.project();
+        if (!edges.all_face_the_source()) {
+            why = "a face of the wall would turn over";
+            return Outcome::declined;
+        }
+        if (pass == 0) edges.collapse_short();
+        edges.improve();
+        const std::vector<std::uint8_t> coarse = edges.coarse_faces();
+        wall = edges.triangles();
+        if (pass == most_passes || std::find(coarse.begin(), coarse.end(), 1) == coarse.end()) return Outcome::cut;
+        const auto wants = [&](const Triangles&, std::uint32_t f) { return f < coarse.size() && coarse[f] != 0; };
+        const auto middle = [&](Vec3 a, Vec3 b) { return burr.exit(source, 0.5 * (a + b)); };
+        if (!refine(wall, wants, middle, most_faces)) {
+            why = "the wall would have more than " + std::to_string(most_faces) + " faces";
+            return Outcome::declined;
+        }
+    }
+}
+
+}  // namespace kerf::remesh_displace
