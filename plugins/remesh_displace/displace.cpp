@@ -45,6 +45,11 @@ public:
           count_(mesh.vertices.size()) {}
 
     Outcome run(const Cancelled& cancelled, std::string& why) {
+        for (const auto& [a, b] : border_of(*mesh_))
+            if (is_met(mesh_->vertices[a], mesh_->vertices[b], 0.5 * (mesh_->vertices[a] + mesh_->vertices[b]))) {
+                why = "the burr reaches the border of the patch";
+                return Outcome::declined;
+            }
         if (!split_near_burr()) {
             why = "the surface near the burr would have more than " + std::to_string(most_faces) + " faces";
             return Outcome::declined;
@@ -54,7 +59,7 @@ public:
         if (std::find(sides_.begin(), sides_.end(), Side::inside) == sides_.end()) return Outcome::unchanged;
         for (std::size_t v = 0; v < locked_->size(); ++v)
             if ((*locked_)[v] != 0 && sides_[v] == Side::inside) {
-                why = "the burr reaches the border of the patch";
+                why = "the burr reaches a locked vertex";
                 return Outcome::declined;
             }
         if (!split_at_rim()) {
@@ -75,22 +80,30 @@ public:
     }
 
 private:
-    /// Whether the burr is deeper than `deep_` in a face. The burr is convex: no point of a face is farther from its
-    /// middle than the farthest corner.
+    /// Whether the burr is deeper than `deep_` in a face.
     [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c) const {
         const Vec3 middle = (a + b + c) / 3.0;
         const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
-        const double at_middle = burr_->outside(middle);
+        double at_least = 0.0, at_middle = 0.0;
+        if (burr_->turns_little()) {
+            const SweptBurr::Bound bound = burr_->outside_at_least(middle);
+            const auto at = [&](Vec3 p) { return bound.at + dot(bound.slope, p - middle); };
+            at_middle = bound.at;
+            at_least = std::min({at(a), at(b), at(c)});
+        } else {
+            at_middle = burr_->outside(middle);
+            at_least = at_middle - reach;
+        }
         if (at_middle < -deep_) return true;
-        if (at_middle - reach >= -deep_ || reach < 0.25 * fineness_.edge) return false;
+        if (at_least >= -deep_ || reach < 0.25 * fineness_.edge) return false;
         const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
         return is_met(a, ab, ca) || is_met(b, bc, ab) || is_met(c, ca, bc) || is_met(ab, bc, ca);
     }
 
     [[nodiscard]] bool split_near_burr() {
-        const auto wants = [this](const Triangles& mesh, std::uint32_t f) {
+        const auto wants = [this](const Triangles& mesh, std::uint32_t f, double longest) {
             const auto [numbers, a, b, c] = corners_of(mesh, f);
-            return std::max({length(b - a), length(c - b), length(a - c)}) > fineness_.edge && is_met(a, b, c);
+            return longest > fineness_.edge && is_met(a, b, c);
         };
         return refine(
             *mesh_, wants, [](Vec3 a, Vec3 b) { return 0.5 * (a + b); }, most_faces);

@@ -11,7 +11,6 @@ namespace kerf::remesh_displace {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 constexpr std::uint32_t none = 0xffffffffu;
 
@@ -23,13 +22,7 @@ public:
         : mesh_(&mesh), wants_split_(&wants_split), middle_(&middle) {
         is_whole_.assign(mesh.tags.size(), 1);
         wish_.assign(mesh.tags.size(), unknown);
-        std::vector<Edge> edges;
-        for (std::uint32_t f = 0; f < mesh.tags.size(); ++f)
-            for (std::size_t side = 0; side < 3; ++side) edges.push_back(edge(f, side));
-        std::sort(edges.begin(), edges.end());
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
-                border_.push_back(edges[i]);
+        border_ = border_of(mesh);
     }
 
     bool run(std::size_t most_faces) {
@@ -62,7 +55,15 @@ private:
         return found == middles_.end() ? none : found->second;
     }
     [[nodiscard]] bool wants(std::uint32_t f) {
-        if (wish_[f] == unknown) wish_[f] = (*wants_split_)(*mesh_, f) ? yes : no;
+        if (wish_[f] == unknown) {
+            double longest = 0.0;
+            for (std::size_t side = 0; side < 3; ++side) {
+                const Edge e = edge(f, side);
+                if (!is_border(e))
+                    longest = std::max(longest, length(mesh_->vertices[e.second] - mesh_->vertices[e.first]));
+            }
+            wish_[f] = (*wants_split_)(*mesh_, f, longest) ? yes : no;
+        }
         return wish_[f] == yes;
     }
     /// Whether two sides have a vertex, or half of a side has one.
@@ -170,6 +171,19 @@ private:
 };
 
 }  // namespace
+
+std::vector<Edge> border_of(const Triangles& mesh) {
+    std::vector<Edge> edges, border;
+    const auto& t = mesh.triangles;
+    for (std::size_t f = 0; f < mesh.tags.size(); ++f)
+        for (std::size_t side = 0; side < 3; ++side)
+            edges.push_back(edge_of(t[3 * f + side], t[3 * f + (side + 1) % 3]));
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
+            border.push_back(edges[i]);
+    return border;
+}
 
 bool refine(Triangles& mesh, const WantsSplit& wants_split, const Middle& middle, std::size_t most_faces) {
     return Refinement(mesh, wants_split, middle).run(most_faces);

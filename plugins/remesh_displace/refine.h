@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "kerf/draft/remesh_mesh.hpp"
 
@@ -11,8 +13,14 @@ namespace kerf::remesh_displace {
 
 using remeshing::Triangles;
 
-/// Whether a face has to be split. Asked once for each face, and once for each face that a split makes.
-using WantsSplit = std::function<bool(const Triangles& mesh, std::uint32_t face)>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  ///< its vertices, the smaller number first
+
+/// Returns the edges with one face, sorted.   [any] pure.
+[[nodiscard]] std::vector<Edge> border_of(const Triangles& mesh);
+
+/// Whether a face has to be split. Called once for each face, and once for each face that a split makes. `longest` is
+/// the length of its longest side that can be split [m]; 0 if all are on the border.
+using WantsSplit = std::function<bool(const Triangles& mesh, std::uint32_t face, double longest)>;
 /// The new vertex of an edge.
 using Middle = std::function<Vec3(Vec3 a, Vec3 b)>;
 

@@ -77,10 +77,12 @@ std::optional<SweptBurr> SweptBurr::make(std::span<const kerf_profile_point> out
     burr.to_ = to;
     const Quat &a = from.rotation, &b = to.rotation;
     burr.turns_ = !(a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
+    const double half_cosine = std::abs(a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z);
+    const double angle = 2.0 * std::sqrt(std::max(0.0, 1.0 - half_cosine * half_cosine));  // [rad] or a little less
+    constexpr double most_of_a_piece = 0.01;  // its sweep is convex to 0.1 um, with a tool of 10 mm
+    burr.pieces_ = static_cast<int>(std::clamp(std::ceil(angle / most_of_a_piece), 1.0, 64.0));
+    burr.turns_little_ = angle < 4.0 * most_of_a_piece;
     burr.way_in_tool_ = rotate(conjugate(from.rotation), to.position - from.position);
-    const Vec3 end{0, 0, burr.end_}, tip{0, 0, burr.tip_};
-    burr.motion_ = std::max(length(to * end - from * end), length(to * tip - from * tip)) +
-                   (burr.turns_ ? 2.0 * burr.largest_radius_ : 0.0);
     return burr;
 }
 
@@ -116,26 +118,51 @@ SweptBurr::Instant SweptBurr::at(double t, Vec3 point) const noexcept {
         constexpr double step = 1e-6;
         way = (in_tool(t + step, point) - in_tool(t - step, point)) / (2.0 * step);
     }
-    const double outwards = r > 0.0 ? (p.x * way.x + p.y * way.y) / r : 0.0;
-    return {t, most, nearest->across * outwards + nearest->along * way.z};
+    const Vec3 outwards = r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{};
+    const Vec3 normal = nearest->across * outwards + Vec3{0, 0, nearest->along};
+    return {t, most, dot(normal, way), rotate(turns_ ? pose_at(t).rotation : from_.rotation, normal)};
 }
 
-double SweptBurr::outside(Vec3 point) const noexcept {
+SweptBurr::Least SweptBurr::least(Vec3 point) const noexcept {
+    Instant begin = at(0.0, point);
+    Least found{HUGE_VAL, begin, begin};
+    for (int piece = 1; piece <= pieces_; ++piece) {
+        const Instant end = at(piece == pieces_ ? 1.0 : static_cast<double>(piece) / pieces_, point);
+        const Least one = least_between(begin, end, point);
+        if (one.outside < found.outside) found = one;
+        begin = end;
+    }
+    return found;
+}
+
+SweptBurr::Least SweptBurr::least_between(Instant low, Instant high, Vec3 point) const noexcept {
     // Where it is convex in t, it lies above its tangents: their intersection is a lower bound, and the next guess.
     constexpr double near = 1e-10;  // [m]
-    Instant low = at(0.0, point), high = at(1.0, point);
     double least = std::min(low.outside, high.outside);
-    for (int n = 0; n < 60 && low.slope < 0.0 && high.slope > 0.0; ++n) {
+    if (low.slope >= 0.0) return {least, low, low};
+    if (high.slope <= 0.0) return {least, high, high};
+    for (int n = 0; n < 60; ++n) {
         const double width = high.t - low.t;
         const double share =
             (high.outside - low.outside - high.slope * width) / ((low.slope - high.slope) * width);  // [–] of the width
         if (!(least - (low.outside + low.slope * share * width) > near)) break;
         const Instant next = at(low.t + std::clamp(share, 0.01, 0.99) * width, point);
         least = std::min(least, next.outside);
+        if (next.slope == 0.0) return {least, next, next};
         (next.slope < 0.0 ? low : high) = next;
-        if (next.slope == 0.0) break;
     }
-    return least;
+    return {least, low, high};
+}
+
+double SweptBurr::outside(Vec3 point) const noexcept { return least(point).outside; }
+
+SweptBurr::Bound SweptBurr::outside_at_least(Vec3 point) const noexcept {
+    // Each instant bounds all points at all instants by a plane; the two together give one that does not depend on t.
+    const auto [outside, low, high] = least(point);
+    if (low.t == high.t) return {low.outside, low.normal};
+    const double share = high.slope / (high.slope - low.slope);
+    return {share * (low.outside - low.slope * low.t) + (1.0 - share) * (high.outside - high.slope * high.t),
+            share * low.normal + (1.0 - share) * high.normal};
 }
 
 Vec3 SweptBurr::exit(const Source& source, Vec3 through) const noexcept {

@@ -32,6 +32,16 @@ public:
     /// [any] pure.
     [[nodiscard]] double outside(Vec3 point) const noexcept;
 
+    /// How far points are outside at least: `at` + slope · (from the point) [m].
+    struct Bound {
+        double at;
+        Vec3 slope;
+    };
+    /// Returns a bound for all points that is exact at one, to 0.1 nm.   Pre: turns_little().   [any] pure.
+    [[nodiscard]] Bound outside_at_least(Vec3 point) const noexcept;
+    /// Whether the burr turns by less than 0.04 rad on the stretch, so that its sweep is convex to 2 µm.
+    [[nodiscard]] bool turns_little() const noexcept { return turns_little_; }
+
     /// Returns the point on the ray from a source through a point where the ray leaves the burr.
     /// Pre: the source lies inside.   [any] pure.
     [[nodiscard]] Vec3 exit(const Source& source, Vec3 through) const noexcept;
@@ -51,7 +61,15 @@ private:
     /// How far outside a point is at one pose [m], and how fast that grows with t [m].
     struct Instant {
         double t, outside, slope;
+        Vec3 normal;  ///< how it grows as the point moves, body frame [–]
     };
+    /// Instants around the least: both, or one at an end of the stretch twice.
+    struct Least {
+        double outside;
+        Instant low, high;
+    };
+    [[nodiscard]] Least least(Vec3 point) const noexcept;
+    [[nodiscard]] Least least_between(Instant low, Instant high, Vec3 point) const noexcept;
     [[nodiscard]] Instant at(double t, Vec3 point) const noexcept;
     [[nodiscard]] Vec3 in_tool(double t, Vec3 point) const noexcept;
     [[nodiscard]] Pose pose_at(double t) const noexcept;
@@ -59,8 +77,8 @@ private:
     std::vector<Face> faces_;
     Pose from_{}, to_{};
     Vec3 way_in_tool_{};
-    bool turns_ = false;
-    double motion_ = 0.0;           ///< [m] an upper bound of how far a point of the solid moves
+    bool turns_ = false, turns_little_ = true;
+    int pieces_ = 1;                ///< of the stretch, in each of which the burr hardly turns
     double tip_ = 0.0, end_ = 0.0;  /// z [m]
     double largest_radius_ = 0.0;
 };

@@ -285,7 +285,9 @@ Outcome move_onto_burr(Triangles& wall, const SweptBurr& burr, const Source& sou
         const std::vector<std::uint8_t> coarse = edges.coarse_faces();
         wall = edges.triangles();
         if (pass == most_passes || std::find(coarse.begin(), coarse.end(), 1) == coarse.end()) return Outcome::cut;
-        const auto wants = [&](const Triangles&, std::uint32_t f) { return f < coarse.size() && coarse[f] != 0; };
+        const auto wants = [&](const Triangles&, std::uint32_t f, double) {
+            return f < coarse.size() && coarse[f] != 0;
+        };
         const auto middle = [&](Vec3 a, Vec3 b) { return burr.exit(source, 0.5 * (a + b)); };
         if (!refine(wall, wants, middle, most_faces)) {
             why = "the wall would have more than " + std::to_string(most_faces) + " faces";
