@@ -230,8 +230,9 @@ void describe_to(CLI::App& app, CommandLine& line) {
         ->check(is_setting())
         ->expected(1)
         ->take_all();
-    add_option(remesh, "--strategy", line.strategy, "STRATEGY", "exact (default): the whole mesh; local: near each cut",
-               one_of({"exact", "local"}));
+    add_option(remesh, "--strategy", line.strategy, "STRATEGY",
+               "exact (default): the whole mesh; local: near each cut; displace: moved onto the burr",
+               one_of({"exact", "local", "displace"}));
     add_option(remesh, "-o,--out", line.out, "FOLDER", "Folder for the results; default: that of the session",
                not_empty(out_help));
     remesh->footer(std::string("Exit code: 0 made, 2 bad input, 3 no exact surface could be made.\n") + notice_line +

@@ -46,9 +46,8 @@ std::string shipped_procedure(const CommandLine& line, const PluginRegistry& plu
     return {};
 }
 
-std::string json_of(const ExactSurface& made, const std::string& strategy, const RemeshChild& child) {
-    ExactRow row = exact_row(made);
-    row.strategies = {strategy_row(strategy, child)};
+std::string json_of(const ExactSurface& made, const ExactStrategies& strategies) {
+    const ExactRow row = exact_row(made, strategies);
     nlohmann::ordered_json all{{"notice", notice_line}};
     all.update(exact_summary(row));
     return printable_json(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
@@ -63,6 +62,8 @@ void print_table(const ExactSurface& made, double seconds) {
                         piece.volume * 1e9, piece.field_volume * 1e9));
     print(formatted("\n  removed: mesh %.2f mm3, field %.2f mm3; a difference of %.2f mm3 is expected of the field\n",
                     made.removed * 1e9, made.field_removed * 1e9, made.allowed * 1e9));
+    if (made.handed_over > 0)
+        print(formatted("  %d of %zu stretches were declined and cut by `local`\n", made.handed_over, made.stretches));
     if (made.crumbs > 0)
         print(formatted("  %zu crumbs of %.3f mm3 that are no body of the field are left out\n", made.crumbs,
                         made.crumb_volume * 1e9));
@@ -72,8 +73,9 @@ void print_table(const ExactSurface& made, double seconds) {
 /// Makes the surface as soon as the session has been repeated, while its bone is there.
 class Remesher final : public RunObserver {
 public:
-    Remesher(const Scene& scene, RemeshChild& child, const Interruption& interruption)
-        : scene_(&scene), child_(&child), interruption_(&interruption) {}
+    Remesher(const Scene& scene, const ExactStrategies& strategies, std::string strategy,
+             const Interruption& interruption)
+        : scene_(&scene), strategies_(&strategies), strategy_(std::move(strategy)), interruption_(&interruption) {}
 
     void on_progress(double fraction, const std::string& /*what*/) override {
         show_progress(0.9 * fraction, "repeating the session");
@@ -85,8 +87,7 @@ public:
         if (interruption_->has_come()) return {};
         show_work("");
         StillWorking sign_of_life("making the exact surface");
-        ExactTools tools = exact_tools(*scene_);
-        tools.strategies.assign(tools.solids.size(), child_);
+        ExactTools tools = strategies_->tools(*scene_, strategy_);
         tools.progress = [&](double fraction, const std::string& what) { sign_of_life.is_at(fraction, what); };
         tools.is_cancelled = [&] { return interruption_->has_come(); };
         made = exact_surface(*scene_, simulation, std::move(tools));
@@ -97,7 +98,8 @@ public:
 
 private:
     const Scene* scene_;
-    RemeshChild* child_;
+    const ExactStrategies* strategies_;
+    std::string strategy_;
     const Interruption* interruption_;
 };
 
@@ -133,8 +135,9 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
                         exit_bad_input);
 
     // First, while this process has one thread and little memory.
-    const auto child = start_strategy(remesh_folders(line), line.strategy, error);
-    if (child == nullptr) return complain(error, exit_fault);
+    ExactStrategies strategies;
+    if (error = strategies.start(remesh_folders(line), line.strategy); !error.empty())
+        return complain(error, exit_fault);
 
     Diagnostics diagnostics;
     auto documents =
@@ -154,7 +157,7 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
 
     RunRequest request;
     if (error = repeat(*recorded, line.source, request); !error.empty()) return complain(error, exit_bad_input);
-    Remesher remesher(*bone, *child, interruption);
+    Remesher remesher(*bone, strategies, line.strategy, interruption);
     request.observers = {&remesher};
     const auto start = std::chrono::steady_clock::now();
     const RunOutcome outcome = run_procedure(*bone, plugins, request);
@@ -171,7 +174,7 @@ ExitCode remesh_session(const CommandLine& line, const PluginRegistry& plugins) 
         return complain(made.error, exit_fault);
     }
     print_table(made, seconds);
-    if (error = write_pieces(folder, made, json_of(made, line.strategy, *child)); !error.empty())
+    if (error = write_pieces(folder, made, json_of(made, strategies)); !error.empty())
         return complain(error, exit_fault);
     print("  " + folder + "/remesh.json\n" + notice_line + ".\n");
     return exit_pass;

@@ -380,9 +380,7 @@ void Run::finish_exact_surface() {
     const ExactSurface made = exact_->finish(
         simulation_, [this](double fraction, const std::string& what) { report_progress(fraction, what); },
         is_interrupted);
-    outcome_.summary.exact = exact_row(made);
-    for (const auto& [id, strategy] : request_.strategies->running())
-        outcome_.summary.exact->strategies.push_back(strategy_row(id, *strategy));
+    outcome_.summary.exact = exact_row(made, *request_.strategies);
     for (RunObserver* observer : observers_) {
         const std::string error = observer->on_exact_surface(made);
         if (!error.empty()) outcome_.error += (outcome_.error.empty() ? "" : "\n      ") + error;

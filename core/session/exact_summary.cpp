@@ -42,6 +42,7 @@ nlohmann::ordered_json exact_summary(const ExactRow& exact) {
             {"crumbs", exact.crumbs},
             {"crumbs_mm3", in_mm3(exact.crumb_volume)},
             {"refused_attempts", exact.refusals},
+            {"handed_over", exact.handed_over},
             {"pieces", std::move(pieces)},
             {"notes", exact.notes}};
 }

@@ -113,8 +113,8 @@ struct ExactRow {
     double removed = 0.0, field_removed = 0.0, allowed = 0.0;  ///< [m³] by how much they may differ
     std::size_t crumbs = 0;                                    ///< parts of the mesh in which the field has no body
     double crumb_volume = 0.0;                                 ///< [m³]
-    int refusals = 0;
-    std::vector<std::string> notes;  ///< for people
+    int refusals = 0, handed_over = 0;  ///< results; stretches that one strategy declined and another one cut
+    std::vector<std::string> notes;     ///< for people
 };
 
 enum class Verdict { pass, fail, incomplete, invalid };

@@ -198,6 +198,7 @@ void ExactBone::add_counts_of(const ExactTrack& track) {
     records_ += track.records();
     stretches_ += track.stretches();
     refusals_ += track.refusals();
+    handed_over_ += track.handed_over();
     notes_.insert(notes_.end(), track.notes().begin(), track.notes().end());
 }
 
@@ -228,6 +229,12 @@ std::size_t ExactBone::stretches() const noexcept {
 int ExactBone::refusals() const noexcept {
     int sum = refusals_;
     for (const Track& track : tracks_) sum += track.surface->refusals();
+    return sum;
+}
+
+int ExactBone::handed_over() const noexcept {
+    int sum = handed_over_;
+    for (const Track& track : tracks_) sum += track.surface->handed_over();
     return sum;
 }
 

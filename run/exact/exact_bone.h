@@ -47,6 +47,7 @@ public:
     [[nodiscard]] std::size_t records() const noexcept;
     [[nodiscard]] std::size_t stretches() const noexcept;
     [[nodiscard]] int refusals() const noexcept;
+    [[nodiscard]] int handed_over() const noexcept;
     /// Where the surfaces do not show what was cut.
     [[nodiscard]] std::vector<LocalCutting::Stale> stale() const;
     /// Refused attempts, for people.
@@ -90,7 +91,7 @@ private:
     // Of tracks that came apart, and of parts that no body has.
     std::size_t crumbs_ = 0, records_ = 0, stretches_ = 0;
     double crumb_volume_ = 0.0;
-    int refusals_ = 0;
+    int refusals_ = 0, handed_over_ = 0;
     std::vector<LocalCutting::Stale> stale_;
     std::vector<std::string> notes_;
 };

@@ -20,8 +20,10 @@ Mesh shown(const TaggedMesh& exact) {
 
 }  // namespace
 
-ExactRow exact_row(const ExactSurface& made) {
+ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies) {
     ExactRow row;
+    for (const auto& [id, strategy] : strategies.running())
+        row.strategies.push_back({id, strategy->plugin(), strategy->kernel()});
     row.why_not = made.error;
     if (made.error.empty())
         for (const ExactPiece& piece : made.pieces)
@@ -36,12 +38,9 @@ ExactRow exact_row(const ExactSurface& made) {
     row.crumbs = made.crumbs;
     row.crumb_volume = made.crumb_volume;
     row.refusals = made.refusals;
+    row.handed_over = made.handed_over;
     row.notes = made.notes;
     return row;
-}
-
-ExactRow::Strategy strategy_row(const std::string& id, const RemeshChild& strategy) {
-    return {id, strategy.plugin(), strategy.kernel()};
 }
 
 std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made) {

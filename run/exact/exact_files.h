@@ -3,16 +3,14 @@
 
 #include <string>
 
-#include "core/remesh/remesh_child.h"
 #include "core/session/recording.h"
+#include "run/exact/exact_strategies.h"
 #include "run/exact/exact_surface.h"
 
 namespace kerf {
 
-/// Returns an exact surface as results show it, without its strategies.   [any] pure.
-[[nodiscard]] ExactRow exact_row(const ExactSurface& made);
-/// Returns what a strategy is, as results show it.   [any] pure.
-[[nodiscard]] ExactRow::Strategy strategy_row(const std::string& id, const RemeshChild& strategy);
+/// Returns an exact surface as results show it.   [any] pure.
+[[nodiscard]] ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies);
 
 /// Writes bone-exact.stl, bone-exact-1.stl … into a folder. Returns why not, for people, or an empty text.   [main]
 [[nodiscard]] std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made);

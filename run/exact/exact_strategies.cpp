@@ -7,6 +7,12 @@
 #include <vector>
 
 namespace kerf {
+namespace {
+
+/// Cuts what another strategy for patches declines.
+constexpr const char* fallback = "local";
+
+}  // namespace
 
 std::unique_ptr<RemeshChild> start_strategy(const RemeshFolders& folders, const std::string& strategy,
                                             std::string& error) {
@@ -28,25 +34,43 @@ std::unique_ptr<RemeshChild> start_strategy(const RemeshFolders& folders, const 
     return nullptr;
 }
 
+std::string ExactStrategies::start(const RemeshFolders& folders, const std::string& strategy) {
+    if (running_.contains(strategy)) return {};
+    std::string error;
+    auto child = start_strategy(folders, strategy, error);
+    if (child == nullptr) return error;
+    const bool may_decline = child->scope() == KERF_REMESH_PATCH && strategy != fallback;
+    running_.emplace(strategy, std::move(child));
+    return may_decline ? start(folders, fallback) : std::string();
+}
+
 std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure& procedure) {
     for (const Instrument& instrument : procedure.instruments) {
-        if (instrument.remeshing.empty() || running_.count(instrument.remeshing) > 0) continue;
-        std::string error;
-        auto child = start_strategy(folders, instrument.remeshing, error);
-        if (child == nullptr) return "instrument `" + instrument.id + "`: " + error;
-        running_.emplace(instrument.remeshing, std::move(child));
+        if (instrument.remeshing.empty()) continue;
+        if (const std::string error = start(folders, instrument.remeshing); !error.empty())
+            return "instrument `" + instrument.id + "`: " + error;
     }
     return {};
 }
 
+RemeshChild* ExactStrategies::find(const std::string& strategy) const {
+    const auto found = running_.find(strategy);
+    return found != running_.end() ? found->second.get() : nullptr;
+}
+
 ExactTools ExactStrategies::tools(const Scene& scene) const {
     ExactTools tools = exact_tools(scene);
-    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
-        const auto strategy = running_.find(instrument_of(scene, tool).remeshing);
-        if (strategy == running_.end()) continue;
-        tools.strategies[tool] = strategy->second.get();
-        tools.strategies[scene.tools.size() + tool] = strategy->second.get();
-    }
+    for (std::size_t tool = 0; tool < scene.tools.size(); ++tool)
+        tools.strategies[tool] = tools.strategies[scene.tools.size() + tool] =
+            find(instrument_of(scene, tool).remeshing);
+    tools.otherwise = find(fallback);
+    return tools;
+}
+
+ExactTools ExactStrategies::tools(const Scene& scene, const std::string& strategy) const {
+    ExactTools tools = exact_tools(scene);
+    tools.strategies.assign(tools.solids.size(), find(strategy));
+    tools.otherwise = find(fallback);
     return tools;
 }
 

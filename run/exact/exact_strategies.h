@@ -28,16 +28,22 @@ public:
     /// Starts them. They are few when no instrument has one. Returns why one cannot be started, for people, or an empty
     /// text. Call it before any thread runs.   [main]
     [[nodiscard]] std::string start(const RemeshFolders& folders, const Procedure& procedure);
+    /// Starts one, unless it runs, and the one that gets what it declines.   [main]
+    [[nodiscard]] std::string start(const RemeshFolders& folders, const std::string& strategy);
 
     [[nodiscard]] bool are_any() const noexcept { return !running_.empty(); }
     /// Returns the cutting solids of a scene with the strategy of each.   [main]
     [[nodiscard]] ExactTools tools(const Scene& scene) const;
+    /// The same with one strategy for all of them. Pre: it runs.   [main]
+    [[nodiscard]] ExactTools tools(const Scene& scene, const std::string& strategy) const;
     /// The strategies by id, in the order of their ids.
     [[nodiscard]] const std::map<std::string, std::unique_ptr<RemeshChild>>& running() const noexcept {
         return running_;
     }
 
 private:
+    [[nodiscard]] RemeshChild* find(const std::string& strategy) const;
+
     std::map<std::string, std::unique_ptr<RemeshChild>> running_;
 };
 

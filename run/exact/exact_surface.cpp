@@ -122,6 +122,7 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
         made.crumbs += one.surface->crumbs();
         made.crumb_volume += one.surface->crumb_volume();
         made.refusals += one.surface->refusals();
+        made.handed_over += one.surface->handed_over();
         const std::vector<std::string> notes = one.surface->notes();
         made.notes.insert(made.notes.end(), notes.begin(), notes.end());
         if (const auto stale = one.surface->stale(); !stale.empty() && made.error.empty())

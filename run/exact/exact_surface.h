@@ -33,6 +33,7 @@ struct ExactSurface {
     std::size_t crumbs = 0;                             ///< parts of the mesh in which the field has no body
     double crumb_volume = 0.0;                          ///< [m³]
     int refusals = 0;                                   ///< results that the host did not take, and asked for again
+    int handed_over = 0;                                ///< stretches that a strategy declined and `local` cut
     std::uint64_t digest = 0;                           ///< of all pieces; no part of the replay hash
     std::vector<std::string> notes;                     ///< for people
     std::string error;                                  ///< not empty: there is no exact surface; for people

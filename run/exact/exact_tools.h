@@ -16,6 +16,7 @@ namespace kerf {
 struct ExactTools {
     std::vector<const ToolSolid*> solids;  ///< by the records' numbers
     std::vector<RemeshChild*> strategies;  ///< of each solid; null: it leaves no exact surface
+    RemeshChild* otherwise = nullptr;      ///< gets the stretches that a strategy declines; null: none
     double tolerance = 20e-6;              ///< [m] that a straight stretch may be off the recorded path
     double window = 2e-3;                  ///< [m] the longest stretch that is cut into a patch
     std::chrono::milliseconds limit = std::chrono::minutes(5);         ///< for a whole mesh

@@ -23,12 +23,16 @@ Box swept_by(const std::vector<CutRecord>& records, const std::vector<const Tool
     return all;
 }
 
-AskStrategy asker_of(const ExactTools& tools) {
+AskStrategy strategy_of(const ExactTools& tools) {
     return [&tools](const RemeshRequest& patch) {
         const auto solid = std::find(tools.solids.begin(), tools.solids.end(), patch.solids.front());
         return tools.strategies[static_cast<std::size_t>(solid - tools.solids.begin())]->remesh(patch,
                                                                                                 tools.patch_limit);
     };
+}
+AskStrategy fallback_of(const ExactTools& tools) {
+    if (tools.otherwise == nullptr) return {};
+    return [&tools](const RemeshRequest& patch) { return tools.otherwise->remesh(patch, tools.patch_limit); };
 }
 
 }  // namespace
@@ -37,7 +41,7 @@ ExactTrack::ExactTrack(const TaggedMesh& mesh, CutHistory done, const ExactTools
     : tools_(&tools),
       apart_(apart),
       done_(std::move(done)),
-      cutting_(mesh, tools.solids, tools.tolerance, asker_of(tools)),
+      cutting_(mesh, tools.solids, tools.tolerance, strategy_of(tools), fallback_of(tools)),
       joiner_(tools.solids, tools.tolerance, tools.window),
       swept_(tools.solids, tools.tolerance, apart) {}
 

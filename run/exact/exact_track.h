@@ -37,6 +37,7 @@ public:
     [[nodiscard]] std::size_t records() const noexcept { return records_; }
     [[nodiscard]] std::size_t stretches() const noexcept { return stretches_; }
     [[nodiscard]] int refusals() const noexcept { return refusals_ + cutting_.refusals(); }
+    [[nodiscard]] int handed_over() const noexcept { return cutting_.handed_over(); }
     /// Refused attempts, for people.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
 
