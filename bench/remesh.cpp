@@ -7,29 +7,36 @@
 //                its parts tapered alike, without any check
 //     cut        what one slot takes as a whole: `exact` once, `local` step by step; volume against `exact`
 //     long       four slots in 2000 steps of 0.05 mm: median of the first and of the last tenth, faces, pieces
+//     displace   a groove 12 mm long and 1 mm deep by a ball burr of 4 mm, in steps: error next to the volume by hand,
+//                cost and quality of `displace` at three tolerances, of `local`, `exact` and the field
 //     picture    wire-frame of a slot, to FILE.svg
+//     groove     wire-frame of a groove by `displace`, to FILE.svg
 //     coplanar   random cuts with walls through vertices, in the plane of faces, or along an old cut: how many end
 //                closed and free of crossings
 //
-// Usage: bench_remesh [steps|cut|long|coplanar COUNT|picture FILE.svg]. Without arguments: all but the picture,
-// coplanar with 200 cases. Times on the processor, so that what else the machine does is not counted.
+// Usage: bench_remesh [steps|cut|long|displace|coplanar COUNT|picture FILE.svg|groove FILE.svg]. Without arguments: all
+// but the pictures, coplanar with 200 cases. Times on the processor, so that what else the machine does is not counted.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/field/removed_volume.h"
 #include "core/import/surface/edges.h"
 #include "core/remesh/accept.h"
 #include "core/remesh/local_cutting.h"
 #include "core/remesh/remesh_module.h"
 #include "studies/times.h"
+#include "tests/support/block.h"
+#include "tests/support/burr_on_slab.h"
 #include "tests/support/sawn_tube.h"
 
 namespace {
@@ -38,7 +45,7 @@ using namespace kerf;
 using namespace literals;
 using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
-std::unique_ptr<RemeshModule> module;
+std::unique_ptr<RemeshModule> module, displace_module;
 
 TaggedMesh tagged(SurfaceMesh mesh) {
     TaggedMesh all{std::move(mesh), {}};
@@ -47,7 +54,8 @@ TaggedMesh tagged(SurfaceMesh mesh) {
 }
 
 RemeshResult ask(const char* strategy, const RemeshRequest& request) {
-    return remesh_here(*module->find(strategy), request);
+    const kerf_remesher* found = module->find(strategy);
+    return remesh_here(found != nullptr ? *found : *displace_module->find(strategy), request);
 }
 
 double percentile(std::vector<double> times, double share) {
@@ -183,29 +191,122 @@ void coplanar(int count) {
                 "sides in the plane of a face", passed[1], tried[1], "along an old cut", passed[2], tried[2]);
 }
 
-/// One half of a bone that was parted, onto its wall: faces that look at the viewer, the farthest first, with their
-/// edges; bone light, the wall blue.
-void picture(const char* file) {
-    const ToolSolid blade = slot_blade();
-    const TaggedMesh bone = tagged(bent_bone(20e3));
-    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
-    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 1.0_mm, 3.0_mm)) saw.cut(step);
-    const TaggedMesh cut = saw.surface().mesh();
-    const Vec3 normal_of_slot = rotate(blade_at(0.0, 0.0).rotation, {0, 1, 0}), middle = blade_at(0.0, 2.0_mm).position;
-    const Vec3 look = normalized(normal_of_slot + Vec3{0, 0.55, -0.5}), right = normalized(cross(look, {0, 0, 1})),
-               up = cross(right, look);
+/// A groove by a ball burr of 4 mm in a slab: 12 mm long, 1 mm deep, in the middle of the slab.
+constexpr Vec3 groove_from{-6.0_mm, 0.1_mm, -1.0_mm}, groove_to{6.0_mm, 0.1_mm, -1.0_mm};
+constexpr double burr_radius = 2.0_mm;
+double groove_volume() {
+    return 12.0_mm * test::slot_area(burr_radius, 1.0_mm) + test::dimple_volume(burr_radius, 1.0_mm);
+}
+
+/// How far the walls of a mesh are from the capsule that the burr sweeps [m]: at corners, middles of sides and of
+/// faces.
+struct Deviation {
+    double rms = 0.0, most = 0.0;
+};
+Deviation deviation_of(const TaggedMesh& mesh) {
+    const Vec3 begin = groove_from + Vec3{0, 0, burr_radius}, way = groove_to - groove_from;
+    Deviation found;
+    double squares = 0.0, area = 0.0;
+    for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
+        if (mesh.tags[f] != KERF_FACE_WALL) continue;
+        const auto [a, b, c] = mesh.mesh.corners(mesh.mesh.triangles[f]);
+        const double size = length(cross(b - a, c - a));
+        for (const Vec3 p : {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0}) {
+            const double t = std::clamp(dot(p - begin, way) / dot(way, way), 0.0, 1.0);
+            const double off = std::abs(length(p - begin - t * way) - burr_radius);
+            squares += size * off * off;
+            area += size;
+            found.most = std::max(found.most, off);
+        }
+    }
+    if (area > 0.0) found.rms = std::sqrt(squares / area);
+    return found;
+}
+
+void print_groove(const char* name, double removed, double time, std::size_t steps, const TaggedMesh& mesh,
+                  const std::string& flaw) {
+    const std::vector<double> angles = test::least_angles_of_walls(mesh);
+    const Deviation off = deviation_of(mesh);
+    const auto degrees = [&](double share) {
+        return angles.empty()
+                   ? 0.0
+                   : angles[static_cast<std::size_t>(share * static_cast<double>(angles.size() - 1))] / 1.0_deg;
+    };
+    std::printf("%-30s %9.4f %8.3f %% %8.1f %8.1f %8.1f %8zu %7.1f %7.1f  %s\n", name, 1e9 * removed,
+                100.0 * (removed / groove_volume() - 1.0), 1e6 * off.rms, 1e6 * off.most,
+                1e-3 * time / static_cast<double>(steps), angles.size(), degrees(0.05), degrees(0.5), flaw.c_str());
+}
+
+void displaced() {
+    const ToolSolid burr = test::ball_burr(burr_radius);
+    const TaggedMesh bone = tagged(test::slab(24.0_mm, 10.0_mm, 6.0_mm, 0.5_mm));
+    std::printf("\na groove 12 mm long, 1 mm deep, by a ball burr of 4 mm, %zu faces; by hand %.4f mm3\n",
+                bone.tags.size(), 1e9 * groove_volume());
+    std::printf("%-30s %9s %10s %8s %8s %8s %8s %7s %7s\n", "", "mm3", "error", "rms, um", "max, um", "ms/step",
+                "walls", "5 %", "median");
+    for (const double feed : {0.5_mm, 0.1_mm}) {
+        const auto steps = test::in_steps(groove_from, groove_to, feed);
+        std::printf("steps of %.1f mm\n", 1e3 * feed);
+        const auto run = [&](const char* name, const char* strategy, double tolerance) {
+            LocalCutting cut(bone, {&burr}, tolerance, [=](const RemeshRequest& r) { return ask(strategy, r); });
+            const double time = processor_time_of([&] {
+                for (const CutStretch& step : steps) cut.cut(step);
+            });
+            print_groove(name, cut.removed(), time, steps.size(), cut.surface().mesh(), flaw_of(bone, cut));
+        };
+        run("displace, 80 um", "displace", 80e-6);
+        run("displace, 20 um", "displace", 20e-6);
+        run("displace, 5 um", "displace", 5e-6);
+        run("local, 20 um", "local", 20e-6);
+    }
+    RemeshRequest request;
+    request.base = bone;
+    request.solids = {&burr};
+    request.cuts = test::in_steps(groove_from, groove_to, 12.0_mm);
+    request.tolerance = 1e-6;
+    RemeshResult exact;
+    const double time = processor_time_of([&] { exact = ask("exact", request); });
+    std::printf("all at once\n");
+    print_groove("exact, polygons to 1 um", signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh), time, 1,
+                 exact.mesh, flaw_of_result(request, exact.mesh));
+    for (const double voxel : {0.5_mm, 0.25_mm}) {
+        const Body body = test::block({-12.0_mm, -5.0_mm, -6.0_mm}, {12.0_mm, 5.0_mm, 0}, voxel, {0.3, 0.1, 0.7});
+        CutField cut(body, 0);
+        const auto steps = test::in_steps(groove_from, groove_to, 0.1_mm);
+        const double stamped = processor_time_of([&] {
+            for (const CutStretch& step : steps) {
+                CutRecord record;
+                record.from = step.from;
+                record.to = step.to;
+                cut.stamp(record, burr);
+            }
+        });
+        const double removed = bone_volume(body, CutField(body, 0)) - bone_volume(body, cut);
+        std::printf("field, voxels of %4.2f mm       %9.4f %8.3f %%  %35.1f\n", 1e3 * voxel, 1e9 * removed,
+                    100.0 * (removed / groove_volume() - 1.0), 1e-3 * stamped / static_cast<double>(steps.size()));
+    }
+}
+
+/// What a picture shows of a mesh, and from where.
+struct View {
+    Vec3 middle, look;                          ///< the point in the picture's middle; the way it is looked at
+    double left, top, width, height;            ///< [mm] of the picture around it
+    std::function<bool(Vec3 centre)> is_shown;  ///< of a face
+};
+
+/// Faces that look at the viewer, the farthest first, with their edges; bone light, the wall blue.
+void draw(const TaggedMesh& mesh, const View& view, const char* file) {
+    const Vec3 right = normalized(cross(view.look, {0, 0, 1})), up = cross(right, view.look);
     struct Drawn {
         double away;
         std::size_t face;
     };
     std::vector<Drawn> drawn;
-    for (std::size_t f = 0; f < cut.tags.size(); ++f) {
-        const auto [a, b, c] = cut.mesh.corners(cut.mesh.triangles[f]);
+    for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
+        const auto [a, b, c] = mesh.mesh.corners(mesh.mesh.triangles[f]);
         const Vec3 centre = (a + b + c) / 3.0;
-        if (dot(centre - middle, normal_of_slot) < 0.0 || length(centre - middle) > 16.0_mm ||
-            dot(cross(b - a, c - a), look) >= 0.0)
-            continue;
-        drawn.push_back({dot(centre, look), f});
+        if (!view.is_shown(centre) || dot(cross(b - a, c - a), view.look) >= 0.0) continue;
+        drawn.push_back({dot(centre, view.look), f});
     }
     std::sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.away > b.away; });
     std::FILE* out = std::fopen(file, "w");
@@ -214,25 +315,60 @@ void picture(const char* file) {
         return;
     }
     std::fprintf(out,
-                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-13 -10 19 17\" width=\"570\" height=\"510\">\n"
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"%g %g %g %g\" width=\"%g\" height=\"%g\">\n"
                  "<desc>For training and research; not for diagnosis, planning or deciding treatment</desc>\n"
-                 "<rect x=\"-13\" y=\"-10\" width=\"19\" height=\"17\" fill=\"#fff\"/>\n"
-                 "<g stroke=\"#333\" stroke-width=\"0.02\" stroke-linejoin=\"round\">\n");
+                 "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"#fff\"/>\n"
+                 "<g stroke=\"#333\" stroke-width=\"%g\" stroke-linejoin=\"round\">\n",
+                 view.left, view.top, view.width, view.height, 30.0 * view.width, 30.0 * view.height, view.left,
+                 view.top, view.width, view.height, view.width / 950.0);
     for (const Drawn& one : drawn) {
-        const auto corners = cut.mesh.corners(cut.mesh.triangles[one.face]);
+        const auto corners = mesh.mesh.corners(mesh.mesh.triangles[one.face]);
         const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
-        const double light = 0.55 + 0.45 * std::max(0.0, -dot(normal, look));
-        const bool is_wall = cut.tags[one.face] != KERF_FACE_SURFACE;
+        const double light = 0.55 + 0.45 * std::max(0.0, -dot(normal, view.look));
+        const bool is_wall = mesh.tags[one.face] != KERF_FACE_SURFACE;
         const auto shade = [&](double full) { return static_cast<int>(full * light); };
         std::fprintf(out, "<path fill=\"rgb(%d,%d,%d)\" d=\"", shade(is_wall ? 120 : 240), shade(is_wall ? 170 : 228),
                      shade(is_wall ? 230 : 205));
         for (std::size_t i = 0; i < 3; ++i)
-            std::fprintf(out, "%c%.3f %.3f", i == 0 ? 'M' : 'L', 1e3 * dot(corners[i] - middle, right),
-                         -1e3 * dot(corners[i] - middle, up));
+            std::fprintf(out, "%c%.3f %.3f", i == 0 ? 'M' : 'L', 1e3 * dot(corners[i] - view.middle, right),
+                         -1e3 * dot(corners[i] - view.middle, up));
         std::fprintf(out, "z\"/>\n");
     }
     std::fprintf(out, "</g>\n</svg>\n");
     std::fclose(out);
+}
+
+/// One half of a bone that was parted, onto its wall.
+void picture(const char* file) {
+    const ToolSolid blade = slot_blade();
+    const TaggedMesh bone = tagged(bent_bone(20e3));
+    LocalCutting saw(bone, {&blade}, 20e-6, [](const RemeshRequest& r) { return ask("local", r); });
+    for (const CutStretch& step : cut_across(0.0, -13.0_mm, 13.0_mm, 1.0_mm, 3.0_mm)) saw.cut(step);
+    const Vec3 normal_of_slot = rotate(blade_at(0.0, 0.0).rotation, {0, 1, 0}), middle = blade_at(0.0, 2.0_mm).position;
+    draw(saw.surface().mesh(),
+         {middle, normalized(normal_of_slot + Vec3{0, 0.55, -0.5}), -13, -10, 19, 17,
+          [=](Vec3 centre) {
+              return dot(centre - middle, normal_of_slot) >= 0.0 && length(centre - middle) <= 16.0_mm;
+          }},
+         file);
+}
+
+/// A groove in a bone, by `displace` in steps of 0.25 mm.
+void groove_picture(const char* file) {
+    const ToolSolid burr = test::ball_burr(burr_radius);
+    const TaggedMesh bone = tagged(bent_bone(8e3));
+    LocalCutting cut(bone, {&burr}, 80e-6, [](const RemeshRequest& r) { return ask("displace", r); });
+    const auto at = [](int n) {
+        const double angle = 1.0 + 0.02 * n;
+        const Vec3 out{0, std::cos(angle), std::sin(angle)};
+        return Pose{Vec3{-4.0_mm + 0.2_mm * n, 0, 0} + 8.0_mm * out, quat_between({0, 0, 1}, -out)};
+    };
+    for (int n = 0; n < 40; ++n) cut.cut({at(n), at(n + 1), 0});
+    const Vec3 middle = at(20).position;
+    draw(cut.surface().mesh(),
+         {middle, normalized(Vec3{0.15, -0.35, -1.0}), -6.5, -5, 13, 10,
+          [=](Vec3 centre) { return length(centre - middle) <= 12.0_mm; }},
+         file);
 }
 
 }  // namespace
@@ -240,7 +376,9 @@ void picture(const char* file) {
 int main(int argc, char** argv) {
     std::string error;
     module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
-    if (module == nullptr) {
+    if (module != nullptr)
+        displace_module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_displace.so", error);
+    if (module == nullptr || displace_module == nullptr) {
         std::fprintf(stderr, "%s\n", error.c_str());
         return 2;
     }
@@ -249,6 +387,8 @@ int main(int argc, char** argv) {
     if (what.empty() || what == "steps") steps();
     if (what.empty() || what == "cut") cut();
     if (what.empty() || what == "long") long_run();
+    if (what.empty() || what == "displace") displaced();
     if (what == "picture" && argc > 2) picture(argv[2]);
+    if (what == "groove" && argc > 2) groove_picture(argv[2]);
     if (what.empty() || what == "coplanar") coplanar(argc > 2 ? std::atoi(argv[2]) : 200);
 }
