@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kerf/draft/remesh_solids.hpp"
+
 namespace kerf::remesh_cgal {
 namespace {
 
@@ -25,23 +27,7 @@ Vec3 nudged(const Nudge& nudge, std::uint64_t& state) noexcept {
     return {x, y, z};
 }
 
-using Profile = std::span<const kerf_profile_point>;
-
-/// The stretches of an outline along which a solid of revolution is convex; neighbours share a point.
-std::vector<Profile> convex_runs(Profile profile) {
-    std::vector<Profile> runs;
-    std::size_t first = 0;
-    const auto slope = [&](std::size_t i) {  // of the outline from point i to the next, away from the tip
-        return (profile[i + 1].radius - profile[i].radius) / (profile[i].z - profile[i + 1].z);
-    };
-    for (std::size_t i = 1; i + 1 < profile.size(); ++i)
-        if (slope(i) > slope(i - 1)) {
-            runs.push_back(profile.subspan(first, i - first + 1));
-            first = i;
-        }
-    runs.push_back(profile.subspan(first));
-    return runs;
-}
+using remeshing::convex_runs, remeshing::Profile;
 
 void add_ring(const kerf_profile_point& point, std::size_t sides, ConvexPart& part) {
     if (point.radius <= 0.0) {

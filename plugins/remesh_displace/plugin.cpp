@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "displace.h"
+#include "kerf/draft/remesh_solids.hpp"
 
 namespace kerf::remesh_displace {
 namespace {
 
-using remeshing::array, remeshing::read, remeshing::refuse, remeshing::write;
+using remeshing::array, remeshing::convex_runs, remeshing::read, remeshing::refuse, remeshing::write;
 
 /// Of the tolerance that a face may be off the burr. All faces lie on one side of it, so their errors add up.
 constexpr double wall_share = 0.25;
@@ -55,26 +56,22 @@ kerf_status displace_all(const kerf_remesh_in* in, const kerf_arena* from, kerf_
             if (cut.solid >= solids.size())
                 return refuse(KERF_REMESH_REFUSED, *out, "a cut has a tool that does not exist");
             const kerf_cut_solid& solid = solids[cut.solid];
-            const auto burr = SweptBurr::make(array<kerf_profile_point>(*from, solid.profile, solid.profile_count),
-                                              solid.kerf, cut.from, cut.to, why);
-            if (!burr) return refuse(KERF_REMESH_DECLINED, *out, why);
-            std::vector<std::uint8_t> is_locked;
-            for (const Vec3 v : mesh.vertices)
-                is_locked.push_back(std::binary_search(locked.begin(), locked.end(), v, less));
-            Triangles next = mesh;
-            switch (displace(next, is_locked, *burr, wall_share * in->tolerance, cancelled, why)) {
-                case Outcome::cut:
+            const auto profile = array<kerf_profile_point>(*from, solid.profile, solid.profile_count);
+            for (const remeshing::Profile run : solid.kerf == 0.0 ? convex_runs(profile) : std::vector{profile}) {
+                const auto burr = SweptBurr::make(run, solid.kerf, cut.from, cut.to, why);
+                if (!burr) return refuse(KERF_REMESH_DECLINED, *out, why);
+                std::vector<std::uint8_t> is_locked;
+                for (const Vec3 v : mesh.vertices)
+                    is_locked.push_back(std::binary_search(locked.begin(), locked.end(), v, less));
+                Triangles next = mesh;
+                const Outcome made = displace(next, is_locked, *burr, wall_share * in->tolerance, cancelled, why);
+                if (made == Outcome::cut) {
                     mesh = std::move(next);
                     has_changed = true;
-                    break;
-                case Outcome::unchanged:
-                    break;
-                case Outcome::cancelled:
-                    return KERF_REMESH_CANCELLED;
-                case Outcome::declined:
-                    return refuse(KERF_REMESH_DECLINED, *out, why);
-                case Outcome::refused:
-                    return refuse(KERF_REMESH_REFUSED, *out, why);
+                }
+                if (made == Outcome::cancelled) return KERF_REMESH_CANCELLED;
+                if (made == Outcome::declined) return refuse(KERF_REMESH_DECLINED, *out, why);
+                if (made == Outcome::refused) return refuse(KERF_REMESH_REFUSED, *out, why);
             }
         }
         if (!has_changed) return KERF_REMESH_UNCHANGED;

@@ -65,6 +65,18 @@ TEST_F(Displace, ABlindHoleEndsInACone) {
     EXPECT_NEAR(cut.removed(), by_hand, 1e-3 * by_hand);
 }
 
+TEST_F(Displace, AStepDrillIsCutInConvexParts) {
+    const TaggedMesh bone = bone_slab();
+    const ToolSolid drill({{0.0, 1.0_mm}, {-3.0_mm, 1.0_mm}, {-3.5_mm, 2.0_mm}, {-20.0_mm, 2.0_mm}});
+    LocalCutting cut = cutting(bone, drill);
+    for (const CutStretch& step : in_steps({0.1_mm, 0.2_mm, 0.5_mm}, {0.1_mm, 0.2_mm, -5.0_mm}, 0.5_mm))
+        EXPECT_TRUE(cut.cut(step));
+    EXPECT_EQ(flaw_of(bone, cut), "");
+    // 3 mm narrow, 0.5 mm of a cone, 1.5 mm wide
+    const double by_hand = std::numbers::pi * (1.0 * 3.0 + (1.0 + 2.0 + 4.0) / 3.0 * 0.5 + 4.0 * 1.5) * 1e-9;
+    EXPECT_NEAR(cut.removed(), by_hand, 5e-3 * by_hand);  // its sharp edges are a face wide
+}
+
 TEST_F(Displace, FacesAsLargeAsTheSlabGiveTheSameGroove) {
     const TaggedMesh bone = bone_slab(30.0_mm);
     ASSERT_EQ(bone.tags.size(), 12U);

@@ -75,17 +75,6 @@ TEST_F(Fallback, ABladeIsLeftToLocal) {
     EXPECT_EQ(flaw_of(bone, cut), "");
 }
 
-TEST_F(Fallback, AHollowToolIsLeftToLocal) {
-    const TaggedMesh bone = tagged(slab(24.0_mm, 10.0_mm, 8.0_mm, 1.0_mm));
-    const ToolSolid step_drill({{0.0, 1.0_mm}, {-3.0_mm, 1.0_mm}, {-3.001_mm, 2.0_mm}, {-20.0_mm, 2.0_mm}});
-    LocalCutting cut = cutting_with_local(bone, step_drill);
-    EXPECT_TRUE(cut.cut({burr_at({0.1_mm, 0.2_mm, 1.0_mm}), burr_at({0.1_mm, 0.2_mm, -5.0_mm}), 0}));
-    EXPECT_EQ(cut.handed_over(), 1);
-    EXPECT_EQ(flaw_of(bone, cut), "");
-    const double by_hand = std::numbers::pi * (1.0 * 3.0 + 4.0 * 2.0) * 1e-9;
-    EXPECT_NEAR(cut.removed(), by_hand, 1e-2 * by_hand);
-}
-
 TEST_F(Fallback, StrokesInAllDirectionsStayClosed) {
     // Strokes of random depth and direction over one place, some of them through the wall of a hollow bone.
     const SurfaceMesh outer = test::bent_bone(8000.0);
