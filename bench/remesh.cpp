@@ -366,7 +366,7 @@ void groove_picture(const char* file) {
     for (int n = 0; n < 40; ++n) cut.cut({at(n), at(n + 1), 0});
     const Vec3 middle = at(20).position;
     draw(cut.surface().mesh(),
-         {middle, normalized(Vec3{0.15, -0.35, -1.0}), -6.5, -5, 13, 10,
+         {middle, normalized(Vec3{0.15, -0.35, -1.0}), -9, -7.5, 18, 15,
           [=](Vec3 centre) { return length(centre - middle) <= 12.0_mm; }},
          file);
 }
