@@ -46,7 +46,8 @@ public:
 
     Outcome run(const Cancelled& cancelled, std::string& why) {
         for (const auto& [a, b] : border_of(*mesh_))
-            if (is_met(mesh_->vertices[a], mesh_->vertices[b], 0.5 * (mesh_->vertices[a] + mesh_->vertices[b]))) {
+            if (is_met(mesh_->vertices[a], mesh_->vertices[b], 0.5 * (mesh_->vertices[a] + mesh_->vertices[b]),
+                       deep_)) {
                 why = "the burr reaches the border of the patch";
                 return Outcome::declined;
             }
@@ -80,8 +81,8 @@ public:
     }
 
 private:
-    /// Whether the burr is deeper than `deep_` in a face.
-    [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c) const {
+    /// Whether the burr is deeper than that in a face.
+    [[nodiscard]] bool is_met(Vec3 a, Vec3 b, Vec3 c, double deep) const {
         const Vec3 middle = (a + b + c) / 3.0;
         const double reach = std::max({length(a - middle), length(b - middle), length(c - middle)});
         double at_least = 0.0, at_middle = 0.0;
@@ -94,16 +95,19 @@ private:
             at_middle = burr_->outside(middle);
             at_least = at_middle - reach;
         }
-        if (at_middle < -deep_) return true;
-        if (at_least >= -deep_ || reach < 0.25 * fineness_.edge) return false;
+        if (at_middle < -deep) return true;
+        if (at_least >= -deep || reach < 0.25 * fineness_.edge) return false;
         const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
-        return is_met(a, ab, ca) || is_met(b, bc, ab) || is_met(c, ca, bc) || is_met(ab, bc, ca);
+        return is_met(a, ab, ca, deep) || is_met(b, bc, ab, deep) || is_met(c, ca, bc, deep) ||
+               is_met(ab, bc, ca, deep);
     }
 
     [[nodiscard]] bool split_near_burr() {
         const auto wants = [this](const Triangles& mesh, std::uint32_t f, double longest) {
             const auto [numbers, a, b, c] = corners_of(mesh, f);
-            return longest > fineness_.edge && is_met(a, b, c);
+            // An earlier wall may be off its own burr by so much.
+            const double deep = mesh.tags[f] == KERF_FACE_SURFACE ? deep_ : 1.5 * fineness_.tolerance;
+            return longest > fineness_.edge && is_met(a, b, c, deep);
         };
         return refine(
             *mesh_, wants, [](Vec3 a, Vec3 b) { return 0.5 * (a + b); }, most_faces);

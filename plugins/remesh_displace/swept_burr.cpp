@@ -116,7 +116,7 @@ SweptBurr::Instant SweptBurr::at(double t, Vec3 point) const noexcept {
     Vec3 way = -way_in_tool_;
     if (turns_) {
         constexpr double step = 1e-6;
-        way = (in_tool(t + step, point) - in_tool(t - step, point)) / (2.0 * step);
+        way = (in_tool(t + step, point) - p) / step;
     }
     const Vec3 outwards = r > 0.0 ? Vec3{p.x / r, p.y / r, 0.0} : Vec3{};
     const Vec3 normal = nearest->across * outwards + Vec3{0, 0, nearest->along};

@@ -18,6 +18,7 @@ using Vertex = HalfEdges::VertexHandle;
 using Edge = HalfEdges::EdgeHandle;
 
 constexpr std::size_t most_faces = 200'000;
+constexpr double of_35_degrees = 1.428;  // cotangent of an angle that is good enough
 
 /// A wall with its half-edges: what makes its triangles better.
 class WallEdges {
@@ -69,7 +70,7 @@ public:
     }
 
     void improve() {
-        constexpr int rounds = 4;
+        constexpr int rounds = 2;
         for (int round = 0; round < rounds; ++round) {
             flip();
             relax();
@@ -203,11 +204,11 @@ private:
     }
     /// Turns an edge of two faces where that makes their least angle larger.
     bool flip(Edge e) {
-        if (!may_flip(e)) return false;
+        if (mesh_.is_boundary(e)) return false;
         const Turned t = turned(e);
         const double before = std::max(worst_cotangent({t.a, t.b, t.c}), worst_cotangent({t.b, t.a, t.d}));
         const double after = std::max(worst_cotangent(t.one()), worst_cotangent(t.two()));
-        if (!(after < before - 1e-9) || !both_right(e)) return false;
+        if (before < of_35_degrees || !(after < before - 1e-9) || !may_flip(e) || !both_right(e)) return false;
         // Not across an edge of the tool.
         if (burr_->outside(0.5 * (t.c + t.d)) < std::min(-fineness_->tolerance, burr_->outside(0.5 * (t.a + t.b))))
             return false;
@@ -228,7 +229,6 @@ private:
                 area += size;
                 before = std::max(before, worst_cotangent(c));
             }
-            constexpr double of_35_degrees = 1.428;
             if (before < of_35_degrees) continue;
             const Vec3 to = burr_->exit(*source_, sum / area);
             double after = 0.0;
