@@ -210,7 +210,7 @@ ExitCode run(const CommandLine& line, const PluginRegistry& plugins) {
         return complain(refusal, exit_bad_input);
     ExactStrategies strategies;  // started while this process has one thread and little memory
     if (const std::string error = strategies.start(remesh_folders(line), documents->procedure); !error.empty())
-        return complain(error, exit_fault);
+        print_error("kerf: the run makes no exact surface: " + error + "\n");
     const Interruption interruption;  // a second one ends the program at once
     auto made = make_bone(std::move(*documents), file, diagnostics);
     const auto scene = with_findings(std::move(made), diagnostics);

@@ -2,6 +2,7 @@
 #include "app/plan_procedure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,24 +43,28 @@ double depth_of(const Step& step, const Procedure& procedure) {
     return depth;
 }
 
-/// The surfaces that the planned cut of a step may leave: the cheapest one whose volume is as accurate as required.
+/// The surfaces that the planned cut of a step may leave, and the fastest one whose volume is as accurate as required.
 std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy) {
     const StrategyCost& exact = costs.back();
-    std::string text = "\n  surface       removed      off        farthest   faces     time\n", chosen;
+    const bool has_reference = exact.why_not.empty() && exact.removed > 0.0;
+    const StrategyCost* chosen = nullptr;
+    std::string text = "\n  surface       removed      off        farthest   faces     time\n";
     for (const StrategyCost& cost : costs) {
         if (!cost.why_not.empty()) {
             text += formatted("  %-12s  none: ", cost.strategy.c_str()) + cost.why_not + "\n";
             continue;
         }
-        const double off = exact.why_not.empty() ? std::abs(cost.removed / exact.removed - 1.0) : 0.0;
-        if (chosen.empty() && off <= accuracy) chosen = cost.strategy;
+        const double off = has_reference ? std::abs(cost.removed / exact.removed - 1.0) : 0.0;
+        if (has_reference && off <= accuracy && (chosen == nullptr || cost.seconds < chosen->seconds)) chosen = &cost;
         text += formatted("  %-12s  %-11s  %-9s  %-9s  %-8zu  %.2f s\n", cost.strategy.c_str(),
-                          (rounded(cost.removed * 1e9, 1) + " mm3").c_str(), (rounded(100.0 * off, 3) + " %").c_str(),
-                          (rounded(cost.farthest * 1e3, 4) + " mm").c_str(), cost.triangles, cost.seconds);
+                          (rounded(cost.removed * 1e9, 1) + " mm3").c_str(),
+                          has_reference ? (rounded(100.0 * off, 3) + " %").c_str() : "-",
+                          has_reference ? (rounded(cost.farthest * 1e3, 4) + " mm").c_str() : "-", cost.triangles,
+                          cost.seconds);
     }
-    if (!exact.why_not.empty()) return text;
-    return text + "  the cheapest within " + rounded(100.0 * accuracy, 1) + " % of the volume: `remeshing: " + chosen +
-           "`; `farthest` says how far its edges are off\n";
+    if (chosen == nullptr) return text;
+    return text + "  the fastest within " + rounded(100.0 * accuracy, 1) + " % of the volume: `remeshing: " +
+           chosen->strategy + "`; `farthest` is the largest distance at its edges\n";
 }
 
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {

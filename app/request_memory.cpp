@@ -3,7 +3,9 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -52,11 +54,28 @@ struct Region {
         next = begin;
         free.fill(nullptr);
     }
-    [[nodiscard]] bool holds(const void* block) const noexcept { return block >= begin && block < end; }
+    void trim() noexcept {
+        const auto at = reinterpret_cast<std::uintptr_t>(next);
+        char* const unused = begin + ((at + page - 1) / page * page - reinterpret_cast<std::uintptr_t>(begin));
+        if (unused < end) munmap(unused, static_cast<std::size_t>(end - unused));
+        end = std::min(end, unused);
+    }
 };
 
 Region regions[most_regions];
-Region* current = nullptr;  // null: between requests, and where there is no room
+thread_local Region* current = nullptr;  // null: between requests, on other threads, and where there is no room
+std::atomic_flag is_in_use = ATOMIC_FLAG_INIT;
+
+/// Other threads of a library may free what this one took.
+struct Lock {
+    Lock() noexcept {
+        while (is_in_use.test_and_set(std::memory_order_acquire)) {
+        }
+    }
+    ~Lock() { is_in_use.clear(std::memory_order_release); }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+};
 
 /// As much as may be had: an address space can be limited.
 bool reserve(Region& region, std::uintptr_t place) noexcept {
@@ -64,6 +83,10 @@ bool reserve(Region& region, std::uintptr_t place) noexcept {
         void* const at = mmap(reinterpret_cast<void*>(place), size, PROT_READ | PROT_WRITE,
                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED_NOREPLACE, -1, 0);
         if (at == MAP_FAILED) continue;
+        if (at != reinterpret_cast<void*>(place)) {  // an old kernel takes the address as a hint
+            munmap(at, size);
+            return false;
+        }
         region.begin = region.next = static_cast<char*>(at);
         region.end = region.begin + size;
         return true;
@@ -81,7 +104,11 @@ void* allocate(std::size_t bytes) {
     if (bytes > SIZE_MAX - 2 * unit) throw std::bad_alloc();
     const std::size_t size = (bytes + sizeof(Head) + unit - 1) / unit * unit;
     Region* region = current;
-    void* block = region != nullptr ? region->take(size) : nullptr;
+    void* block = nullptr;
+    if (region != nullptr) {
+        const Lock lock;
+        block = region->take(size);
+    }
     if (block == nullptr) {
         region = nullptr;
         block = std::malloc(size);
@@ -95,10 +122,9 @@ void* allocate(std::size_t bytes) {
 void release(void* bytes) noexcept {
     if (bytes == nullptr) return;
     Head* const head = static_cast<Head*>(bytes) - 1;
-    if (head->region != nullptr)
-        head->region->give_back(head, head->size);
-    else
-        std::free(head);
+    if (head->region == nullptr) return std::free(head);
+    const Lock lock;
+    head->region->give_back(head, head->size);
 }
 
 }  // namespace
@@ -107,7 +133,10 @@ void begin_request_memory() noexcept {
     for (std::size_t n = 0; n < most_regions && current == nullptr; ++n) {
         Region& region = regions[n];
         if (region.begin == nullptr && !reserve(region, first_place + (n << 37))) return;
-        if (region.blocks > 0) continue;
+        if (region.blocks > 0) {  // something that a library made once: what is beyond it is not needed
+            region.trim();
+            continue;
+        }
         region.clear();
         current = &region;
     }

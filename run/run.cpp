@@ -363,7 +363,10 @@ RunOutcome Run::finish() {
     take_separations(simulation_.ticks());  // a tick that never came: a replay takes over what is left at its end too
     hash_.add(simulation_.present().hash());
     measure();
-    if (exact_ != nullptr) finish_exact_surface();
+    if (exact_ != nullptr)
+        finish_exact_surface();
+    else if (request_.strategies != nullptr && !request_.strategies->why_not().empty())
+        outcome_.summary.exact.emplace().why_not = request_.strategies->why_not();
     if (files_ != nullptr) report_progress(1.0, "writing the results");
     for (RunObserver* observer : observers_) {
         const std::string error = observer->on_result(outcome_.summary, simulation_);
@@ -380,6 +383,7 @@ void Run::finish_exact_surface() {
     const ExactSurface made = exact_->finish(
         simulation_, [this](double fraction, const std::string& what) { report_progress(fraction, what); },
         is_interrupted);
+    outcome_.was_interrupted = outcome_.was_interrupted || is_interrupted();
     outcome_.summary.exact = exact_row(made, *request_.strategies);
     for (RunObserver* observer : observers_) {
         const std::string error = observer->on_exact_surface(made);

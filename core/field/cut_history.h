@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -12,7 +13,7 @@
 namespace kerf {
 
 /// The records that have cut a piece, in their order. Copies share what they have in common: the history of an image,
-/// and of a piece that came off, costs one pointer.   [worker]
+/// and of a piece that came off, costs one pointer.   [worker] Copies may go to another thread.
 class CutHistory {
 public:
     CutHistory() = default;
@@ -74,7 +75,10 @@ private:
         Link& operator=(const Link&) = delete;
         /// Link by link: a chain that goes at once would go as deep into the stack as it is long.
         ~Link() {
-            while (before != nullptr && before.use_count() == 1) before = std::move(before->before);
+            while (before != nullptr && before.use_count() == 1) {
+                std::atomic_thread_fence(std::memory_order_acquire);  // after whoever held it last, on any thread
+                before = std::move(before->before);
+            }
         }
     };
     std::shared_ptr<Link> last_;

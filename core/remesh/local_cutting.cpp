@@ -61,6 +61,8 @@ void LocalCutting::give_up(const Box& box, std::string why) {
 void LocalCutting::go_back(const Moment& moment) {
     surface_.go_back(moment.surface);
     removed_ = moment.removed;
+    refusals_ = moment.refusals;
+    handed_over_ = moment.handed_over;
     stale_ = moment.stale;
 }
 

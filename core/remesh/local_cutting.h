@@ -55,10 +55,11 @@ public:
     struct Moment {
         GrowingSurface::Moment surface;
         double removed = 0.0;  ///< [m³]
+        int refusals = 0, handed_over = 0;
         std::vector<Stale> stale;
     };
-    [[nodiscard]] Moment moment() { return {surface_.moment(), removed_, stale_}; }
-    /// Makes everything what it was, but for the count of refusals.
+    [[nodiscard]] Moment moment() { return {surface_.moment(), removed_, refusals_, handed_over_, stale_}; }
+    /// Makes everything what it was.
     void go_back(const Moment& moment);
 
 private:

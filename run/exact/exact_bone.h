@@ -18,6 +18,7 @@ struct ExactBody {
     std::size_t body = 0;      ///< number in the scene
     std::size_t came_off = 0;  ///< the body that it was part of before
     const Body* bone = nullptr;
+    bool is_present = true;  ///< false: it was taken out of the scene, and leaves no surface
     CutHistory history{};
     std::shared_ptr<const CutField> cut{};  ///< null: not needed, there are the same bodies as before
 };

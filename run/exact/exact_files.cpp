@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/exact/exact_files.h"
 
+#include <filesystem>
+#include <system_error>
+
+#include "core/field/present_bone.h"
 #include "core/session/stl.h"
 #include "core/session/write_file.h"
 
@@ -45,6 +49,9 @@ ExactRow exact_row(const ExactSurface& made, const ExactStrategies& strategies) 
 
 std::string write_exact_surfaces(const std::string& folder, const ExactSurface& made) {
     std::string error;
+    std::error_code none;
+    for (std::size_t body = 0; body < most_bodies; ++body)  // of an earlier result, which may have had more
+        std::filesystem::remove(std::filesystem::path(folder) / file_of(body), none);
     for (const ExactPiece& piece : made.pieces)
         if (error.empty()) error = write_file(folder + "/" + file_of(piece.body), stl_bytes(shown(piece.mesh)));
     return error;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace kerf {
 namespace {
@@ -31,7 +32,7 @@ ExactFollower::~ExactFollower() {
     is_cancelled_ = true;
     {
         const std::lock_guard lock(mutex_);
-        is_last_ = true;
+        is_unwanted_ = true;
     }
     changed_.notify_all();
     thread_.join();
@@ -58,7 +59,7 @@ void ExactFollower::follow(const Simulation& simulation) {
         const bool is_between = [&] {
             if (states_.empty() || !went_on) return false;
             const ExactState& last = states_.back();
-            return !last.may_return && last.bodies.front().cut == nullptr;
+            return !last.may_return && !last.bodies.empty() && last.bodies.front().cut == nullptr;
         }();
         if (is_between) states_.pop_back();
         states_.push_back(std::move(state));
@@ -72,7 +73,7 @@ ExactSurface ExactFollower::finish(const Simulation& simulation,
     follow(simulation);
     std::unique_lock lock(mutex_);
     states_.push_back(exact_state(simulation, true));
-    is_last_ = true;
+    has_end_ = true;
     changed_.notify_all();
     while (!changed_.wait_for(lock, std::chrono::milliseconds(100), [this] { return is_done_; })) {
         if (is_cancelled && is_cancelled()) is_cancelled_ = true;
@@ -91,31 +92,51 @@ std::shared_ptr<const ExactView> ExactFollower::view() const {
 }
 
 void ExactFollower::work() {
-    for (;;) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return !states_.empty() || is_last_; });
-        if (states_.empty()) break;  // it is not wanted any more
-        const ExactState state = std::move(states_.front());
-        states_.pop_front();
-        const bool is_the_end = is_last_ && states_.empty(), is_up_to_date = states_.empty();
-        lock.unlock();
-        if (is_the_end) {
-            ExactSurface made = surfaces_.finish(state);
-            lock.lock();
-            made_ = std::move(made);
-            is_done_ = true;
+    std::string error;
+    try {
+        for (;;) {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [this] { return !states_.empty() || is_unwanted_; });
+            if (is_unwanted_) return;
+            const ExactState state = std::move(states_.front());
+            states_.pop_front();
+            const bool is_the_end = has_end_ && states_.empty();
             lock.unlock();
-            changed_.notify_all();
-            return;
+            if (work_on(state, is_the_end)) return;
         }
-        surfaces_.follow(state);
-        if (is_watched_ && is_up_to_date) show();
+    } catch (const std::exception& e) {  // of memory, most likely: the run goes on without the surface
+        error = e.what();
     }
-    const std::lock_guard lock(mutex_);
-    is_done_ = true;
+    ExactSurface none;
+    none.error = "the exact surface was given up: " + error + ".";
+    finish_with(std::move(none));
+}
+
+/// Returns whether the surface is finished.
+bool ExactFollower::work_on(const ExactState& state, bool is_the_end) {
+    if (is_the_end) {
+        finish_with(surfaces_.finish(state));
+        return true;
+    }
+    surfaces_.follow(state);
+    if (is_watched_) show();
+    return false;
+}
+
+void ExactFollower::finish_with(ExactSurface made) {
+    {
+        const std::lock_guard lock(mutex_);
+        made_ = std::move(made);
+        is_done_ = true;
+    }
+    changed_.notify_all();
 }
 
 void ExactFollower::show() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!states_.empty()) return;  // it would be old
+    }
     auto view = std::make_shared<ExactView>();
     for (auto& [body, moment] : surfaces_.shown())
         view->pieces.push_back({body, std::move(moment.surface), std::move(moment.stale)});

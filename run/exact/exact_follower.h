@@ -38,12 +38,12 @@ public:
     ExactFollower(const ExactFollower&) = delete;
     ExactFollower& operator=(const ExactFollower&) = delete;
 
-    /// Passes the bone on if it has changed since the last call. Copies a pointer a body; where bodies came or went,
-    /// also their cuts.   [main]
+    /// Passes the bone on if it has changed since the last call. Copies a pointer a body; where bodies came or went, and
+    /// after an undo, also their cuts.   [main]
     void follow(const Simulation& simulation);
     /// Waits until all is cut and returns the surface. Pre: called once, after the last tick.   [main]
     /// @param report   what it does, from this thread
-    /// @param is_cancelled   asked about ten times a second; then the surface has an error
+    /// @param is_cancelled   asked about ten times a second; after the request that runs, what is not cut yet is stale
     [[nodiscard]] ExactSurface finish(const Simulation& simulation,
                                       const std::function<void(double fraction, const std::string& what)>& report,
                                       const std::function<bool()>& is_cancelled);
@@ -55,7 +55,9 @@ public:
 
 private:
     void work();
+    [[nodiscard]] bool work_on(const ExactState& state, bool is_the_end);
     void show();
+    void finish_with(ExactSurface made);
 
     ExactSurfaces surfaces_;
     std::vector<std::pair<std::size_t, CutHistory>> last_;  ///< bodies that were passed on, by number
@@ -68,7 +70,9 @@ private:
     std::shared_ptr<const ExactView> view_;
     double fraction_ = 0.0;
     std::string doing_;
-    bool is_last_ = false, is_done_ = false;
+    bool has_end_ = false;      ///< the last state is the end of the run
+    bool is_unwanted_ = false;  ///< nobody waits for the surface
+    bool is_done_ = false;
     ExactSurface made_;
 
     std::thread thread_;  // last: it uses all of the above

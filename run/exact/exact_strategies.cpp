@@ -46,9 +46,11 @@ std::string ExactStrategies::start(const RemeshFolders& folders, const std::stri
 
 std::string ExactStrategies::start(const RemeshFolders& folders, const Procedure& procedure) {
     for (const Instrument& instrument : procedure.instruments) {
-        if (instrument.remeshing.empty()) continue;
+        const bool is_used = std::any_of(procedure.steps.begin(), procedure.steps.end(),
+                                         [&](const Step& step) { return step.instrument == instrument.id; });
+        if (instrument.remeshing.empty() || !is_used) continue;
         if (const std::string error = start(folders, instrument.remeshing); !error.empty())
-            return "instrument `" + instrument.id + "`: " + error;
+            return why_not_ = "instrument `" + instrument.id + "`: " + error;
     }
     return {};
 }

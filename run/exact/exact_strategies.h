@@ -25,13 +25,16 @@ struct RemeshFolders {
 /// The strategies that the instruments of a procedure leave exact surfaces with, each in a process of its own.
 class ExactStrategies {
 public:
-    /// Starts them. They are few when no instrument has one. Returns why one cannot be started, for people, or an empty
-    /// text. Call it before any thread runs.   [main]
+    /// Starts them; none if no instrument names one. Returns why one cannot be started, for people, or an empty text.
+    /// Call it before any thread runs.   [main]
+    /// A run goes on without them: `why_not` then stands in its results.
     [[nodiscard]] std::string start(const RemeshFolders& folders, const Procedure& procedure);
     /// Starts one, unless it runs, and the one that gets what it declines.   [main]
     [[nodiscard]] std::string start(const RemeshFolders& folders, const std::string& strategy);
 
-    [[nodiscard]] bool are_any() const noexcept { return !running_.empty(); }
+    [[nodiscard]] bool are_any() const noexcept { return why_not_.empty() && !running_.empty(); }
+    /// Why the strategies of a procedure did not start; empty: they did, or there are none.
+    [[nodiscard]] const std::string& why_not() const noexcept { return why_not_; }
     /// Returns the cutting solids of a scene with the strategy of each.   [main]
     [[nodiscard]] ExactTools tools(const Scene& scene) const;
     /// The same with one strategy for all of them. Pre: it runs.   [main]
@@ -45,6 +48,7 @@ private:
     [[nodiscard]] RemeshChild* find(const std::string& strategy) const;
 
     std::map<std::string, std::unique_ptr<RemeshChild>> running_;
+    std::string why_not_;
 };
 
 }  // namespace kerf

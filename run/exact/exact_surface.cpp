@@ -61,9 +61,10 @@ ExactState exact_state(const Simulation& simulation, bool with_cuts) {
     for (std::size_t body = 0; body < present.count(); ++body) {
         // A part that has just come off is there before the loop takes it over.
         const auto& live = simulation.bodies();
-        if (body < live.size() && (!live[body]->is_cuttable || !live[body]->is_present)) continue;
+        const bool is_known = body < live.size();
+        if (is_known && !live[body]->is_cuttable) continue;
         const PresentPiece& piece = present.piece(body);
-        state.bodies.push_back({body, piece.came_off, piece.bone, piece.history,
+        state.bodies.push_back({body, piece.came_off, piece.bone, !is_known || live[body]->is_present, piece.history,
                                 with_cuts ? std::make_shared<const CutField>(piece.cut) : nullptr});
     }
     return state;
@@ -83,13 +84,11 @@ ExactSurfaces::Bone& ExactSurfaces::bone(const Body& field) {
     const auto known = std::find_if(bones_.begin(), bones_.end(), [&](const Bone& one) { return one.field == &field; });
     if (known != bones_.end()) return *known;
     tools_.report(0.0, "reading the uncut surface");
-    Bone& made = bones_.emplace_back(Bone{&field, nullptr});
-    std::string error;
-    if (auto base = base_surface(*scene_, field, notes_, error)) {
+    Bone& made = bones_.emplace_back(Bone{&field, nullptr, {}, {}});
+    if (auto base = base_surface(*scene_, field, made.notes, made.error)) {
         std::vector<std::uint8_t> tags(base->triangles.size(), KERF_FACE_SURFACE);
         made.surface = std::make_unique<ExactBone>(field, TaggedMesh{std::move(*base), std::move(tags)}, tools_);
     }
-    if (error_.empty()) error_ = error;
     return made;
 }
 
@@ -105,17 +104,27 @@ void ExactSurfaces::follow(const ExactState& state) {
 ExactSurface ExactSurfaces::finish(const ExactState& state) {
     follow(state);
     ExactSurface made;
-    made.notes = notes_;
-    made.error = error_;
     for (const Bone& one : bones_) {
         const std::vector<ExactBody> bodies = bodies_of(state, *one.field);
-        if (one.surface == nullptr || bodies.empty()) continue;
+        if (bodies.empty()) continue;
+        made.notes.insert(made.notes.end(), one.notes.begin(), one.notes.end());
+        if (made.error.empty()) made.error = one.error;
+        if (one.surface == nullptr) continue;
         made.base_volume += one.surface->uncut_volume();
-        made.field_base_volume += bone_volume(*one.field, CutField(*one.field, 0));
+        const double field_base = bone_volume(*one.field, CutField(*one.field, 0));
+        made.field_base_volume += field_base;
         std::vector<TaggedMesh> meshes = one.surface->finish(bodies);
+        made.removed += one.surface->uncut_volume() - one.surface->crumb_volume();
+        made.field_removed += field_base;
         for (std::size_t n = 0; n < bodies.size(); ++n) {
-            made.pieces.push_back(piece_of(bodies[n], std::move(meshes[n])));
-            made.allowed += 0.15 * one.field->grid().spacing * wall_area_of(made.pieces.back());
+            ExactPiece piece = piece_of(bodies[n], std::move(meshes[n]));
+            made.removed -= piece.volume;
+            made.field_removed -= piece.field_volume;
+            made.allowed += 0.15 * one.field->grid().spacing * wall_area_of(piece);
+            if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
+                made.error = "body " + std::to_string(piece.body) +
+                             " came apart in the field while a bridge was left in the mesh, which no later cut removes.";
+            if (bodies[n].is_present) made.pieces.push_back(std::move(piece));
         }
         made.records += one.surface->records();
         made.stretches += one.surface->stretches();
@@ -131,15 +140,6 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
     }
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
-    made.removed = made.base_volume - made.crumb_volume;
-    made.field_removed = made.field_base_volume;
-    for (const ExactPiece& piece : made.pieces) {
-        made.removed -= piece.volume;
-        made.field_removed -= piece.field_volume;
-        if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
-            made.error = "body " + std::to_string(piece.body) +
-                         " came apart in the field while a bridge was left in the mesh, which no later cut removes.";
-    }
     if (made.error.empty() && std::abs(made.removed - made.field_removed) > made.allowed)
         made.notes.push_back("Mesh and field differ by more than the field explains: the mesh lost " +
                              text_of(made.removed) + ", the field " + text_of(made.field_removed) + ".");

@@ -28,7 +28,7 @@ struct ExactSurface {
     std::size_t records = 0;                            ///< of the cut log that changed bone
     std::size_t stretches = 0;                          ///< straight ones that they were joined into
     double base_volume = 0.0, field_base_volume = 0.0;  ///< [m³] before the first cut
-    double removed = 0.0, field_removed = 0.0;          ///< [m³] without crumbs
+    double removed = 0.0, field_removed = 0.0;          ///< [m³] by tools, without crumbs
     double allowed = 0.0;                               ///< [m³] by which the two may differ: 0.15 voxels on all walls
     std::size_t crumbs = 0;                             ///< parts of the mesh in which the field has no body
     double crumb_volume = 0.0;                          ///< [m³]
@@ -71,14 +71,14 @@ private:
     struct Bone {
         const Body* field;
         std::unique_ptr<ExactBone> surface;  ///< null: it cannot be cut
+        std::vector<std::string> notes;
+        std::string error;
     };
     [[nodiscard]] Bone& bone(const Body& field);
 
     const Scene* scene_;
     ExactTools tools_;
     std::vector<Bone> bones_;
-    std::vector<std::string> notes_;
-    std::string error_;
 };
 
 /// Makes the exact surface of what a run has left.   [main]

@@ -132,6 +132,20 @@ TEST_P(ExactFollowing, ACutTakenBackLeavesTheUncutSurface) {
     EXPECT_EQ(run.summary.exact->digest, run.afterwards.digest);
 }
 
+TEST_P(ExactFollowing, ABodyTakenAwayIsCutAndLeftOut) {
+    // Given the expert's way, with the piece removed from the scene while it is held
+    Scene scene = leg_with(GetParam());
+    std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
+    path.back().inputs.push_back({HandInput::Kind::remove});
+    const Ended run = run_with(scene);
+    ASSERT_TRUE(run.summary.exact.has_value());
+    EXPECT_EQ(run.summary.exact->why_not, "");
+    ASSERT_EQ(run.summary.exact->pieces.size(), 1u);
+    EXPECT_EQ(run.summary.exact->crumbs, 0u);
+    EXPECT_LT(std::abs(run.summary.exact->removed - run.summary.exact->field_removed), run.summary.exact->allowed);
+    EXPECT_EQ(run.summary.exact->digest, run.afterwards.digest);
+}
+
 INSTANTIATE_TEST_SUITE_P(Strategies, ExactFollowing, testing::Values("local", "exact"),
                          [](const auto& strategy) { return std::string(strategy.param); });
 
@@ -167,6 +181,35 @@ TEST(ExactFollower, AnUnknownStrategyIsRefusedByName) {
     EXPECT_NE(why.find("instrument `saw`"), std::string::npos) << why;
     EXPECT_NE(why.find("`lokal`"), std::string::npos) << why;
     EXPECT_FALSE(strategies.are_any());
+}
+
+TEST(ExactFollower, ARunThatIsDroppedEndsItsThread) {
+    const Scene scene = leg_with("local");
+    ExactStrategies strategies;
+    ASSERT_EQ(strategies.start(folders, scene.procedure), "");
+    for (const int ticks : {0, 1, 6000, 12'000}) {
+        RunRequest request;
+        request.rehearsal = "expert";
+        request.strategies = &strategies;
+        RunOutcome outcome;
+        const auto run = Run::create(scene, test::plugins(), request, outcome);
+        ASSERT_NE(run, nullptr) << outcome.error;
+        for (int n = 0; n < ticks; ++n) run->step();
+    }
+}
+
+TEST(ExactFollower, WithoutItsModuleTheRunGoesOn) {
+    const Scene scene = leg_with("local");
+    ExactStrategies strategies;
+    EXPECT_NE(strategies.start({folders.program, KERF_BUILD_DIR "/nowhere"}, scene.procedure), "");
+    RunRequest request;
+    request.rehearsal = "expert";
+    request.strategies = &strategies;
+    const RunOutcome outcome = run_procedure(scene, test::plugins(), request);
+    EXPECT_EQ(outcome.error, "");
+    ASSERT_TRUE(outcome.summary.exact.has_value());
+    EXPECT_NE(outcome.summary.exact->why_not.find("no module in"), std::string::npos) << outcome.summary.exact->why_not;
+    EXPECT_EQ(outcome.summary.hash, plain_run("local").summary.hash);
 }
 
 class ExactAnimals : public testing::TestWithParam<const char*> {};
