@@ -114,6 +114,9 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
         const double field_base = bone_volume(*one.field, CutField(*one.field, 0));
         made.field_base_volume += field_base;
         std::vector<TaggedMesh> meshes = one.surface->finish(bodies);
+        if (const auto stale = one.surface->stale(); !stale.empty() && made.error.empty())
+            made.error = "no exact surface could be made of `" + one.field->id + "`: " + stale.front().why +
+                         (stale.size() > 1 ? ", and of " + std::to_string(stale.size() - 1) + " more cuts." : ".");
         made.removed += one.surface->uncut_volume() - one.surface->crumb_volume();
         made.field_removed += field_base;
         for (std::size_t n = 0; n < bodies.size(); ++n) {
@@ -134,9 +137,6 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
         made.handed_over += one.surface->handed_over();
         const std::vector<std::string> notes = one.surface->notes();
         made.notes.insert(made.notes.end(), notes.begin(), notes.end());
-        if (const auto stale = one.surface->stale(); !stale.empty() && made.error.empty())
-            made.error = "no exact surface could be made of `" + one.field->id + "`: " + stale.front().why +
-                         (stale.size() > 1 ? ", and of " + std::to_string(stale.size() - 1) + " more cuts." : ".");
     }
     std::sort(made.pieces.begin(), made.pieces.end(),
               [](const ExactPiece& a, const ExactPiece& b) { return a.body < b.body; });
