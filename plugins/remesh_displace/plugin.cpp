@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <OpenMesh/Core/System/config.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "displace.h"
@@ -83,6 +87,15 @@ kerf_status displace_all(const kerf_remesh_in* in, const kerf_arena* from, kerf_
     }
 }
 
+/// The library, its version and the flags that results depend on.
+constexpr auto kernel = [] {
+    auto text = std::to_array("OpenMesh 0.0, no fused multiply-add");
+    text[9] = static_cast<char>('0' + OM_GET_VER);
+    text[11] = static_cast<char>('0' + OM_GET_MAJ);
+    return text;
+}();
+static_assert(OM_GET_VER < 10 && OM_GET_MAJ < 10, "the version in `kernel` has one digit for each number");
+
 constexpr kerf_remesher remeshers[] = {
     {sizeof(kerf_remesher), KERF_REMESH_PATCH, "displace",
      "Moves the surface onto the swept burr, and declines where a wall would be pierced.", &displace_all, nullptr,
@@ -101,5 +114,5 @@ extern "C" const kerf_remesh_module kerf_remesh_entry = {
     "kerf.remesh_displace",
     "0.1.0",
     "Apache-2.0",
-    "OpenMesh, no fused multiply-add",
+    kerf::remesh_displace::kernel.data(),
     kerf::remesh_displace::remeshers};
