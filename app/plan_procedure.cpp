@@ -63,8 +63,8 @@ std::string surface_text(const std::vector<StrategyCost>& costs, double accuracy
                           cost.seconds);
     }
     if (chosen == nullptr) return text;
-    return text + "  the fastest within " + rounded(100.0 * accuracy, 1) + " % of the volume: `remeshing: " +
-           chosen->strategy + "`; `farthest` is the largest distance at its edges\n";
+    return text + "  the fastest within " + rounded(100.0 * accuracy, 1) +
+           " % of the volume: `remeshing: " + chosen->strategy + "`; `farthest` is the largest distance at its edges\n";
 }
 
 std::string write_plan(const std::string& folder, const std::string& text, const std::string& csv) {

@@ -2,9 +2,9 @@
 #pragma once
 
 /// Memory whose addresses are a function of what was requested. Libraries order by address what is otherwise equal, so
-/// their results depend on where the heap had room. While a request is answered, `operator new` on the same thread takes
-/// memory from an empty region at a fixed address. Not so where the address space is too small for a region, and for
-/// what a request needs beyond it: then memory comes from the heap. Linked into `kerf-remesh` alone.
+/// their results depend on where the heap had room. While a request is answered, `operator new` on the same thread
+/// takes memory from an empty region at a fixed address. Not so where the address space is too small for a region, and
+/// for what a request needs beyond it: then memory comes from the heap. Linked into `kerf-remesh` alone.
 namespace kerf {
 
 /// From now on memory comes from an empty region.   [main]

@@ -38,8 +38,8 @@ public:
     ExactFollower(const ExactFollower&) = delete;
     ExactFollower& operator=(const ExactFollower&) = delete;
 
-    /// Passes the bone on if it has changed since the last call. Copies a pointer a body; where bodies came or went, and
-    /// after an undo, also their cuts.   [main]
+    /// Passes the bone on if it has changed since the last call. Copies a pointer a body; where bodies came or went,
+    /// and after an undo, also their cuts.   [main]
     void follow(const Simulation& simulation);
     /// Waits until all is cut and returns the surface. Pre: called once, after the last tick.   [main]
     /// @param report   what it does, from this thread

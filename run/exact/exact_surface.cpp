@@ -125,8 +125,9 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
             made.field_removed -= piece.field_volume;
             made.allowed += 0.15 * one.field->grid().spacing * wall_area_of(piece);
             if (piece.mesh.mesh.triangles.empty() && piece.field_volume > 0.0 && made.error.empty())
-                made.error = "body " + std::to_string(piece.body) +
-                             " came apart in the field while a bridge was left in the mesh, which no later cut removes.";
+                made.error =
+                    "body " + std::to_string(piece.body) +
+                    " came apart in the field while a bridge was left in the mesh, which no later cut removes.";
             if (bodies[n].is_present) made.pieces.push_back(std::move(piece));
         }
         made.records += one.surface->records();

@@ -136,7 +136,10 @@ TEST_P(ExactFollowing, ABodyTakenAwayIsCutAndLeftOut) {
     // Given the expert's way, with the piece removed from the scene while it is held
     Scene scene = leg_with(GetParam());
     std::vector<Waypoint>& path = scene.procedure.rehearsals[0].path;
-    path.back().inputs.push_back({HandInput::Kind::remove});
+    Waypoint lifted = path[path.size() - 3];  // where the forceps close
+    lifted.depth = -30e-3;
+    lifted.inputs.push_back({HandInput::Kind::remove});
+    path.insert(path.end() - 2, lifted);
     const Ended run = run_with(scene);
     ASSERT_TRUE(run.summary.exact.has_value());
     EXPECT_EQ(run.summary.exact->why_not, "");
