@@ -32,22 +32,28 @@ inline std::vector<double> values(const std::vector<ParameterInfo>& infos, const
     return v;
 }
 
-/// The motor follows at once unless `set` says otherwise: most questions are about the law at speed.
-inline ToolSetup drill(const std::string& tool, std::map<std::string, double> set) {
+/// A powered tool with its law. The motor follows at once unless `set` says otherwise: most questions are about the law
+/// at speed.
+inline ToolSetup powered_tool(const std::string& plugin, const std::string& tool, const std::string& force,
+                              std::map<std::string, double> set) {
     set.insert({"run_up", 0.0});
     ToolSetup setup;
-    setup.tool = plugins().find("kerf.drilling", KERF_KIND_TOOL, tool);
-    setup.force = plugins().find("kerf.drilling", KERF_KIND_FORCE, "drill_cutting");
+    setup.tool = plugins().find(plugin, KERF_KIND_TOOL, tool);
+    setup.force = plugins().find(plugin, KERF_KIND_FORCE, force);
+    if (setup.tool == nullptr || setup.force == nullptr) throw std::runtime_error("no " + plugin + " in lib/kerf");
     for (const auto& info : plugins().catalog()) {
-        if (info.plugin != "kerf.drilling") continue;
+        if (info.plugin != plugin) continue;
         if (info.id == tool) {
             setup.tool_parameters = values(info.parameters, set);
             setup.drives = values(info.drives, set);
         }
-        if (info.id == "drill_cutting") setup.force_parameters = values(info.parameters, set);
+        if (info.id == force) setup.force_parameters = values(info.parameters, set);
     }
     if (const std::string why = bind_law(setup); !why.empty()) throw std::runtime_error(why);
     return setup;
+}
+inline ToolSetup drill(const std::string& tool, const std::map<std::string, double>& set) {
+    return powered_tool("kerf.drilling", tool, "drill_cutting", set);
 }
 
 inline ToolSetup twist_drill(const std::map<std::string, double>& set = {}) { return drill("twist_drill", set); }

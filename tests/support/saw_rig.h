@@ -13,28 +13,11 @@
 /// teeth go along x, and y is across the blade.
 namespace kerf::test {
 
-/// The motor follows at once unless `set` says otherwise: most questions are about the law at speed.
-inline ToolSetup saw_of(const std::string& tool, const std::string& force, std::map<std::string, double> set) {
-    set.insert({"run_up", 0.0});
-    ToolSetup setup;
-    setup.tool = plugins().find("kerf.sawing", KERF_KIND_TOOL, tool);
-    setup.force = plugins().find("kerf.sawing", KERF_KIND_FORCE, force);
-    if (setup.tool == nullptr || setup.force == nullptr) throw std::runtime_error("no sawing plugin in lib/kerf");
-    for (const auto& info : plugins().catalog()) {
-        if (info.plugin != "kerf.sawing") continue;
-        if (info.id == tool) {
-            setup.tool_parameters = values(info.parameters, set);
-            setup.drives = values(info.drives, set);
-        }
-        if (info.id == force) setup.force_parameters = values(info.parameters, set);
-    }
-    return setup;
-}
 inline ToolSetup saw(const std::map<std::string, double>& set = {}) {
-    return saw_of("oscillating_blade", "saw_cutting", set);
+    return powered_tool("kerf.sawing", "oscillating_blade", "saw_cutting", set);
 }
 inline ToolSetup reciprocating_saw(const std::map<std::string, double>& set = {}) {
-    return saw_of("reciprocating_blade", "reciprocating_cutting", set);
+    return powered_tool("kerf.sawing", "reciprocating_blade", "reciprocating_cutting", set);
 }
 
 /// A tube along y, ends at ± half a length: a shaft of bone, sawn across.

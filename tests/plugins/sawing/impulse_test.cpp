@@ -280,7 +280,7 @@ TEST(StrikeRate, IsTwoStrokesTimesTheTeethOfAStroke) {
 
 ToolSetup impulse_saw(std::map<std::string, double> set = {}) {
     set.insert({{"blade_length", 20.0_mm}, {"tooth_pitch", 2.0_mm}, {"stroke", 4.0_mm}});
-    return test::saw_of("reciprocating_blade", "reciprocating_impulse", set);
+    return test::powered_tool("kerf.sawing", "reciprocating_blade", "reciprocating_impulse", set);
 }
 struct Feeding {
     test::Rig simulation;
