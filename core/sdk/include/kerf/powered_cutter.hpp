@@ -16,8 +16,9 @@ struct CuttingState {
     [[nodiscard]] bool removes_bone() const noexcept { return fraction >= 1.0; }
     /// Below its slowest cutting speed a cutter removes no bone. It sinks onto what its edges leave, and their forces
     /// fade over 2 ms while contact takes over, so that the hand feels no step.
-    void step(bool cuts, double dt) noexcept {
-        constexpr double fading_time = 2e-3;  // [s]
+    /// @param fading_time  [s] longer for a cutter that sinks far, as one whose walls are known less well than its
+    /// point
+    void step(bool cuts, double dt, double fading_time = 2e-3) noexcept {
         fraction = cuts ? 1.0 : fraction > 1e-6 ? fraction * exp_exact(-dt / fading_time) : 0.0;
     }
 };
