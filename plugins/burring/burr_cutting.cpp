@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "burr_cutting.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kerf::burring {
+
+namespace {
+
+constexpr double min_rate = 1e-6;  // [m/s] of a chip that is as good as none
+
+/// What the points of a sector that are at the bone add up to.
+struct Sector {
+    double least_gap = std::numeric_limits<double>::infinity();  ///< [m]
+    double width = 0.0;                                          ///< [m] of blade, by what the tissue resists
+    Vec6 normal{};                                               ///< Σ of width times the rate along the normal
+    Vec6 against{};        ///< Σ of the force against the turn as a wrench [N, N·m]
+    double cutting = 0.0;  ///< [N] Σ of that force
+};
+
+bool is_cut_channel(const kerf_channel& channel) noexcept {
+    return channel.id >= id_cut && channel.id < id_cut + sector_count;
+}
+
+}  // namespace
+
+void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const BurrParameters& law,
+                 const Turning& turning, Channels& channels) noexcept {
+    const EdgeCoefficients thrust = law.thrust(), cutting = law.cutting();
+    std::array<Sector, sector_count> sectors{};
+    // While the cut fades, contact takes over and needs the room.
+    const bool is_fading = !turning.cutting.removes_bone();
+    const auto sector_of = [&](std::size_t i) { return is_fading ? wide_sector(points[i].sector) : points[i].sector; };
+    for (std::size_t i = 0; i < points.count(); ++i)
+        if (in_bone.resisted[i] > 0.0) {
+            double& least = sectors[sector_of(i)].least_gap;
+            least = std::min(least, in_bone.gap[i]);
+        }
+    for (std::size_t i = 0; i < points.count(); ++i) {
+        const EdgePoint& point = points[i];
+        Sector& sector = sectors[sector_of(i)];
+        if (in_bone.resisted[i] <= 0.0 || in_bone.gap[i] > sector.least_gap + left_behind) continue;
+        const double width = in_bone.resisted[i] * point.width;
+        const Vec6 into = rate_at(point.at, points.outwards(i)),
+                   back = rate_at(point.at, -turning.sense * point.turning);
+        const double chip = std::max(min_rate, dot(into, turning.rate)) / turning.blade_rate;
+        const double force = width * force_per_width(chip, cutting);
+        for (std::size_t c = 0; c < 6; ++c) {
+            sector.normal[c] += width * into[c];
+            sector.against[c] += force * back[c];
+        }
+        sector.width += width;
+        sector.cutting += force;
+    }
+
+    // The force against the turn is at most so much of the one against the feed; as chips of a sector differ, twice
+    // that.
+    const double of_edge = thrust.edge > 0.0 ? cutting.edge / thrust.edge : 0.0,
+                 of_chip = thrust.chip > 0.0 ? cutting.chip / thrust.chip : 0.0,
+                 most = 2.0 * std::max(of_edge, of_chip);
+    for (std::size_t s = 0; s < sector_count; ++s) {
+        const Sector& sector = sectors[s];
+        if (sector.width <= 0.0) continue;
+        kerf_channel* channel = channels.add(KERF_CUT, id_cut + static_cast<std::uint32_t>(s));
+        if (channel == nullptr) continue;
+        const Vec6 d = scaled(1.0 / sector.width, sector.normal);
+        ChannelSum sum;
+        sum.add(sector.width * thrust.edge, sector.width * thrust.chip / turning.blade_rate,
+                thrust.edge_depth * turning.blade_rate);
+        sum.write(d, turning.cutting.fraction, sector.least_gap, channel);
+
+        // What follows counts for each newton of the channel, which at the last motion would have carried:
+        const double chip = std::max(min_rate, dot(d, turning.rate)) / turning.blade_rate;
+        const double carried = sector.width * force_per_width(chip, thrust);
+        if (carried <= 0.0) continue;
+        const double share = std::min(1.0, most * carried / std::max(sector.cutting, 1e-300));
+        const Vec6 follow = scaled(share / carried, sector.against);
+        std::copy(follow.begin(), follow.end(), channel->follow);
+    }
+}
+
+double cutting_torque(const Advance& advance, double sense) noexcept {
+    double torque = 0.0;
+    for (std::size_t c = 0; c < advance.channel.size(); ++c)
+        if (is_cut_channel(advance.channel[c])) torque -= sense * advance.channel[c].follow[5] * advance.lambda[c];
+    return torque;
+}
+
+}  // namespace kerf::burring
