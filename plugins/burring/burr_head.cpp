@@ -20,19 +20,21 @@ double BurrHead::widest_radius() const noexcept {
 }
 
 Outline BurrHead::outline(double length) const noexcept {
-    // Chords of an arc take less than the arc: with 24 of them on a ball a groove is 0.3 % too small.
-    constexpr double per_radian = 24.0 / (150.0 / 180.0 * pi);
-    const auto pieces = static_cast<std::size_t>(std::ceil(per_radian * arc_angle));
+    // Few chords carve fast. Each encloses as much as the piece of the arc that it stands for, so its ends lie as little
+    // outside the arc as its middle lies inside: 5 µm and 2 µm on a ball of 4 mm, and a groove has its true size.
+    constexpr double per_radian = 16.0 / (150.0 / 180.0 * pi);
+    const double pieces = std::max(2.0, std::ceil(per_radian * arc_angle)), chord = arc_angle / pieces;
+    const double wider = std::sqrt(chord / sin_cos_exact(chord).sin);
     Outline outline = revolution();
-    for (std::size_t i = 0; i <= pieces; ++i) {
-        const MeridianPoint p =
-            at(end_radius + arc_radius * arc_angle * static_cast<double>(i) / static_cast<double>(pieces));
-        outline.to(p.z, p.radius);
+    for (double i = 0.0; i <= pieces; i += 1.0) {
+        const SinCos a = sin_cos_exact(chord * i);
+        outline.to(arc_radius * (wider * a.cos - 1.0), end_radius + wider * arc_radius * a.sin);
     }
     const MeridianPoint end = at(meridian());
-    if (side_length > 0.0) outline.to(end.z, end.radius);
+    if (side_length > 0.0 && end.z < outline.last().z) outline.to(end.z, end.radius);
     outline.cuts();
-    if (end.radius > neck_radius) outline.to(end.z - (end.radius - neck_radius), neck_radius);
+    const kerf_profile_point last = outline.last();
+    if (last.radius > neck_radius) outline.to(last.z - (last.radius - neck_radius), neck_radius);
     return outline.to(-length, neck_radius);
 }
 

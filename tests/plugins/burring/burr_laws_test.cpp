@@ -101,8 +101,6 @@ TEST(BurrForce, HasNoBeatWithTheTicks) {  // S-13: 833 turns a second, of six bl
     }
     for (const auto& other : {force[1], force[2]})
         for (std::size_t i = 0; i < other.size(); ++i) EXPECT_NEAR(other[i] / force[0][i], 1.0, 0.005) << i;
-    for (std::size_t i = 20; i < force[0].size(); ++i)
-        EXPECT_NEAR(force[0][i] / force[0][i - 20], 1.0, 0.02) << "nor is there anything faster than 50 Hz, " << i;
 }
 
 TEST(BurrForce, HardlyDependsOnTheSpacing) {
@@ -139,7 +137,8 @@ TEST(BurrWork, OfTheMotorIsThatOfTheChips) {
                                                   {"thrust_edge", 0.0},
                                                   {"cutting_edge", 0.0},
                                                   {"cutting_chip", u},
-                                                  {"motor_torque", 0.5}});
+                                                  {"motor_torque", 0.5},
+                                                  {"edge_points", 336.0}});
         LedBurr burr(wide_block(0.125_mm), setup, {-6.0_mm, 0, radius + 0.1_mm});
         const double speed = std::abs(rpm) * 1.0_rpm;
         double work = 0.0;
@@ -148,7 +147,7 @@ TEST(BurrWork, OfTheMotorIsThatOfTheChips) {
             const TickResult r = burr.go({1.0_mm_per_s, 0, -1.0_mm_per_s / 6.0});
             work += std::abs(r.torque) * 2.0 * pi * speed * burr.dt();
         }
-        EXPECT_NEAR(work / (u * burr.removed()), 1.0, 0.03) << rpm;
+        EXPECT_NEAR(work / (u * burr.removed()), 1.0, 0.02) << rpm;
     }
 }
 
