@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick of burring costs: the round burr of 4 mm led by hand at 2 mm/s through a groove 1 mm deep in a shelled block,
-// and a drill of 4 mm fed at 1 mm/s into the same block. Time on the processor, of this thread, as in bench_tick.
+// What a tick of burring costs: the round burr of 4 mm led by hand at 2 mm/s through a groove 1 mm deep in a shelled
+// block, and a drill of 4 mm fed at 1 mm/s into the same block. Time on the processor, of this thread, as in
+// bench_tick.
 //
 //     loop      all of a tick: the head and the neck sampled, the law, the solve, commit, the committed cut
 //     no lag    the second field, which the worker stamps: not part of the loop

@@ -66,7 +66,8 @@ TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
     }
 }
 
-TEST(MandibularAngle, TheExpertComesNearThePlan) {  // 04-14: a scripted cut is within 1 deg; residents within 5.6 and 1.9
+TEST(MandibularAngle,
+     TheExpertComesNearThePlan) {  // 04-14: a scripted cut is within 1 deg; residents within 5.6 and 1.9
     const test::WatchedRun& run = outcome_of("expert");
     std::string reasons;
     for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
