@@ -16,8 +16,8 @@ struct Sector {
     double least_gap = std::numeric_limits<double>::infinity();  ///< [m]
     double width = 0.0;                                          ///< [m] of blade, by what the tissue resists
     Vec6 normal{};                                               ///< Σ of width times the rate along the normal
-    Vec6 against{};        ///< Σ of the force against the turn as a wrench [N, N·m]
-    double cutting = 0.0;  ///< [N] Σ of that force
+    Vec6 against{};                                              ///< Σ of the force against the turn [N, N·m]
+    double pressed = 0.0;                                        ///< [N] Σ of the force along the normals
 };
 
 bool is_cut_channel(const kerf_channel& channel) noexcept {
@@ -46,20 +46,15 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
         const Vec6 into = rate_at(point.at, points.outwards(i)),
                    back = rate_at(point.at, -turning.sense * point.turning);
         const double chip = std::max(min_rate, dot(into, turning.rate)) / turning.blade_rate;
-        const double force = width * force_per_width(chip, cutting);
+        const double built_up = built_up_at(chip, law.edge_depth),
+                     force = width * force_per_width(chip, cutting, built_up);
         for (std::size_t c = 0; c < 6; ++c) {
             sector.normal[c] += width * into[c];
             sector.against[c] += force * back[c];
         }
         sector.width += width;
-        sector.cutting += force;
+        sector.pressed += width * force_per_width(chip, thrust, built_up);
     }
-
-    // The force against the turn is at most so much of the one against the feed; as chips of a sector differ, twice
-    // that.
-    const double of_edge = thrust.edge > 0.0 ? cutting.edge / thrust.edge : 0.0,
-                 of_chip = thrust.chip > 0.0 ? cutting.chip / thrust.chip : 0.0,
-                 most = 2.0 * std::max(of_edge, of_chip);
     for (std::size_t s = 0; s < sector_count; ++s) {
         const Sector& sector = sectors[s];
         if (sector.width <= 0.0) continue;
@@ -71,12 +66,10 @@ void add_cutting(const EdgePoints& points, const EdgesInBone& in_bone, const Bur
                 thrust.edge_depth * turning.blade_rate);
         sum.write(d, turning.cutting.fraction, sector.least_gap, channel);
 
-        // What follows counts for each newton of the channel, which at the last motion would have carried:
-        const double chip = std::max(min_rate, dot(d, turning.rate)) / turning.blade_rate;
-        const double carried = sector.width * force_per_width(chip, thrust);
-        if (carried <= 0.0) continue;
-        const double share = std::min(1.0, most * carried / std::max(sector.cutting, 1e-300));
-        const Vec6 follow = scaled(share / carried, sector.against);
+        // Per newton of what presses on the same points. So it is never more of the channel's force than the blades
+        // make, however the burr jerks.
+        if (sector.pressed <= 0.0) continue;
+        const Vec6 follow = scaled(1.0 / sector.pressed, sector.against);
         std::copy(follow.begin(), follow.end(), channel->follow);
     }
 }

@@ -17,7 +17,7 @@ struct Turning {
     double blade_rate;     ///< [1/s] blades that pass: never below those of the slowest speed that cuts
     double sense;          ///< [–] 1 clockwise as the hand sees it, −1 in reverse
     CuttingState cutting;  ///< how far the blades cut
-    Vec6 rate;             ///< [m/s, rad/s] of the tool in the last tick
+    Vec6 rate;             ///< [m/s, rad/s] of the tool over the last ticks
 };
 
 /// One channel for each sector of the head that is in bone: its blades resist a motion along their mean normal.

@@ -13,6 +13,10 @@ using Happened = BurrCutting::Happened;
 // A head that stops sinks by as much as its round wall is known too narrow or too wide [judgement].
 constexpr double fading_time = 8e-3;  // [s]
 
+// What the turn adds follows a steady motion: with that of the last tick alone it would run around, and a burr on a
+// soft hand would whirl [judgement].
+constexpr double steadying_time = 15e-3;  // [s]
+
 constexpr PhaseEvents<Happened> phase_events{.off = Happened::off,
                                              .speeding_up = Happened::speeding_up,
                                              .running = Happened::running,
@@ -77,7 +81,8 @@ void BurrCutting::commit(const AnyBurr& burr, const BoneQuery&, const Noted<Note
     const double dt = burr.tick.dt;
     const Turning turning = turning_of(state, tool.spindle_speed);
     const BurrHead& head = state.prepared.head;
-    state.rate = advance.rate;
+    const double share = 1.0 - exp_exact(-dt / steadying_time);
+    for (std::size_t i = 0; i < state.rate.size(); ++i) state.rate[i] += share * (advance.rate[i] - state.rate[i]);
     state.carried = Carried(advance);
 
     // What resists the turn: the blades, a neck that rubs; a head that does not cut must break loose.

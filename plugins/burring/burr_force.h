@@ -18,7 +18,7 @@ struct BurrCutting : BurrParameters {
         ContactPoints touching_in_cut, touching;  ///< while it removes bone; otherwise
     };
     struct State {
-        Vec6 rate{};            ///< [m/s, rad/s] of the tool in the last tick
+        Vec6 rate{};            ///< [m/s, rad/s] of the tool over the last ticks
         double reaction = 0.0;  ///< [N·m] of the motor, beyond what the bone's torque answers; negative in reverse
         Carried carried;
         PoweredCutter cutter;
