@@ -15,7 +15,7 @@ constexpr double fading_time = 8e-3;  // [s]
 
 // What the turn adds follows a steady motion: with that of the last tick alone it would run around, and a burr on a
 // soft hand would whirl [judgement].
-constexpr double steadying_time = 15e-3;  // [s]
+constexpr double steadying_time = 50e-3;  // [s]
 
 constexpr PhaseEvents<Happened> phase_events{.off = Happened::off,
                                              .speeding_up = Happened::speeding_up,

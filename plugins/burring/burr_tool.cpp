@@ -21,9 +21,9 @@ Outline Burr::outline_of(const BurrHead& head) const noexcept {
     if (!(needed < length))
         return refuse("`length` is ", in_mm(length), "; it needs more than the head and its shoulder, ", in_mm(needed),
                       ".");
-    const double grip_z = -length - 40.0_mm;  // the hand holds the handpiece as a pen
-    return head.outline(length).gripped_at(grip_z).weighs(
-        {.mass = mass, .centre_z = grip_z, .gyration = 40.0_mm});  // [assumed]
+    // The hand holds the handpiece as a pen. A mass across the shaft would keep a burr on a soft hand running around in
+    // its own pit, with what the turn adds: it is left out, as of a saw.
+    return head.outline(length).gripped_at(-length - 40.0_mm);
 }
 
 /// The ball ends where its circle is as wide as the neck.

@@ -14,7 +14,7 @@ inline constexpr double slowest_cut = 1000.0 / 60.0;  ///< [1/s] from this speed
 /// What every burr has; all SI.
 struct Burr {
     double diameter, blades, neck_diameter, length;
-    double motor_torque, run_up, inertia, mass;
+    double motor_torque, run_up, inertia;
     double spindle_speed;  ///< commanded
 
     static constexpr auto common() {
@@ -68,14 +68,6 @@ struct Burr {
                                    .max = 1e-4_kg_m2,
                                    .def = 2e-7_kg_m2,
                                    .source = "assumed: order of a small rotor"}),
-            param(&Burr::mass,
-                  {.id = "mass",
-                   .help = "Of burr and handpiece, centred where the hand holds them; felt across the shaft.",
-                   .unit = unit::kg,
-                   .min = 0.0,
-                   .max = 2.0_kg,
-                   .def = 0.15_kg,
-                   .source = "assumed: order of a surgical handpiece"}),
             drive(&Burr::spindle_speed, {.id = "spindle_speed",
                                          .help = "Commanded speed of the burr; negative in reverse.",
                                          .unit = unit::rpm,
