@@ -188,6 +188,45 @@ TEST(BurrInItsGroove, MeetsNothingOnTheWayBack) {  // S-12
     EXPECT_GT(length(linear(burr.mean({1.0_mm_per_s, 0, -1.0_mm_per_s}, 800).wrench)), 1.0) << "but its end is there";
 }
 
+// The same way again, to the bit, lies in the wall that the first one left (scene 11, S-09).
+TEST(BurrInItsGroove, TakesNothingASecondTime) {
+    LedBurr burr(wide_block(), test::round_burr(), {-11.0_mm, 0, radius - depth});
+    const auto pass = [&] {
+        double most = 0.0;
+        for (int i = 0; i < 2200; ++i)
+            most = std::max(most, length(linear(burr.go({10.0_mm_per_s, 0, 0}).bone_on_tool)));
+        return most;
+    };
+    EXPECT_GT(pass(), 1.0);
+    const double removed = burr.removed();
+    burr.to({11.0_mm, 0, 5.0_mm}, 20.0_mm_per_s);
+    burr.to({-11.0_mm, 0, 5.0_mm}, 20.0_mm_per_s);
+    burr.to({-11.0_mm, 0, radius - depth}, 20.0_mm_per_s);
+    EXPECT_LT(pass(), 0.05) << "N";
+    EXPECT_NEAR(burr.removed() / removed, 1.0, 1e-3);
+}
+
+// Slices of a micron to a tenth of a millimetre, one below the other (scene 11, S-08): in the end a groove of that
+// depth.
+TEST(BurrThatGrazes, AddsUpToTheGrooveOfItsDepth) {
+    constexpr double h = 0.2_mm;
+    LedBurr burr(test::block({0, -6.0_mm, -5.0_mm}, {8.0_mm, 6.0_mm, 0}, h, {0.31, 0.17, 0.73}), test::round_burr(),
+                 {-3.0_mm, 0, radius});
+    double deep = 0.0, way = 1.0;
+    for (const double slice : {1.0_um, 3.0_um, 10.0_um, 30.0_um, 100.0_um, 1.0_um, 100.0_um, 100.0_um, 55.0_um}) {
+        deep += slice;
+        burr.to({burr.centre().x, 0, radius - deep}, 20.0_mm_per_s);
+        for (int i = 0; i < 1400; ++i) {
+            const TickResult r = burr.go({way * 10.0_mm_per_s, 0, 0});
+            for (const double w : r.bone_on_tool) ASSERT_TRUE(std::isfinite(w)) << slice;
+        }
+        way = -way;
+    }
+    const double area = radius * radius * std::acos((radius - deep) / radius) -
+                        (radius - deep) * std::sqrt(2.0 * radius * deep - deep * deep);
+    EXPECT_NEAR(burr.removed() / (8.0_mm * area), 1.0, 0.02) << "0.4 mm deep, two voxels";
+}
+
 TEST(BurrLaw, IsSoundAnywhere) {
     for (const char* tool : {"round_burr", "cylindrical_burr", "pear_burr"})
         for (const double rpm : {0.0, 900.0, 1100.0, 50000.0, -50000.0}) {
