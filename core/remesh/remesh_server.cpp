@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/remesh/remesh_server.h"
 
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,9 +19,22 @@ namespace {
 
 using namespace remesh_channel;
 
-/// Behind the loop in all that is shared, and gone with its parent.
+pid_t parent = 0;
+
+extern "C" void end_as_an_orphan(int /*signal*/) {
+    if (getppid() != parent) _exit(1);
+}
+
+/// Behind the loop in all that is shared, and gone within a second of its parent. The death signal of a parent is that
+/// of a thread: a child that a worker has started again would end with the worker.
 void be_a_good_child() {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    parent = getppid();
+    struct sigaction action {};
+    action.sa_handler = end_as_an_orphan;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGALRM, &action, nullptr);
+    const itimerval each_second{{1, 0}, {1, 0}};
+    setitimer(ITIMER_REAL, &each_second, nullptr);
     constexpr rlim_t most_memory = rlim_t{16} << 30;  // [bytes] of addresses
     const rlimit memory{most_memory, most_memory};
     setrlimit(RLIMIT_AS, &memory);

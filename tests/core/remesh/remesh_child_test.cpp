@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
 
 #include "core/remesh/accept.h"
 #include "kerf/units.hpp"
@@ -82,6 +83,14 @@ TEST(RemeshChild, EndsAStrategyThatHangs) {
     EXPECT_NE(result.message.find("no answer within 50 ms"), std::string::npos) << result.message;
     EXPECT_LT(std::chrono::steady_clock::now() - start, 20s);
     EXPECT_EQ(child->restarts(), 1);
+}
+
+TEST(RemeshChild, OutlivesTheThreadThatStartedItAgain) {
+    const auto child = child_with("hangs");
+    std::thread([&] { (void)child->remesh(cube_request(), 50ms); }).join();
+    std::this_thread::sleep_for(100ms);
+    const RemeshResult result = child->remesh(cube_request(), 50ms);
+    EXPECT_NE(result.message.find("no answer within 50 ms"), std::string::npos) << result.message;
 }
 
 TEST(RemeshChild, LetsAStrategyCancelAtItsDeadline) {
