@@ -59,15 +59,18 @@ bool SweptBefore::covers(const CutStretch& cut) const {
     std::vector<Vec3>& points = (*points_of_)[cut.solid];
     if (points.empty()) points = surface_points(solid, apart_);
     const Box box = swept_box(solid, cut);
-    std::vector<const Sweep*> near;
+    std::vector<const Swept*> near;
     for (const auto& one : swept_)
-        if (meet(one->box, box)) near.push_back(&one->sweep);
+        if (meet(one->box, box)) near.push_back(one.get());
     if (near.empty()) return false;
-    const Sweep* last = near.back();  // what covered the last point covers the next one, mostly
+    const Swept* last = near.back();  // what covered the last point covers the next one, mostly
+    const auto is_in = [this](const Swept& one, Vec3 p) {
+        return meet(one.box, {p, p}) && one.sweep.holds(p, -tolerance_);
+    };
     const auto is_covered = [&](Vec3 p) {
-        if (last->holds(p, -tolerance_)) return true;
+        if (is_in(*last, p)) return true;
         for (std::size_t n = near.size(); n-- > 0;)
-            if (near[n]->holds(p, -tolerance_)) {
+            if (is_in(*near[n], p)) {
                 last = near[n];
                 return true;
             }
@@ -84,8 +87,10 @@ bool SweptBefore::covers(const CutStretch& cut) const {
 void SweptBefore::add(const CutStretch& cut) {
     const ToolSolid& solid = *solids_[cut.solid];
     const double way = std::max(largest_motion(solid, cut.from, cut.to), 1e-6);
-    swept_.push_back(
-        std::make_shared<const Swept>(Swept{Sweep(solid, cut.from, cut.to, way, 0.0), swept_box(solid, cut)}));
+    Box box = swept_box(solid, cut);
+    const Vec3 more{tolerance_, tolerance_, tolerance_};
+    box = {box.low - more, box.high + more};
+    swept_.push_back(std::make_shared<const Swept>(Swept{Sweep(solid, cut.from, cut.to, way, 0.0), box}));
 }
 
 }  // namespace kerf
