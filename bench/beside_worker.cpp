@@ -186,8 +186,7 @@ public:
 private:
     void cut() {
         const ToolSolid blade = test::slot_blade();
-        TaggedMesh bone{test::bent_bone(200'000.0), {}};
-        bone.tags.assign(bone.mesh.triangles.size(), KERF_FACE_SURFACE);
+        const TaggedMesh bone = tagged(test::bent_bone(200'000.0));
         LocalCutting saw(bone, {&blade}, 20e-6, [this](const RemeshRequest& request) {
             ++patches;
             return child_->remesh(request, std::chrono::seconds(20));

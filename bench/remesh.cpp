@@ -47,12 +47,6 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
 std::unique_ptr<RemeshModule> module, displace_module;
 
-TaggedMesh tagged(SurfaceMesh mesh) {
-    TaggedMesh all{std::move(mesh), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
-
 RemeshResult ask(const char* strategy, const RemeshRequest& request) {
     const kerf_remesher* found = module->find(strategy);
     return remesh_here(found != nullptr ? *found : *displace_module->find(strategy), request);

@@ -37,11 +37,6 @@ using test::bent_bone, test::blade_at, test::cut_across, test::slot_blade;
 
 std::unique_ptr<RemeshModule> module;
 
-TaggedMesh tagged(SurfaceMesh mesh) {
-    TaggedMesh all{std::move(mesh), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
 RemeshResult ask(const char* strategy, const RemeshRequest& request) {
     return remesh_here(*module->find(strategy), request);
 }

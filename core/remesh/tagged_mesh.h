@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/import/surface/surface_mesh.h"
+#include "kerf/draft/remesh.h"
 
 namespace kerf {
 
@@ -13,6 +15,12 @@ struct TaggedMesh {
     SurfaceMesh mesh;
     std::vector<std::uint8_t> tags;  ///< of each triangle: KERF_FACE_…
 };
+
+/// Returns a surface that no tool has cut: all its faces are KERF_FACE_SURFACE.   [any] pure.
+[[nodiscard]] inline TaggedMesh tagged(SurfaceMesh mesh) {
+    std::vector<std::uint8_t> tags(mesh.triangles.size(), KERF_FACE_SURFACE);
+    return {std::move(mesh), std::move(tags)};
+}
 
 /// Returns the volume between two surfaces with the same border [m³], or the difference of two closed ones; positive
 /// where `outer` is outside.   [any] pure.

@@ -74,7 +74,7 @@ std::vector<StrategyCost> compare_strategies(const Scene& scene, std::size_t ste
     std::string flaw;
     const auto base = base_surface(scene, scene.body, notes, flaw);
     TaggedMesh bone;
-    if (base) bone = {*base, std::vector<std::uint8_t>(base->triangles.size(), KERF_FACE_SURFACE)};
+    if (base) bone = tagged(*base);
     for (const std::string& strategy : strategies) {
         report("surface: " + strategy);
         StrategyCost& cost = costs.emplace_back();

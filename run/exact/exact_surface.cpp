@@ -85,10 +85,8 @@ ExactSurfaces::Bone& ExactSurfaces::bone(const Body& field) {
     if (known != bones_.end()) return *known;
     tools_.report(0.0, "reading the uncut surface");
     Bone& made = bones_.emplace_back(Bone{&field, nullptr, {}, {}});
-    if (auto base = base_surface(*scene_, field, made.notes, made.error)) {
-        std::vector<std::uint8_t> tags(base->triangles.size(), KERF_FACE_SURFACE);
-        made.surface = std::make_unique<ExactBone>(field, TaggedMesh{std::move(*base), std::move(tags)}, tools_);
-    }
+    if (auto base = base_surface(*scene_, field, made.notes, made.error))
+        made.surface = std::make_unique<ExactBone>(field, tagged(std::move(*base)), tools_);
     return made;
 }
 

@@ -19,11 +19,6 @@ namespace {
 using namespace literals;
 using test::cube, test::sphere, test::together, test::turned;
 
-TaggedMesh tagged(SurfaceMesh mesh) {
-    TaggedMesh all{std::move(mesh), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
 RemeshRequest request_for(const SurfaceMesh& base) {
     RemeshRequest request;
     request.base = tagged(base);

@@ -19,11 +19,6 @@ namespace {
 
 using namespace literals;
 
-TaggedMesh tagged(SurfaceMesh mesh) {
-    TaggedMesh all{std::move(mesh), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
 Box box_of(const SurfaceMesh& mesh, const Triangle& t) {
     SurfaceMesh one;
     for (const Vec3 v : mesh.corners(t)) one.vertices.push_back(v);

@@ -16,11 +16,7 @@ namespace {
 
 using namespace literals;
 
-TaggedMesh ball() {
-    TaggedMesh all{test::sphere(6.0_mm, 3), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
+TaggedMesh ball() { return tagged(test::sphere(6.0_mm, 3)); }
 const ToolSolid pin({{0.0, 1.0_mm}, {-4.0_mm, 1.0_mm}});
 const CutStretch plunge{{{0, 0, 5.0_mm}, {0, 1, 0, 0}}, {{0, 0, 4.0_mm}, {0, 1, 0, 0}}, 0};
 

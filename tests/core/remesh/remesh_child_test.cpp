@@ -23,8 +23,7 @@ constexpr const char* zoo = KERF_BUILD_DIR "/lib/kerf-remesh-zoo/kerf_remesh_ani
 
 RemeshRequest cube_request() {
     RemeshRequest request;
-    request.base.mesh = test::cube(10.0_mm);
-    request.base.tags.assign(request.base.mesh.triangles.size(), KERF_FACE_SURFACE);
+    request.base = tagged(test::cube(10.0_mm));
     request.locked.assign(request.base.mesh.vertices.size(), 1);
     return request;
 }
@@ -53,8 +52,7 @@ TEST(RemeshChild, GrowsItsMemoryWithTheMesh) {
     const auto child = child_with("copies");
     EXPECT_EQ(child->remesh(cube_request(), 5s).status, KERF_OK);
     RemeshRequest large;
-    large.base.mesh = test::sphere(20.0_mm, 7);
-    large.base.tags.assign(large.base.mesh.triangles.size(), KERF_FACE_SURFACE);
+    large.base = tagged(test::sphere(20.0_mm, 7));
     const RemeshResult result = child->remesh(large, 20s);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
     EXPECT_EQ(result.mesh.mesh.vertices.size(), large.base.mesh.vertices.size());

@@ -37,11 +37,6 @@ protected:
         static std::unique_ptr<RemeshModule> opened;
         return opened;
     }
-    static TaggedMesh tagged(SurfaceMesh mesh) {
-        TaggedMesh all{std::move(mesh), {}};
-        all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-        return all;
-    }
     static LocalCutting cutting(const TaggedMesh& mesh, const ToolSolid& blade) {
         return {mesh, {&blade}, 20e-6, [](const RemeshRequest& request) {
                     return remesh_here(*module()->find("local"), request);

@@ -47,7 +47,7 @@ TEST(RealMandible, LosesAnAngleToASaw) {
     for (Vec3& v : read->mesh.vertices) v = 1e-3 * v;
     remove_flat_faces(read->mesh);
     ASSERT_EQ(flaw_of_base(read->mesh), "");
-    const TaggedMesh bone{read->mesh, std::vector<std::uint8_t>(read->mesh.triangles.size(), KERF_FACE_SURFACE)};
+    const TaggedMesh bone = tagged(read->mesh);
     std::string error;
     const auto module = RemeshModule::open(KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_cgal.so", error);
     ASSERT_NE(module, nullptr) << error;

@@ -28,8 +28,7 @@ protected:
     }
     RemeshResult ask(RemeshChild& child, double from, double to) const {
         RemeshRequest request;
-        request.base.mesh = bent_bone(4000.0);
-        request.base.tags.assign(request.base.mesh.triangles.size(), KERF_FACE_SURFACE);
+        request.base = tagged(bent_bone(4000.0));
         request.solids = {&blade_};
         request.cuts = {{blade_at(0.0, from), blade_at(0.0, to), 0}};
         return child.remesh(request, std::chrono::seconds(60));

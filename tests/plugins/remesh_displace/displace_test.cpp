@@ -20,7 +20,7 @@ namespace {
 
 using namespace literals;
 using test::ball_burr, test::burr_at, test::euler_of, test::in_steps, test::least_angles_of_walls, test::slab,
-    test::stretches_along, test::tagged;
+    test::stretches_along;
 
 constexpr double radius = 2.0_mm;
 

@@ -19,12 +19,6 @@ namespace kerf::test {
 
 inline constexpr const char* displace_module = KERF_BUILD_DIR "/lib/kerf-remesh/kerf_remesh_displace.so";
 
-inline TaggedMesh tagged(SurfaceMesh mesh) {
-    TaggedMesh all{std::move(mesh), {}};
-    all.tags.assign(all.mesh.triangles.size(), KERF_FACE_SURFACE);
-    return all;
-}
-
 /// Euler's characteristic: 2 for a closed surface without a hole through it, 0 for one with one.
 inline long euler_of(const SurfaceMesh& mesh) {
     long edges = 0;

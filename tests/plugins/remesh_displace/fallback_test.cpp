@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using test::ball_burr, test::burr_at, test::euler_of, test::in_steps, test::slab, test::tagged;
+using test::ball_burr, test::burr_at, test::euler_of, test::in_steps, test::slab;
 
 constexpr double radius = 2.0_mm;
 

@@ -12,6 +12,7 @@
 #include "core/remesh/base_mesh.h"
 #include "kerf/units.hpp"
 #include "tests/core/import/surface/shapes.h"
+#include "tests/support/flat_triangles.h"
 
 namespace kerf {
 namespace {
@@ -19,23 +20,8 @@ namespace {
 using namespace literals;
 using remesh_displace::refine;
 using remesh_displace::Triangles;
+using test::mesh_of, test::triangles_of;
 
-Triangles triangles_of(const SurfaceMesh& mesh) {
-    Triangles all;
-    all.vertices = mesh.vertices;
-    for (const Triangle& t : mesh.triangles) {
-        all.triangles.insert(all.triangles.end(), t.begin(), t.end());
-        all.tags.push_back(0);
-    }
-    return all;
-}
-SurfaceMesh mesh_of(const Triangles& all) {
-    SurfaceMesh mesh;
-    mesh.vertices = all.vertices;
-    for (std::size_t f = 0; f < all.tags.size(); ++f)
-        mesh.triangles.push_back({all.triangles[3 * f], all.triangles[3 * f + 1], all.triangles[3 * f + 2]});
-    return mesh;
-}
 double longest_of(const Triangles& mesh, std::size_t f) {
     const Vec3 a = mesh.vertices[mesh.triangles[3 * f]], b = mesh.vertices[mesh.triangles[3 * f + 1]],
                c = mesh.vertices[mesh.triangles[3 * f + 2]];
