@@ -18,6 +18,7 @@ std::vector<MeasureReading> measure(const Scene& scene, const Body& body, const 
     if (scene.procedure.measures.empty()) return readings;
     const FieldSurface surface(body, cut);
     const MeasuredScene measured{.constructions = scene.procedure.constructions,
+                                 .measures = scene.procedure.measures,
                                  .anatomy = &scene.anatomy,
                                  .world_from_body = world_from_body,
                                  .surface = &surface};

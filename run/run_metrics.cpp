@@ -172,6 +172,8 @@ std::string help_of(const Measure& measure) {
             return "Distance of " + measure.of + " to the bone's surface; negative inside.";
         case Measure::Kind::roughness:
             return "Unevenness of the border at " + measure.of + ": root mean square.";
+        case Measure::Kind::difference:
+            return "By how much " + measure.of + " is larger than " + measure.to + ".";
     }
     return {};
 }

@@ -269,37 +269,43 @@ private:
 
     std::optional<double> value() {
         things_.clear();
-        switch (measure_->kind) {
+        return value_of(*measure_);
+    }
+
+    std::optional<double> value_of(const Measure& measure) {
+        switch (measure.kind) {
             case Measure::Kind::angle:
-                return angle();
+                return angle(measure);
             case Measure::Kind::distance:
-                return distance();
+                return distance(measure);
             case Measure::Kind::thickness:
-                return thickness();
+                return thickness(measure);
             case Measure::Kind::surface_distance:
-                return surface_distance();
+                return surface_distance(measure);
             case Measure::Kind::roughness:
-                return roughness();
+                return roughness(measure);
+            case Measure::Kind::difference:
+                return difference(measure);
         }
         return std::nullopt;
     }
 
     /// A thing as a plane shows it: a line stays a line, and of a plane its trace is left, across which is its normal.
-    MaybeThing seen(const Thing& one, const Plane& view) {
+    MaybeThing seen(const Thing& one, const Plane& view, const std::string& view_id) {
         const auto line = one.sort == Sort::plane ? seen_in(view, one.plane()) : seen_in(view, one.line());
-        if (!line) return fail("seen in " + quoted_id(measure_->in) + ", one of both has no direction");
+        if (!line) return fail("seen in " + quoted_id(view_id) + ", one of both has no direction");
         if (one.sort == Sort::line) return Thing{Sort::line, line->point, line->direction};
         return Thing{Sort::plane, line->point, normalized(cross(view.normal, line->direction))};
     }
 
-    std::optional<double> angle() {
-        MaybeThing one = thing(measure_->of), other = thing(measure_->to);
+    std::optional<double> angle(const Measure& measure) {
+        MaybeThing one = thing(measure.of), other = thing(measure.to);
         if (!one || !other) return std::nullopt;
-        if (!measure_->in.empty()) {
-            const MaybeThing view = thing(measure_->in);
+        if (!measure.in.empty()) {
+            const MaybeThing view = thing(measure.in);
             if (!view) return std::nullopt;
-            one = seen(*one, view->plane());
-            other = seen(*other, view->plane());
+            one = seen(*one, view->plane(), measure.in);
+            other = seen(*other, view->plane(), measure.in);
             if (!one || !other) return std::nullopt;
         }
         if (one->sort == Sort::plane && other->sort == Sort::plane) return angle_between(one->plane(), other->plane());
@@ -308,8 +314,8 @@ private:
         return angle_between(one->line(), other->line());
     }
 
-    std::optional<double> distance() {
-        MaybeThing one = thing(measure_->of), other = thing(measure_->to);
+    std::optional<double> distance(const Measure& measure) {
+        MaybeThing one = thing(measure.of), other = thing(measure.to);
         if (!one || !other) return std::nullopt;
         if (other->sort == Sort::point) std::swap(one, other);
         if (one->sort != Sort::point) return distance_between(one->line(), other->line());
@@ -318,40 +324,52 @@ private:
         return distance_between(one->at, other->plane());
     }
 
-    std::optional<double> thickness() {
-        const MaybeThing at = thing(measure_->of), along = thing(measure_->to);
+    std::optional<double> thickness(const Measure& measure) {
+        const MaybeThing at = thing(measure.of), along = thing(measure.to);
         if (!at || !along) return std::nullopt;
         const auto stretch = stretch_at(*scene_->surface, {at->at, along->direction});
         if (!stretch)
-            return fail("no bone lies at " + quoted_id(measure_->of) + " or behind it, along " +
-                        quoted_id(measure_->to));
+            return fail("no bone lies at " + quoted_id(measure.of) + " or behind it, along " + quoted_id(measure.to));
         if (!stretch->is_complete)
-            return fail("the bone at " + quoted_id(measure_->of) + " goes on, along " + quoted_id(measure_->to) +
+            return fail("the bone at " + quoted_id(measure.of) + " goes on, along " + quoted_id(measure.to) +
                         ", beyond what was read of it");
-        return stretch->end - stretch->begin + wall_shift(measure_->id, 0, stretch->cosine_at_begin) +
-               wall_shift(measure_->id, 1, stretch->cosine_at_end);
+        return stretch->end - stretch->begin + wall_shift(measure.id, 0, stretch->cosine_at_begin) +
+               wall_shift(measure.id, 1, stretch->cosine_at_end);
     }
 
-    std::optional<double> surface_distance() {
-        const MaybeThing at = thing(measure_->of);
+    std::optional<double> surface_distance(const Measure& measure) {
+        const MaybeThing at = thing(measure.of);
         if (!at) return std::nullopt;
         const auto distance = scene_->surface->distance_to(at->at);
-        if (!distance) return fail(quoted_id(measure_->of) + " lies beyond what was read of the bone");
-        return *distance + wall_shift(measure_->id, 0, 1.0);
+        if (!distance) return fail(quoted_id(measure.of) + " lies beyond what was read of the bone");
+        return *distance + wall_shift(measure.id, 0, 1.0);
     }
 
-    std::optional<double> roughness() {
+    std::optional<double> roughness(const Measure& measure) {
         const auto& all = scene_->constructions;
         const auto made =
-            std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == measure_->of; });
+            std::find_if(all.begin(), all.end(), [&](const Construction& c) { return c.id == measure.of; });
         if (made == all.end() || made->kind != Construction::Kind::tangent)
-            return fail(quoted_id(measure_->of) + " is no tangent");
+            return fail(quoted_id(measure.of) + " is no tangent");
         const auto found = border(*made);
         if (!found) return std::nullopt;
         const auto measured =
             border_roughness(*found->points, found->path, found->view, scene_->surface->wall_uncertainty());
         if (!measured) return fail("the border along " + way_of(*made) + " is too short");
-        return measured->value + wall_shift(measure_->id, 0, 1.0);
+        return measured->value + wall_shift(measure.id, 0, 1.0);
+    }
+
+    /// Both share their landmarks, so what is uncertain in both alike cancels.
+    std::optional<double> difference(const Measure& measure) {
+        const auto named = [&](const std::string& id) -> std::optional<double> {
+            const auto& all = scene_->measures;
+            const auto found = std::find_if(all.begin(), all.end(), [&](const Measure& one) { return one.id == id; });
+            if (found == all.end() || found->id == measure.id) return fail("there is no measure " + quoted_id(id));
+            return value_of(*found);
+        };
+        const auto one = named(measure.of), other = named(measure.to);
+        if (!one || !other) return std::nullopt;
+        return *one - *other;
     }
 
     const Measure* measure_;

@@ -13,6 +13,7 @@ namespace kerf {
 /// What measures are made of. Everything must outlive the measuring.
 struct MeasuredScene {
     std::span<const Construction> constructions;
+    std::span<const Measure> measures{};  ///< that a difference is made of
     const Anatomy* anatomy = nullptr;
     /// Of each body, in the order of bodies; empty: nothing has moved. Landmarks of a fracture's fragment move with it.
     std::span<const Pose> world_from_body;

@@ -57,14 +57,16 @@ struct Measure {
         thickness,         ///< [m] of the bone at a point, along a line
         surface_distance,  ///< [m] of a point to the bone's surface, negative inside
         roughness,         ///< [m] of the border that a tangent touches
+        difference,        ///< [rad] or [m] of a measure from another one, such as the planned angle; signed
     };
     std::string id;
     Kind kind = Kind::angle;
-    std::string of{};  ///< the first thing; of a thickness its point
-    std::string to{};  ///< the second thing; of a thickness its line; else empty
+    std::string of{};  ///< the first thing; of a thickness its point; of a difference an earlier measure
+    std::string to{};  ///< the second thing; of a thickness its line; of a difference what is subtracted; else empty
     std::string in{};  ///< of an angle: the plane in which both are seen; empty: in space
 
-    [[nodiscard]] bool is_angle() const noexcept { return kind == Kind::angle; }
+    bool is_of_angles = false;  ///< of a difference
+    [[nodiscard]] bool is_angle() const noexcept { return kind == Kind::angle || is_of_angles; }
     /// For people.
     [[nodiscard]] const char* unit() const noexcept { return is_angle() ? "deg" : "mm"; }
 };

@@ -127,6 +127,43 @@ void read_kind(const Node& chosen, const Names& names, Construction& made, Repor
     }
 }
 
+/// One of the measures above, which a difference is made of.
+const Measure* earlier(MapReader& map, const std::string& key, const std::vector<Measure>& above, std::string& id,
+                       Report& report) {
+    const Node* node = map.find(key);
+    if (node == nullptr) return nullptr;
+    id = read_id(*node, map.name_of(key), report).value_or("");
+    if (id.empty()) return nullptr;
+    std::vector<std::string> known;
+    for (const Measure& one : above) {
+        if (one.id == id) return &one;
+        known.push_back(one.id);
+    }
+    const std::string meant = closest(straightened(id), known, report);
+    report.error(Code::unknown_measure, node->span,
+                 "The name " + quoted_id(excerpt(id, 40)) + " is no measure above this one: " +
+                     (known.empty() ? "there are none. Write the difference below both of its measures."
+                                    : "expected " + listed(known) + "." + or_choose(meant, "Write one of these.")),
+                 meant);
+    return nullptr;
+}
+
+void read_difference(const Node& chosen, const std::vector<Measure>& above, Measure& measure, Report& report) {
+    MapReader map(chosen, shapes::difference_measure, measure.id + "." + chosen.key, report);
+    measure.kind = Measure::Kind::difference;
+    const Measure* of = earlier(map, "of", above, measure.of, report);
+    const Measure* from = earlier(map, "from", above, measure.to, report);
+    map.finish();
+    if (of == nullptr || from == nullptr) return;
+    measure.is_of_angles = of->is_angle();
+    const auto sort = [](const Measure& one) { return one.is_angle() ? "an angle" : "a length"; };
+    if (of->is_angle() != from->is_angle())
+        report.error(Code::other_sort, map.find("from")->span,
+                     quoted_id(measure.id) + " is the difference of two sorts of measures: got " + quoted_id(of->id) +
+                         ", which is " + sort(*of) + ", and " + quoted_id(from->id) + ", which is " + sort(*from) +
+                         ", expected two angles or two lengths. Name such a pair.");
+}
+
 void read_kind(const Node& chosen, const Names& names, Measure& measure, Report& report) {
     const Shape& shape = *shapes::measure.find(chosen.key)->value.shape;
     MapReader map(chosen, shape, measure.id + "." + chosen.key, report);
@@ -134,7 +171,8 @@ void read_kind(const Node& chosen, const Names& names, Measure& measure, Report&
                    : chosen.key == "distance"         ? Measure::Kind::distance
                    : chosen.key == "thickness"        ? Measure::Kind::thickness
                    : chosen.key == "surface_distance" ? Measure::Kind::surface_distance
-                                                      : Measure::Kind::roughness;
+                   : chosen.key == "roughness"        ? Measure::Kind::roughness
+                                                      : Measure::Kind::difference;
     if (measure.kind == Measure::Kind::thickness) {
         measure.of = names.read(map, "at");
         measure.to = names.read(map, "along");
@@ -196,6 +234,8 @@ public:
             case Measure::Kind::roughness:
                 if (sorts_.contains(measure.of) && !contains(tangents_, measure.of))
                     refuse(measure.of, "a tangent of `constructions:`");
+                break;
+            case Measure::Kind::difference:  // of measures, not of things
                 break;
         }
     }
@@ -288,7 +328,12 @@ std::vector<Measure> read_measures(const Node& node, const std::vector<std::stri
         MapReader map(child, shapes::measure, child.key, report);
         Measure measure;
         measure.id = child.key;
-        if (const Node* chosen = map.one_of()) read_kind(*chosen, names, measure, report);
+        if (const Node* chosen = map.one_of()) {
+            if (chosen->key == "difference")
+                read_difference(*chosen, measures, measure, report);
+            else
+                read_kind(*chosen, names, measure, report);
+        }
         map.finish();
         measures.push_back(std::move(measure));
     }

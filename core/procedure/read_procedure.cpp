@@ -433,7 +433,8 @@ void read_measure_bound(MapReader& map, const Procedure& procedure, const Docume
         map, shapes::measure_bound, measure.empty() ? "measure" : measure,
         [&](const char*) -> std::optional<QuantityNeed> {
             if (declared == nullptr) return std::nullopt;
-            return declared->is_angle() ? shapes::angle_of_measure : shapes::length_of_measure;
+            if (!declared->is_angle()) return shapes::length_of_measure;
+            return declared->kind == Measure::Kind::difference ? shapes::angle_of_difference : shapes::angle_of_measure;
         },
         bound, report);
 }

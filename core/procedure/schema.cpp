@@ -163,8 +163,8 @@ private:
             case Kind::of_signal:
                 return {{"type", {"number", "string"}}};  // `add_signals` adds the units
             case Kind::of_measure:
-                return {
-                    {"anyOf", {quantity_schema(shapes::angle_of_measure), quantity_schema(shapes::length_of_measure)}}};
+                return {{"anyOf",
+                         {quantity_schema(shapes::angle_of_difference), quantity_schema(shapes::length_of_measure)}}};
             case Kind::parameters:
             case Kind::patch:
                 break;

@@ -329,6 +329,7 @@ const Shape signal_bound{
     }};
 
 const QuantityNeed angle_of_measure{dimension::angle, "deg", 0.0, 180.0_deg};
+const QuantityNeed angle_of_difference{dimension::angle, "deg", -180.0_deg, 180.0_deg};
 const QuantityNeed length_of_measure{dimension::length, "mm", -500.0_mm, 500.0_mm};
 
 const Shape measure_bound{
@@ -670,6 +671,14 @@ const Shape roughness_measure{
         {required, "of", id(), "A tangent of `constructions`, which says where the border is.", "right_pedicle"},
     }};
 
+const Shape difference_measure{
+    "difference_measure",
+    "How much larger one measure is than another, such as the planned one.",
+    {
+        {required, "of", id(), "A measure above this one.", "wall"},
+        {required, "from", id(), "Another one, which is subtracted: two angles, or two lengths.", "planned_wall"},
+    }};
+
 const Shape measure{"measure",
                     "A number that is measured before the first cut and when each step has ended.",
                     {
@@ -683,6 +692,8 @@ const Shape measure{"measure",
                          "The unevenness of the border that a tangent touches.", "{of: right_pedicle}"},
                         {one_of, "angle", map(angle_measure), "The angle between lines and planes.",
                          "{of: right_pedicle, to: resection}"},
+                        {one_of, "difference", map(difference_measure), "How much larger one measure is than another.",
+                         "{of: wall, from: planned_wall}"},
                     }};
 
 const Shape procedure{

@@ -9,7 +9,8 @@ namespace kerf::shapes {
 
 extern const Shape implant, implant_hole, implant_place, procedure;
 extern const Shape construction, mirror, tangent, axis_entry;
-extern const Shape measure, angle_measure, distance_measure, thickness_measure, surface_measure, roughness_measure;
+extern const Shape measure, angle_measure, distance_measure, thickness_measure, surface_measure, roughness_measure,
+    difference_measure;
 extern const Shape metadata, needs, accuracy, budget, haptics, instrument, guide;
 extern const Shape step, goal, entry_goal, depth_bound, limit, clearance_bound, axes_angle_bound;
 extern const Shape signal_bound, measure_bound, removed_goal;
@@ -24,6 +25,6 @@ extern const Shape mesh, repair, canal;
 extern const Shape tissue, landmarks, point, axis, plane, markups, markup_name, tissue_solid, zone_solid;
 
 /// What a bound on a measure must be.
-extern const QuantityNeed angle_of_measure, length_of_measure;
+extern const QuantityNeed angle_of_measure, angle_of_difference, length_of_measure;
 
 }  // namespace kerf::shapes

@@ -16,6 +16,7 @@
 
 #include "core/session/summary.h"
 #include "kerf/units.hpp"
+#include "run/exact/base_surface.h"
 #include "tests/support/drill_rig.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/watched_run.h"
@@ -52,7 +53,26 @@ const MetricRow& metric(const RunSummary& summary, const std::string& id) {
     throw std::runtime_error("no metric " + id);
 }
 
-constexpr double planned_gonial = 126.0_deg, planned_plane = 28.0_deg;
+std::string reasons_of(const test::WatchedRun& run) {
+    std::string reasons;
+    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
+    return reasons;
+}
+std::string text_of(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+Scene scene_of(const DocumentRequest& request) {
+    Diagnostics diagnostics;
+    auto documents = check_documents(request, test::plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    if (!made) throw std::runtime_error(to_text(diagnostics));
+    return std::move(*made);
+}
+test::WatchedRun run_of(const DocumentRequest& request) {
+    return test::watched_run(scene_of(request), test::plugins(), {});
+}
 
 TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
     const RunSummary& summary = outcome_of("expert").summary;
@@ -66,27 +86,49 @@ TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
     }
 }
 
-TEST(MandibularAngle,
-     TheExpertComesNearThePlan) {  // 04-14: a scripted cut is within 1 deg; residents within 5.6 and 1.9
+// 04-14: residents are off by 5.2 to 5.6 deg and by 1.6 to 1.9 deg. A hand on a coupling is measured, not asked for
+// more.
+TEST(MandibularAngle, TheExpertIsNearerToThePlanThanResidentsAre) {
     const test::WatchedRun& run = outcome_of("expert");
-    std::string reasons;
-    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
-    EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons;
-    double gonial_error = 0.0, plane_error = 0.0;
+    EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons_of(run);
     for (const std::string side : {"right", "left"}) {
-        const MetricRow &gonial = metric(run.summary, "left-anterior.measure.gonial_angle_" + side),
-                        &plane = metric(run.summary, "left-anterior.measure.mandibular_plane_" + side);
-        RecordProperty("gonial_" + side + "_deg", std::to_string(gonial.value / 1.0_deg));
-        RecordProperty("plane_" + side + "_deg", std::to_string(plane.value / 1.0_deg));
-        EXPECT_NEAR(gonial.value, planned_gonial, 1.0_deg + gonial.uncertainty) << side;
-        EXPECT_NEAR(plane.value, planned_plane, 1.0_deg) << side;
-        gonial_error += 0.5 * std::abs(gonial.value - planned_gonial);
-        plane_error += 0.5 * std::abs(plane.value - planned_plane);
+        const MetricRow &gonial = metric(run.summary, "left-anterior.measure.gonial_error_" + side),
+                        &plane = metric(run.summary, "left-anterior.measure.plane_error_" + side);
+        RecordProperty("gonial_error_" + side + "_deg", std::to_string(gonial.value / 1.0_deg));
+        RecordProperty("plane_error_" + side + "_deg", std::to_string(plane.value / 1.0_deg));
+        EXPECT_LT(std::abs(gonial.value), 5.2_deg) << side;
+        EXPECT_LT(std::abs(plane.value), 1.6_deg) << side;
     }
-    EXPECT_LT(gonial_error, 1.0_deg) << "the mean of both sides; one side alone is within 1 deg and its uncertainty";
-    EXPECT_LT(plane_error, 1.0_deg);
     EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_lower").value, 1.0_deg);
     EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_posterior").value, 1.0_deg);
+}
+
+// 04-14: a scripted perfect cut scores under 1 deg. No hand gives way here: the tools go along their path to the
+// micron. The left side is the mirror image of the right one.
+TEST(MandibularAngle, APerfectCutIsWithinADegreeOfThePlan) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "jaw.yaml";
+    const std::string whole = text_of(procedure_file);
+    const std::string right_only =
+        std::regex_replace(whole, std::regex("      - \\{follow: left-\\w+\\}\n"), std::string());
+    ASSERT_NE(right_only, whole);
+    std::ofstream(file) << right_only;
+    DocumentRequest request{.procedure = file, .anatomy = phantom_file};
+    request.changes = {"", {"haptics.coupling=direct"}};
+    const test::WatchedRun run = run_of(request);
+    for (const std::string measure : {"gonial_error_right", "plane_error_right"}) {
+        const MetricRow& error = metric(run.summary, "right-anterior.measure." + measure);
+        RecordProperty(measure + "_deg", std::to_string(error.value / 1.0_deg));
+        EXPECT_LT(std::abs(error.value), 1.0_deg) << measure;
+    }
+}
+
+TEST(MandibularAngle, ThePlanOfThePhantomIsThatOfThePaper) {  // 04-13: to 126 and 28 deg
+    const RunSummary& summary = outcome_of("expert").summary;
+    for (const std::string side : {"right", "left"}) {
+        EXPECT_NEAR(metric(summary, "measure.planned_gonial_" + side + ".before").value, 126.0_deg, 0.05_deg);
+        EXPECT_NEAR(metric(summary, "measure.planned_plane_" + side + ".before").value, 28.0_deg, 0.05_deg);
+    }
 }
 
 // The plan is geometry: the ostectomy alone makes 180 + 28 - 85 = 123 deg, the burr the rest.
@@ -134,12 +176,10 @@ TEST(MandibularAngle, EachBlunderFailsForItsOwnReason) {
 
 /// The phantom with some of its text replaced; what the checks say of it.
 std::string said_of(const std::string& pattern, const std::string& by, std::vector<std::string> settings = {}) {
-    std::ostringstream text;
-    text << std::ifstream(phantom_file).rdbuf();
     const test::TemporaryFolder folder;
-    std::ofstream(folder.path() + "/jaw.yaml") << std::regex_replace(text.str(), std::regex(pattern), by);
+    std::ofstream(folder / "jaw.yaml") << std::regex_replace(text_of(phantom_file), std::regex(pattern), by);
     Diagnostics diagnostics;
-    DocumentRequest request{.procedure = procedure_file, .anatomy = folder.path() + "/jaw.yaml"};
+    DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
     settings.push_back("accuracy.spacing=1 mm");  // it is refused before anything is cut
     request.changes = {"", settings};
     auto documents = check_documents(request, test::plugins(), diagnostics);
@@ -180,22 +220,80 @@ TEST(MandibleToReduce, IsWarnedOfABurrTooSlowToCut) {
     EXPECT_NE(said.find("got 500 rpm, expected 1000 rpm or more"), std::string::npos) << said;
 }
 
-TEST(RealMandible, CanBeReducedOnBothSides) {
-    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = procedure_file,
-                            .anatomy = KERF_SOURCE_DIR "/tests/real-data/mandible-angle.yaml"};
-    request.changes = {"", {"accuracy.spacing=1 mm"}};
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    ASSERT_TRUE(made) << to_text(diagnostics);
-    // The file of its landmarks states 122.1 and 123.8 deg, by another construction.
+// ---- a real jaw ----------------------------------------------------------------------------------------------------
+
+const char* const real_file = KERF_SOURCE_DIR "/tests/real-data/mandible-angle.yaml";
+
+const Scene& real_jaw() {
+    static const Scene scene = scene_of({.procedure = procedure_file, .anatomy = real_file});
+    return scene;
+}
+
+/// Both sides reach their plan as nearly as residents' do.
+void expect_reduced(const test::WatchedRun& run) {
+    EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons_of(run);
     for (const std::string side : {"right", "left"})
-        for (std::size_t m = 0; m < made->procedure.measures.size(); ++m)
-            if (made->procedure.measures[m].id == "gonial_angle_" + side) {
-                ASSERT_TRUE(made->measured_before[m].value);
-                EXPECT_NEAR(*made->measured_before[m].value, side == "right" ? 122.1_deg : 123.8_deg, 4.0_deg);
+        for (const std::string measure : {"gonial", "plane"}) {
+            const std::string id = measure + "_error_" + side;
+            const double before = metric(run.summary, "measure." + id + ".before").value,
+                         after = metric(run.summary, "left-anterior.measure." + id).value;
+            testing::Test::RecordProperty(id + "_deg", std::to_string(after / 1.0_deg));
+            EXPECT_LT(before, -8.0_deg) << id << ": there is much to do";
+            EXPECT_LT(std::abs(after), measure == "gonial" ? 5.2_deg : 1.9_deg) << id;
+        }
+}
+
+TEST(RealMandible, HasNearlyTheAnglesThatItsLandmarksState) {
+    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    // 122.1 and 123.8 deg, by another construction.
+    for (const std::string side : {"right", "left"})
+        for (std::size_t m = 0; m < real_jaw().procedure.measures.size(); ++m)
+            if (real_jaw().procedure.measures[m].id == "gonial_angle_" + side) {
+                ASSERT_TRUE(real_jaw().measured_before[m].value);
+                EXPECT_NEAR(*real_jaw().measured_before[m].value, side == "right" ? 122.1_deg : 123.8_deg, 4.0_deg);
             }
+}
+
+TEST(RealMandible, IsReducedOnBothSides) {
+    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    expect_reduced(test::watched_run(real_jaw(), test::plugins(), {}));
+}
+
+/// The anatomy of the scan, its bone out of a surface.
+std::string surface_anatomy(const std::string& surface) {
+    return std::regex_replace(text_of(real_file), std::regex("\nct:\n(  .*\n)+"),
+                              "\nmesh: {file: " + surface + ", unit: mm, frame: LPS}\n");
+}
+
+TEST(RealMandible, IsReducedAsASurface) {
+    if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    const test::TemporaryFolder folder;
+    std::vector<std::string> notes;
+    std::string error;
+    const auto surface = base_surface(real_jaw(), real_jaw().body, notes, error);
+    ASSERT_TRUE(surface) << error;
+    std::ofstream out(folder / "jaw.obj");
+    for (const Vec3 v : surface->vertices) out << "v " << 1e3 * v.x << ' ' << 1e3 * v.y << ' ' << 1e3 * v.z << '\n';
+    for (const auto& t : surface->triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+    out.close();
+    std::ofstream(folder / "jaw.yaml") << surface_anatomy("jaw.obj");
+    DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
+    request.changes = {"", {"accuracy.spacing=0.3 mm"}};  // the least thickness of its walls asks for that
+    expect_reduced(run_of(request));
+}
+
+// Marrow that is open to the outside makes a shell of the bone.
+TEST(RealMandible, IsRefusedAsAShell) {
+    const char* data = std::getenv("KERF_DATA");
+    if (data == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "jaw.yaml") << surface_anatomy("meshes/mandible_harvard02_isosurface.obj");
+    try {
+        (void)scene_of({.procedure = procedure_file, .anatomy = folder / "jaw.yaml"});
+        FAIL() << "it was taken";
+    } catch (const std::runtime_error& refused) {
+        EXPECT_NE(std::string(refused.what()).find("E0655"), std::string::npos) << refused.what();
+    }
 }
 
 }  // namespace

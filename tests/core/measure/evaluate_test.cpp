@@ -57,11 +57,15 @@ struct MeasuredMandible {
             {.id = "spot", .kind = Kind::line, .of = {"gonion", "same"}}};
         anatomy.points.push_back({.id = "same", .at = made.gonion()});
     }
+    std::vector<Measure> measures;  ///< that differences are made of
+
     [[nodiscard]] MeasureReading read(Measure::Kind kind, const std::string& of, const std::string& to = "",
                                       const std::string& in = "") const {
-        return evaluate(
-            {.id = "m", .kind = kind, .of = of, .to = to, .in = in},
-            {.constructions = constructions, .anatomy = &anatomy, .world_from_body = poses, .surface = &surface});
+        return evaluate({.id = "m", .kind = kind, .of = of, .to = to, .in = in}, {.constructions = constructions,
+                                                                                  .measures = measures,
+                                                                                  .anatomy = &anatomy,
+                                                                                  .world_from_body = poses,
+                                                                                  .surface = &surface});
     }
 };
 
@@ -122,6 +126,23 @@ TEST(Evaluate, MeasuresThicknessAndDepth) {
     const MeasureReading roughness = bone.read(Measure::Kind::roughness, "ramus");
     ASSERT_TRUE(roughness.value);
     EXPECT_LT(*roughness.value, 0.15_mm) << "sampled every half millimetre";
+}
+
+TEST(Evaluate, ADifferenceIsHowMuchLargerOneMeasureIs) {
+    MeasuredMandible bone;
+    using Kind = Measure::Kind;
+    bone.measures = {{.id = "angle", .kind = Kind::angle, .of = "ramus", .to = "border"},
+                     {.id = "slope", .kind = Kind::angle, .of = "border", .to = "level", .in = "sagittal"}};
+    const MeasureReading angle = bone.read(Kind::angle, "ramus", "border"),
+                         slope = bone.read(Kind::angle, "border", "level", "sagittal"),
+                         difference = bone.read(Kind::difference, "slope", "angle"),
+                         itself = bone.read(Kind::difference, "angle", "angle");
+    ASSERT_TRUE(angle.value && slope.value && difference.value && itself.value);
+    EXPECT_NEAR(*difference.value, *slope.value - *angle.value, 1e-12);
+    EXPECT_GT(difference.uncertainty, 0.0);
+    EXPECT_EQ(*itself.value, 0.0);
+    EXPECT_EQ(itself.uncertainty, 0.0) << "what is uncertain in both alike cancels";
+    EXPECT_NE(bone.read(Kind::difference, "angle", "none").why_not.find("no measure `none`"), std::string::npos);
 }
 
 TEST(Evaluate, NothingMovesWhenTheWholeBoneMoves) {

@@ -99,7 +99,11 @@ private:
             return "[" + value(shape.item[0], example, levels) + (another ? ", " + map(*another, levels) : "") + "]";
         }
         const std::string name = example.substr(1, example.find(':') - 1);
-        return "{" + name + ": " + value(shape.item[0], example, levels) + "}";
+        const bool is_of_others = shape.item[0].shape == &shapes::measure && chosen_of(shapes::measure) == "difference";
+        const std::string others =  // that it is the difference of
+            is_of_others ? "wall: {surface_distance: {of: midline}}, planned_wall: {surface_distance: {of: midline}}, "
+                         : "";
+        return "{" + others + name + ": " + value(shape.item[0], example, levels) + "}";
     }
 };
 

@@ -41,6 +41,8 @@ measures:
   wall: {thickness: {at: gonion, along: way}}
   depth: {surface_distance: {of: menton}}
   steps: {roughness: {of: border}}
+  steeper: {difference: {of: gonial_angle, from: slope}}
+  thicker: {difference: {of: wall, from: height}}
 steps:
   - id: drill
     title: Drill
@@ -80,10 +82,14 @@ TEST(ReadMeasures, GivesWhatIsWritten) {
     EXPECT_EQ(border.within, 20.0_mm);
     EXPECT_EQ(procedure->constructions[2].within, 15.0_mm);
     EXPECT_EQ(procedure->constructions[1].sort(), Sort::plane);
-    ASSERT_EQ(procedure->measures.size(), 6U);
+    ASSERT_EQ(procedure->measures.size(), 8U);
     EXPECT_EQ(procedure->measures[1].in, "sagittal");
     EXPECT_EQ(std::string(procedure->measures[0].unit()), "deg");
     EXPECT_EQ(std::string(procedure->measures[3].unit()), "mm");
+    EXPECT_EQ(procedure->measures[6].of, "gonial_angle");
+    EXPECT_EQ(procedure->measures[6].to, "slope");
+    EXPECT_EQ(std::string(procedure->measures[6].unit()), "deg");
+    EXPECT_EQ(std::string(procedure->measures[7].unit()), "mm");
     const Step& step = procedure->steps.at(0);
     EXPECT_EQ(step.goals.at(1).measure, "gonial_angle");
     EXPECT_EQ(step.goals.at(1).name(), "gonial_angle");
@@ -125,6 +131,28 @@ TEST(ReadMeasures, RefusesMalformedConstructions) {
     expect_refused(Code::unknown_key, "to: border}}", "to: border, «from»: ramus}}");
     expect_refused(Code::missing_key, "{angle: {of: ramus, to: border}}", "{«angle»: {of: ramus}}");
     expect_refused(Code::empty_bound, "measure: {of: wall, at_least: 2 mm, at_most: 8 mm}", "«measure»: {of: wall}");
+}
+
+TEST(ReadMeasures, RefusesADifferenceOfWhatIsNotThere) {
+    expect_refused(Code::unknown_measure, "of: gonial_angle, from", "of: «gonial_angel», from");
+    expect_refused(Code::unknown_measure, "from: slope", "from: «thicker»");  // below it
+    expect_refused(Code::unknown_measure, "from: slope", "from: «ramus»");
+    expect_refused(Code::other_sort, "steeper: {difference: {of: gonial_angle, from: slope}}",
+                   "steeper: {difference: {of: gonial_angle, from: «wall»}}");
+    expect_refused(Code::missing_key, "{difference: {of: gonial_angle, from: slope}}",
+                   "{«difference»: {of: gonial_angle}}");
+}
+
+TEST(ReadMeasures, ADifferenceMayBeNegative) {
+    const auto bound = [](const std::string& text) {
+        Diagnostics diagnostics;
+        const auto procedure = read(
+            replaced(faultless, "measure: {of: gonial_angle, at_least: 120 deg}", "measure: " + text), diagnostics);
+        return procedure ? std::string() : to_text(diagnostics);
+    };
+    EXPECT_EQ(bound("{of: steeper, at_least: -5 deg}"), "");
+    EXPECT_EQ(bound("{of: thicker, at_least: -5 mm}"), "");
+    EXPECT_NE(bound("{of: gonial_angle, at_least: -5 deg}"), "") << "an angle itself may not";
 }
 
 TEST(ReadMeasures, RefusesMoreThanThereIsRoomFor) {
