@@ -21,39 +21,24 @@
 #include "core/session/recorder.h"
 #include "core/session/write_file.h"
 #include "kerf/units.hpp"
-#include "tests/support/drill_rig.h"
+#include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
+using test::metric;
+
+const char* const procedure_file = KERF_SOURCE_DIR "/procedures/amputation.yaml";
 
 const Scene& knee() {
-    static const Scene scene = [] {
-        Diagnostics diagnostics;
-        auto made = make_scene(KERF_SOURCE_DIR "/procedures/amputation.yaml", "", test::plugins(), diagnostics);
-        if (!made) throw std::runtime_error(to_text(diagnostics));
-        return std::move(*made);
-    }();
+    static const Scene scene = test::scene_of(procedure_file);
     return scene;
 }
-
 const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static std::map<std::string, test::WatchedRun> outcomes;
-    if (!outcomes.contains(rehearsal)) {
-        RunRequest request;
-        request.rehearsal = rehearsal;
-        outcomes.emplace(rehearsal, test::watched_run(knee(), test::plugins(), request));
-    }
-    return outcomes.at(rehearsal);
-}
-
-double metric(const RunSummary& summary, const std::string& id) {
-    for (const auto& row : summary.metrics)
-        if (row.id == id) return row.value;
-    throw std::runtime_error("no metric " + id);
+    static test::Rehearsals rehearsals(knee());
+    return rehearsals[rehearsal];
 }
 
 TEST(Amputation, TheExpertPassesAndTheBoneIsInTwo) {
@@ -176,23 +161,11 @@ TEST(Amputation, AReplayTakesThePiecesOverAtTheSameTicksAndEndsInTheSameBits) {
     EXPECT_EQ(prepare_output(request.out, lock, made), "");
 }
 
-/// The shipped procedure on another anatomy, in one of its variants.
-std::optional<Scene> scene_of(const std::string& anatomy, const std::string& variant, Diagnostics& diagnostics) {
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/amputation.yaml", .anatomy = anatomy};
-    request.changes.variant = variant;
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    return documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-}
-
 TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
-    Diagnostics diagnostics;
-    const auto leg = scene_of("", "transtibial", diagnostics);
-    ASSERT_TRUE(leg) << to_text(diagnostics);
-    ASSERT_EQ(leg->procedure.rehearsals.size(), 2u);
-    for (const Rehearsal& rehearsal : leg->procedure.rehearsals) {
-        RunRequest request;
-        request.rehearsal = rehearsal.id;
-        const test::WatchedRun run = test::watched_run(*leg, test::plugins(), request);
+    const Scene leg = test::scene_of(procedure_file, "transtibial");
+    ASSERT_EQ(leg.procedure.rehearsals.size(), 2u);
+    for (const Rehearsal& rehearsal : leg.procedure.rehearsals) {
+        const test::WatchedRun run = test::rehearsed(leg, rehearsal.id);
         EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
         EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3) << rehearsal.id;
@@ -200,14 +173,10 @@ TEST(TranstibialAmputation, ThreeCutsPartThePhantomAndABlunderMeetsTheArtery) {
 }
 
 TEST(ReciprocatingAmputation, OneCutPartsThePhantomAndATwistFails) {
-    Diagnostics diagnostics;
-    const auto leg = scene_of("", "reciprocating", diagnostics);
-    ASSERT_TRUE(leg) << to_text(diagnostics);
-    ASSERT_EQ(leg->procedure.rehearsals.size(), 3u);
-    for (const Rehearsal& rehearsal : leg->procedure.rehearsals) {
-        RunRequest request;
-        request.rehearsal = rehearsal.id;
-        const test::WatchedRun run = test::watched_run(*leg, test::plugins(), request);
+    const Scene leg = test::scene_of(procedure_file, "reciprocating");
+    ASSERT_EQ(leg.procedure.rehearsals.size(), 3u);
+    for (const Rehearsal& rehearsal : leg.procedure.rehearsals) {
+        const test::WatchedRun run = test::rehearsed(leg, rehearsal.id);
         EXPECT_TRUE(run.is_as_expected) << rehearsal.id;
         EXPECT_EQ(run.summary.pieces.size(), 2u) << rehearsal.id;
         EXPECT_LT(std::abs(metric(run.summary, "bone.balance")), 1e-3) << rehearsal.id;
@@ -234,17 +203,15 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     if (const char* data = std::getenv("KERF_DATA");
         !data || !std::filesystem::exists(std::string(data) + "/" + bone.data))
         GTEST_SKIP() << "KERF_DATA names no folder with " << bone.data;
-    Diagnostics diagnostics;
-    const auto scene =
-        scene_of(std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy, bone.variant, diagnostics);
-    ASSERT_TRUE(scene) << to_text(diagnostics);
+    const Scene scene = test::scene_of(procedure_file, bone.variant, {},
+                                       std::string(KERF_SOURCE_DIR "/tests/real-data/") + bone.anatomy);
 
     // When the expert works on it
     const test::TemporaryFolder folder;
     RunRequest request;
     request.rehearsal = "expert";
     request.out = folder / "first";
-    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), request);
+    const test::WatchedRun run = test::watched_run(scene, test::plugins(), request);
 
     // Then it comes apart in the last cut, the piece is taken away, and no bone is lost or made
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
@@ -256,6 +223,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     ASSERT_NE(event, run.events.end());
     EXPECT_EQ(run.ticks[event->tick].step, bone.last_cut);
     for (const char* name : {"bone.stl", "bone-1.stl"}) {
+        Diagnostics diagnostics;
         auto surface = read_surface(request.out + "/" + name, diagnostics);
         ASSERT_TRUE(surface) << to_text(diagnostics);
         weld(surface->mesh);
@@ -271,7 +239,7 @@ TEST_P(AmputationOfRealBone, EndsInTwoClosedPiecesAndReplaysToTheSameBits) {
     again.replay = inputs->device_from_handle;
     again.adoptions = inputs->adoptions;
     for (const auto& [tick, text] : inputs->hand_inputs) again.hand_inputs.emplace_back(tick, *hand_input(text));
-    EXPECT_EQ(test::watched_run(*scene, test::plugins(), again).summary.hash, run.summary.hash);
+    EXPECT_EQ(test::watched_run(scene, test::plugins(), again).summary.hash, run.summary.hash);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -6,19 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/drill_rig.h"
-#include "tests/support/watched_run.h"
+#include "tests/support/operation.h"
 
 namespace kerf {
 namespace {
 
 test::WatchedRun outcome_of(const char* rehearsal) {
-    Diagnostics diagnostics;
-    const auto scene = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml", "", test::plugins(), diagnostics);
-    if (!scene) throw std::runtime_error(to_text(diagnostics));
-    RunRequest request;
-    request.rehearsal = rehearsal;
-    return test::watched_run(*scene, test::plugins(), request);
+    return test::rehearsed(test::scene_of(KERF_SOURCE_DIR "/procedures/pedicle-awl.yaml"), rehearsal);
 }
 
 auto told(const test::WatchedRun& run, const std::string& id) {

@@ -11,29 +11,15 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "tests/support/drill_rig.h"
-#include "tests/support/watched_run.h"
+#include "tests/support/operation.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
 
-std::optional<Scene> jaw(const std::string& variant, const std::vector<std::string>& settings = {},
-                         const std::string& anatomy = "") {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/dental-implant.yaml", .anatomy = anatomy};
-    request.changes = {variant, settings};
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    EXPECT_TRUE(made) << to_text(diagnostics);
-    return made;
-}
-
-test::WatchedRun followed(const Scene& scene, const std::string& rehearsal) {
-    RunRequest request;
-    request.rehearsal = rehearsal;
-    return test::watched_run(scene, test::plugins(), request);
+Scene jaw(const std::string& variant, const std::vector<std::string>& settings = {}, const std::string& anatomy = "") {
+    return test::scene_of(KERF_SOURCE_DIR "/procedures/dental-implant.yaml", variant, settings, anatomy);
 }
 
 struct Ending {
@@ -44,12 +30,9 @@ class DentalImplant : public testing::TestWithParam<Ending> {};
 
 TEST_P(DentalImplant, EndsAsExpected) {
     const auto& [variant, rehearsal, device] = GetParam();
-    const auto scene = jaw(variant, {std::string("haptics.device=") + device});
-    ASSERT_TRUE(scene);
-    const test::WatchedRun run = followed(*scene, rehearsal);
-    std::string reasons;
-    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
-    EXPECT_TRUE(run.is_as_expected) << reasons;
+    const Scene scene = jaw(variant, {std::string("haptics.device=") + device});
+    const test::WatchedRun run = test::rehearsed(scene, rehearsal);
+    EXPECT_TRUE(run.is_as_expected) << test::reasons_of(run);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -78,13 +61,12 @@ double largest_torque(const Scene& scene, const test::WatchedRun& run, double be
 
 // 20 to 60 N·cm without a torque stop; 35 to 45 N·cm is where the expert stops. Nothing of the law was fitted to it.
 TEST(DentalImplantTorque, IsThatOfImplantsInALowerJaw) {
-    const auto scene = jaw("");
-    ASSERT_TRUE(scene);
-    const test::WatchedRun run = followed(*scene, "expert");
+    const Scene scene = jaw("");
+    const test::WatchedRun run = test::rehearsed(scene, "expert");
     const auto seats = std::find_if(run.events.begin(), run.events.end(),
                                     [](const EventRow& event) { return event.id == "implant.head_contact"; });
     ASSERT_NE(seats, run.events.end());
-    const double going_in = largest_torque(*scene, run, seats->time), at_the_end = largest_torque(*scene, run, 1e9);
+    const double going_in = largest_torque(scene, run, seats->time), at_the_end = largest_torque(scene, run, 1e9);
     EXPECT_GT(going_in, 0.20);
     EXPECT_LT(going_in, 0.60);
     EXPECT_GT(at_the_end, 0.35);
@@ -94,9 +76,8 @@ TEST(DentalImplantTorque, IsThatOfImplantsInALowerJaw) {
 // 02-08: a sudden rise at the crest, less in the cancellous bone, an abrupt rise at the floor of the sinus, and nothing
 // behind it.
 TEST(DentalImplantThrust, RisesAtBothCorticesAndIsGoneBehindTheSinusFloor) {
-    const auto scene = jaw("upper-jaw");
-    ASSERT_TRUE(scene);
-    const test::WatchedRun run = followed(*scene, "sinus");
+    const Scene scene = jaw("upper-jaw");
+    const test::WatchedRun run = test::rehearsed(scene, "sinus");
     const auto mean_between = [&](double from, double to) {
         double sum = 0.0;
         int count = 0;
@@ -118,11 +99,10 @@ TEST(DentalImplantThrust, RisesAtBothCorticesAndIsGoneBehindTheSinusFloor) {
 
 TEST(DentalImplantInARealJaw, IsInsertedByTheExpert) {
     if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    const auto scene = jaw("", {}, KERF_SOURCE_DIR "/tests/real-data/mandible.yaml");
-    ASSERT_TRUE(scene);
-    const test::WatchedRun run = followed(*scene, "expert");
+    const Scene scene = jaw("", {}, KERF_SOURCE_DIR "/tests/real-data/mandible.yaml");
+    const test::WatchedRun run = test::rehearsed(scene, "expert");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
-    EXPECT_LT(largest_torque(*scene, run, 1e9), 0.45);
+    EXPECT_LT(largest_torque(scene, run, 1e9), 0.45);
 }
 
 TEST(DentalImplantHole, IsRefusedWhereItIsWiderThanTheThread) {

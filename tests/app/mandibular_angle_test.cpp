@@ -17,68 +17,38 @@
 #include "core/session/summary.h"
 #include "kerf/units.hpp"
 #include "run/exact/base_surface.h"
-#include "tests/support/drill_rig.h"
+#include "tests/support/operation.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/watched_run.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
+using test::metric, test::metric_row, test::reasons_of, test::rehearsed, test::scene_of;
 
 const char* const procedure_file = KERF_SOURCE_DIR "/procedures/mandibular-angle-reduction.yaml";
 const char* const phantom_file = KERF_SOURCE_DIR "/procedures/anatomy/mandible-whole-phantom.yaml";
 
 const Scene& jaw() {
-    static const Scene scene = [] {
-        Diagnostics diagnostics;
-        auto made = make_scene(procedure_file, "", test::plugins(), diagnostics);
-        if (!made) throw std::runtime_error(to_text(diagnostics));
-        return std::move(*made);
-    }();
+    static const Scene scene = test::scene_of(procedure_file);
     return scene;
 }
 const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static std::map<std::string, test::WatchedRun> outcomes;
-    if (!outcomes.contains(rehearsal)) {
-        RunRequest request;
-        request.rehearsal = rehearsal;
-        outcomes.emplace(rehearsal, test::watched_run(jaw(), test::plugins(), request));
-    }
-    return outcomes.at(rehearsal);
-}
-const MetricRow& metric(const RunSummary& summary, const std::string& id) {
-    for (const auto& row : summary.metrics)
-        if (row.id == id) return row;
-    throw std::runtime_error("no metric " + id);
+    static test::Rehearsals rehearsals(jaw());
+    return rehearsals[rehearsal];
 }
 
-std::string reasons_of(const test::WatchedRun& run) {
-    std::string reasons;
-    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
-    return reasons;
-}
 std::string text_of(const std::string& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     return text.str();
 }
-Scene scene_of(const DocumentRequest& request) {
-    Diagnostics diagnostics;
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    if (!made) throw std::runtime_error(to_text(diagnostics));
-    return std::move(*made);
-}
-test::WatchedRun run_of(const DocumentRequest& request) {
-    return test::watched_run(scene_of(request), test::plugins(), {});
-}
 
 TEST(MandibularAngle, BeginsAtTheAnglesOfThePaper) {  // 04-13: 115 and 20 deg
     const RunSummary& summary = outcome_of("expert").summary;
     for (const std::string side : {"right", "left"}) {
-        const MetricRow &gonial = metric(summary, "measure.gonial_angle_" + side + ".before"),
-                        &plane = metric(summary, "measure.mandibular_plane_" + side + ".before");
+        const MetricRow &gonial = metric_row(summary, "measure.gonial_angle_" + side + ".before"),
+                        &plane = metric_row(summary, "measure.mandibular_plane_" + side + ".before");
         EXPECT_NEAR(gonial.value, 115.0_deg, 0.3_deg) << side;
         EXPECT_NEAR(plane.value, 20.0_deg, 0.3_deg) << side;
         EXPECT_GT(gonial.uncertainty, 0.0);
@@ -92,15 +62,15 @@ TEST(MandibularAngle, TheExpertIsNearerToThePlanThanResidentsAre) {
     const test::WatchedRun& run = outcome_of("expert");
     EXPECT_EQ(run.summary.verdict, Verdict::pass) << reasons_of(run);
     for (const std::string side : {"right", "left"}) {
-        const MetricRow &gonial = metric(run.summary, "left-anterior.measure.gonial_error_" + side),
-                        &plane = metric(run.summary, "left-anterior.measure.plane_error_" + side);
+        const MetricRow &gonial = metric_row(run.summary, "left-anterior.measure.gonial_error_" + side),
+                        &plane = metric_row(run.summary, "left-anterior.measure.plane_error_" + side);
         RecordProperty("gonial_error_" + side + "_deg", std::to_string(gonial.value / 1.0_deg));
         RecordProperty("plane_error_" + side + "_deg", std::to_string(plane.value / 1.0_deg));
         EXPECT_LT(std::abs(gonial.value), 5.2_deg) << side;
         EXPECT_LT(std::abs(plane.value), 1.6_deg) << side;
     }
-    EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_lower").value, 1.0_deg);
-    EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_posterior").value, 1.0_deg);
+    EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_lower"), 1.0_deg);
+    EXPECT_LT(metric(run.summary, "left-anterior.measure.asymmetry_posterior"), 1.0_deg);
 }
 
 // 04-14: a scripted perfect cut scores under 1 deg. No hand gives way here: the tools go along their path to the
@@ -115,9 +85,9 @@ TEST(MandibularAngle, APerfectCutIsWithinADegreeOfThePlan) {
     std::ofstream(file) << right_only;
     DocumentRequest request{.procedure = file, .anatomy = phantom_file};
     request.changes = {"", {"haptics.coupling=direct"}};
-    const test::WatchedRun run = run_of(request);
+    const test::WatchedRun run = rehearsed(scene_of(request));
     for (const std::string measure : {"gonial_error_right", "plane_error_right"}) {
-        const MetricRow& error = metric(run.summary, "right-anterior.measure." + measure);
+        const MetricRow& error = metric_row(run.summary, "right-anterior.measure." + measure);
         RecordProperty(measure + "_deg", std::to_string(error.value / 1.0_deg));
         EXPECT_LT(std::abs(error.value), 1.0_deg) << measure;
     }
@@ -126,16 +96,16 @@ TEST(MandibularAngle, APerfectCutIsWithinADegreeOfThePlan) {
 TEST(MandibularAngle, ThePlanOfThePhantomIsThatOfThePaper) {  // 04-13: to 126 and 28 deg
     const RunSummary& summary = outcome_of("expert").summary;
     for (const std::string side : {"right", "left"}) {
-        EXPECT_NEAR(metric(summary, "measure.planned_gonial_" + side + ".before").value, 126.0_deg, 0.05_deg);
-        EXPECT_NEAR(metric(summary, "measure.planned_plane_" + side + ".before").value, 28.0_deg, 0.05_deg);
+        EXPECT_NEAR(metric(summary, "measure.planned_gonial_" + side + ".before"), 126.0_deg, 0.05_deg);
+        EXPECT_NEAR(metric(summary, "measure.planned_plane_" + side + ".before"), 28.0_deg, 0.05_deg);
     }
 }
 
 // The plan is geometry: the ostectomy alone makes 180 + 28 - 85 = 123 deg, the burr the rest.
 TEST(MandibularAngle, TheBurrMakesTheLastThreeDegrees) {
     const RunSummary& summary = outcome_of("expert").summary;
-    const double cut = metric(summary, "right-take.measure.asymmetry_posterior").value,
-                 burred = metric(summary, "right-posterior.measure.asymmetry_posterior").value;
+    const double cut = metric(summary, "right-take.measure.asymmetry_posterior"),
+                 burred = metric(summary, "right-posterior.measure.asymmetry_posterior");
     EXPECT_LT(cut, 0.3_deg) << "the saw leaves the ramus as it was";
     EXPECT_GT(burred, 1.5_deg);
     EXPECT_LT(burred, 3.0_deg + 0.5_deg);
@@ -149,15 +119,15 @@ TEST(MandibularAngle, IsScoredByAnglesSymmetryRoughnessTimeAndTorque) {
           "left-anterior.measure.asymmetry_lower", "left-anterior.measure.roughness_right",
           "right-cut.signal.torque_exceedance", "right-cut.clearance.nerve_right", "left-cut.signal.blade_torque"})
         EXPECT_NE(json.find("\"" + std::string(id) + "\""), std::string::npos) << id;
-    EXPECT_LT(metric(outcome_of("expert").summary, "right-cut.signal.torque_exceedance").value, 0.01);
+    EXPECT_LT(metric(outcome_of("expert").summary, "right-cut.signal.torque_exceedance"), 0.01);
 }
 
 TEST(MandibularAngle, BothAnglesAreTakenAwayAndNoBoneIsLost) {
     const RunSummary& summary = outcome_of("expert").summary;
     EXPECT_EQ(summary.pieces.size(), 3u);
-    EXPECT_LT(std::abs(metric(summary, "bone.balance").value), 1e-4) << "04-17";
+    EXPECT_LT(std::abs(metric(summary, "bone.balance")), 1e-4) << "04-17";
     // Half a slice of 8 deg by 56 mm, of a rod whose tip is an ellipse: the two sides are mirror images.
-    const double right = metric(summary, "bone.piece-1").value, left = metric(summary, "bone.piece-2").value;
+    const double right = metric(summary, "bone.piece-1"), left = metric(summary, "bone.piece-2");
     EXPECT_NEAR(right / left, 1.0, 0.1);
 }
 
@@ -167,7 +137,7 @@ TEST(MandibularAngle, EachBlunderFailsForItsOwnReason) {
         EXPECT_EQ(run.summary.verdict, Verdict::fail) << rehearsal;
         EXPECT_TRUE(run.is_as_expected) << rehearsal;
     }
-    EXPECT_LT(metric(outcome_of("into-the-nerve").summary, "right-cut.clearance.nerve_right").value, 0.0);
+    EXPECT_LT(metric(outcome_of("into-the-nerve").summary, "right-cut.clearance.nerve_right"), 0.0);
     const auto& events = outcome_of("twisted").events;
     EXPECT_TRUE(std::any_of(events.begin(), events.end(), [](const EventRow& e) { return e.id == "sawing.twisted"; }));
 }
@@ -225,7 +195,7 @@ TEST(MandibleToReduce, IsWarnedOfABurrTooSlowToCut) {
 const char* const real_file = KERF_SOURCE_DIR "/tests/real-data/mandible-angle.yaml";
 
 const Scene& real_jaw() {
-    static const Scene scene = scene_of({.procedure = procedure_file, .anatomy = real_file});
+    static const Scene scene = scene_of(procedure_file, "", {}, real_file);
     return scene;
 }
 
@@ -235,8 +205,8 @@ void expect_reduced(const test::WatchedRun& run) {
     for (const std::string side : {"right", "left"})
         for (const std::string measure : {"gonial", "plane"}) {
             const std::string id = measure + "_error_" + side;
-            const double before = metric(run.summary, "measure." + id + ".before").value,
-                         after = metric(run.summary, "left-anterior.measure." + id).value;
+            const double before = metric(run.summary, "measure." + id + ".before"),
+                         after = metric(run.summary, "left-anterior.measure." + id);
             testing::Test::RecordProperty(id + "_deg", std::to_string(after / 1.0_deg));
             EXPECT_LT(before, -8.0_deg) << id << ": there is much to do";
             EXPECT_LT(std::abs(after), measure == "gonial" ? 5.2_deg : 1.9_deg) << id;
@@ -256,7 +226,7 @@ TEST(RealMandible, HasNearlyTheAnglesThatItsLandmarksState) {
 
 TEST(RealMandible, IsReducedOnBothSides) {
     if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    expect_reduced(test::watched_run(real_jaw(), test::plugins(), {}));
+    expect_reduced(rehearsed(real_jaw()));
 }
 
 /// The anatomy of the scan, its bone out of a surface.
@@ -279,7 +249,7 @@ TEST(RealMandible, IsReducedAsASurface) {
     std::ofstream(folder / "jaw.yaml") << surface_anatomy("jaw.obj");
     DocumentRequest request{.procedure = procedure_file, .anatomy = folder / "jaw.yaml"};
     request.changes = {"", {"accuracy.spacing=0.3 mm"}};  // the least thickness of its walls asks for that
-    expect_reduced(run_of(request));
+    expect_reduced(rehearsed(scene_of(request)));
 }
 
 // Marrow that is open to the outside makes a shell of the bone.
@@ -289,7 +259,7 @@ TEST(RealMandible, IsRefusedAsAShell) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "jaw.yaml") << surface_anatomy("meshes/mandible_harvard02_isosurface.obj");
     try {
-        (void)scene_of({.procedure = procedure_file, .anatomy = folder / "jaw.yaml"});
+        (void)scene_of(procedure_file, "", {}, folder / "jaw.yaml");
         FAIL() << "it was taken";
     } catch (const std::runtime_error& refused) {
         EXPECT_NE(std::string(refused.what()).find("E0655"), std::string::npos) << refused.what();

@@ -14,53 +14,30 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "tests/support/drill_rig.h"
-#include "tests/support/watched_run.h"
+#include "tests/support/operation.h"
 
 namespace kerf {
 namespace {
 
+using test::metric;
+
 using namespace literals;
 
+const char* const procedure_file = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml";
+
 const Scene& pedicle() {
-    static const Scene scene = [] {
-        Diagnostics diagnostics;
-        auto made = make_scene(KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml", "", test::plugins(), diagnostics);
-        if (!made) throw std::runtime_error(to_text(diagnostics));
-        return std::move(*made);
-    }();
+    static const Scene scene = test::scene_of(procedure_file);
     return scene;
 }
 
-RunRequest following(const std::string& rehearsal) {
-    RunRequest request;
-    request.rehearsal = rehearsal;
-    return request;
-}
-
 /// The procedure with other values, as `--set` and `--variant` give them.
-std::optional<Scene> pedicle_with(const std::vector<std::string>& settings, const std::string& variant = "") {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
-    request.changes = {variant, settings};
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    if (!made) ADD_FAILURE() << to_text(diagnostics);
-    return made;
+Scene pedicle_with(const std::vector<std::string>& settings, const std::string& variant = "") {
+    return test::scene_of(procedure_file, variant, settings);
 }
 
 const test::WatchedRun& outcome_of(const std::string& rehearsal) {
-    static std::map<std::string, test::WatchedRun> outcomes;
-    if (!outcomes.contains(rehearsal)) {
-        outcomes.emplace(rehearsal, test::watched_run(pedicle(), test::plugins(), following(rehearsal)));
-    }
-    return outcomes.at(rehearsal);
-}
-
-double metric(const RunSummary& summary, const std::string& id) {
-    for (const auto& row : summary.metrics)
-        if (row.id == id) return row.value;
-    throw std::runtime_error("no metric " + id);
+    static test::Rehearsals rehearsals(pedicle());
+    return rehearsals[rehearsal];
 }
 
 TEST(PedicleScrew, TheExpertPasses) {
@@ -95,40 +72,34 @@ TEST(PedicleScrew, WithoutAStartingHoleADrillSkidsOnASteepFacetAndNotOnAFlatOne)
     const test::WatchedRun& flat = outcome_of("no-starting-hole");
     EXPECT_EQ(flat.summary.verdict, Verdict::pass);
     EXPECT_NEAR(metric(flat.summary, "pilot-hole.narrowest-offset"), 1e-3, 0.5e-3);
-    const auto steep = pedicle_with({}, "steep-facet");
-    ASSERT_TRUE(steep);
-    const test::WatchedRun skids = test::watched_run(*steep, test::plugins(), following("no-starting-hole"));
+    const Scene steep = pedicle_with({}, "steep-facet");
+    const test::WatchedRun skids = test::rehearsed(steep, "no-starting-hole");
     EXPECT_TRUE(skids.is_as_expected);
     EXPECT_GT(metric(skids.summary, "pilot-hole.time-in-air"), 2.0);
-    EXPECT_EQ(test::watched_run(*steep, test::plugins(), following("expert")).summary.verdict, Verdict::pass);
-    const auto sleeve = pedicle_with({}, "sleeve");
-    ASSERT_TRUE(sleeve);
-    const test::WatchedRun led = test::watched_run(*sleeve, test::plugins(), following("expert"));
+    EXPECT_EQ(test::rehearsed(steep, "expert").summary.verdict, Verdict::pass);
+    const Scene sleeve = pedicle_with({}, "sleeve");
+    const test::WatchedRun led = test::rehearsed(sleeve, "expert");
     EXPECT_EQ(led.summary.verdict, Verdict::pass);
     EXPECT_LT(metric(led.summary, "pilot-hole.narrowest-offset"), 0.3e-3);
 }
 
 // A blunder that is faster than everybody does not change what the expert feels.
 TEST(PedicleScrew, TheForceScaleIsThatOfTheStepAndNotOfAHand) {
-    const auto hasty = pedicle_with({"rehearsals.medial-breach.hand.feed=20 mm/s"});
-    ASSERT_TRUE(hasty);
-    EXPECT_EQ(hasty->gains.force_scale, pedicle().gains.force_scale);
-    const auto by_law = pedicle_with({"haptics.working_force=~"});
-    ASSERT_TRUE(by_law);
-    EXPECT_LT(by_law->gains.force_scale, 0.5 * pedicle().gains.force_scale) << "compact bone takes more than 40 N";
-    const auto slower =
+    const Scene hasty = pedicle_with({"rehearsals.medial-breach.hand.feed=20 mm/s"});
+    EXPECT_EQ(hasty.gains.force_scale, pedicle().gains.force_scale);
+    const Scene by_law = pedicle_with({"haptics.working_force=~"});
+    EXPECT_LT(by_law.gains.force_scale, 0.5 * pedicle().gains.force_scale) << "compact bone takes more than 40 N";
+    const Scene slower =
         pedicle_with({"haptics.working_force=~", "steps.pilot-hole.feed=0.1 mm/s", "steps.opening.feed=0.1 mm/s"});
-    ASSERT_TRUE(slower);
-    EXPECT_GT(slower->gains.force_scale, by_law->gains.force_scale);
+    EXPECT_GT(slower.gains.force_scale, by_law.gains.force_scale);
 }
 
 // Its start lies across the surface, whose direction each grid knows for itself. Once turned onto the axis the drill
 // passes the canal at the same distance.
 TEST(PedicleScrew, TheHolePassesTheCanalAlikeOnACoarserGrid) {
-    const auto coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
-    ASSERT_TRUE(coarse);
+    const Scene coarse = pedicle_with({"accuracy.spacing=0.5 mm"});
     const double fine = metric(outcome_of("expert").summary, "pilot-hole.clearance.canal");
-    const test::WatchedRun rough = test::watched_run(*coarse, test::plugins(), following("expert"));
+    const test::WatchedRun rough = test::rehearsed(coarse, "expert");
     EXPECT_EQ(rough.summary.verdict, Verdict::pass);
     EXPECT_NEAR(metric(rough.summary, "pilot-hole.clearance.canal"), fine, 0.1e-3);
 }
@@ -206,9 +177,8 @@ TEST(PedicleScrew, TurnedOnAfterItsHeadHasSeatedItStrips) {
 class PedicleOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PedicleOf, TakesItsScrewWithoutABreach) {
-    const auto scene = pedicle_with({"accuracy.spacing=0.5 mm"}, GetParam());
-    ASSERT_TRUE(scene);
-    const test::WatchedRun run = test::watched_run(*scene, test::plugins(), following("expert"));
+    const Scene scene = pedicle_with({"accuracy.spacing=0.5 mm"}, GetParam());
+    const test::WatchedRun run = test::rehearsed(scene, "expert");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     EXPECT_EQ(status_of(run.summary, "insert.gertzbein-robbins"), "grade A");
 }
@@ -223,14 +193,13 @@ INSTANTIATE_TEST_SUITE_P(Variant, PedicleOf, testing::Values("l1", "l2", "l4", "
 TEST(PedicleScrew, OnlyAnImplantIsReleasedAndOnlyWhereItBelongs) {
     const auto refusals = [](const char* setting) {
         std::string details;
-        const auto scene = pedicle_with({setting, "accuracy.spacing=0.5 mm"});
-        if (!scene) return details;
-        for (const EventRow& event : test::watched_run(*scene, test::plugins(), following("expert")).events)
+        const Scene scene = pedicle_with({setting, "accuracy.spacing=0.5 mm"});
+        for (const EventRow& event : test::rehearsed(scene, "expert").events)
             if (event.id == "hand.refused") details += event.detail + "\n";
         return details;
     };
     Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml"};
+    DocumentRequest request{.procedure = procedure_file};
     request.changes = {"", {"rehearsals.expert.path=[{depth: -5 mm, do: release}, {depth: -6 mm}]"}};
     static_cast<void>(check_documents(request, test::plugins(), diagnostics));
     EXPECT_NE(to_text(diagnostics).find("E0518"), std::string::npos) << to_text(diagnostics);
@@ -239,7 +208,7 @@ TEST(PedicleScrew, OnlyAnImplantIsReleasedAndOnlyWhereItBelongs) {
 }
 
 TEST(PedicleScrew, TwoRunsAreTheSameBits) {
-    const test::WatchedRun again = test::watched_run(pedicle(), test::plugins(), following("expert"));
+    const test::WatchedRun again = test::rehearsed(pedicle(), "expert");
     EXPECT_EQ(again.summary.hash, outcome_of("expert").summary.hash);
     EXPECT_NE(again.summary.hash, outcome_of("medial-breach").summary.hash);
 }
@@ -271,22 +240,15 @@ protected:
     void SetUp() override {
         if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
     }
-    [[nodiscard]] std::optional<Scene> scene() const {
-        Diagnostics diagnostics;
-        DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/pedicle-screw.yaml",
-                                .anatomy = std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam()};
-        if (std::string(GetParam()) == "t12.yaml") request.changes.variant = "narrow-pedicle";  // 6.5 mm do not go in
-        auto documents = check_documents(request, test::plugins(), diagnostics);
-        auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-        EXPECT_TRUE(made) << to_text(diagnostics);
-        return made;
+    [[nodiscard]] static Scene scene() {
+        const char* variant = std::string(GetParam()) == "t12.yaml" ? "narrow-pedicle" : "";  // 6.5 mm do not go in
+        return test::scene_of(procedure_file, variant, {},
+                              std::string(KERF_SOURCE_DIR "/tests/real-data/") + GetParam());
     }
 };
 
 TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWayAndInsertsTheScrew) {
-    const auto made = scene();
-    ASSERT_TRUE(made);
-    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("expert"));
+    const test::WatchedRun run = test::rehearsed(scene(), "expert");
     const StepRow& pilot_hole = run.summary.steps.at(0);
     EXPECT_TRUE(pilot_hole.done);
     EXPECT_TRUE(pilot_hole.broken_limits.empty());
@@ -298,17 +260,13 @@ TEST_P(RealScan, TheExpertDrillsThroughBoneAllTheWayAndInsertsTheScrew) {
 }
 
 TEST_P(RealScan, WithoutAStartingHoleTheDrillGoesOnBesideTheBone) {
-    const auto made = scene();
-    ASSERT_TRUE(made);
-    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("no-starting-hole"));
+    const test::WatchedRun run = test::rehearsed(scene(), "no-starting-hole");
     EXPECT_EQ(run.summary.verdict, Verdict::fail);
     EXPECT_GT(metric(run.summary, "pilot-hole.time-in-air"), 2.0);
 }
 
 TEST_P(RealScan, TheMedialBreachFailsBecauseOfTheCanal) {
-    const auto made = scene();
-    ASSERT_TRUE(made);
-    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("medial-breach"));
+    const test::WatchedRun run = test::rehearsed(scene(), "medial-breach");
     EXPECT_TRUE(run.is_as_expected);
 }
 
@@ -323,7 +281,7 @@ TEST(RealSurface, AHoleAlongTheNeckOfTheFemurEndsAsItSays) {
     Diagnostics diagnostics;
     const auto made = make_scene(KERF_SOURCE_DIR "/tests/real-data/neck-hole.yaml", "", test::plugins(), diagnostics);
     ASSERT_TRUE(made) << to_text(diagnostics);
-    const test::WatchedRun run = test::watched_run(*made, test::plugins(), following("straight"));
+    const test::WatchedRun run = test::rehearsed(*made, "straight");
     EXPECT_EQ(run.summary.verdict, Verdict::pass);
     for (const auto& [tissue, volume] : run.summary.removed_by_tissue) EXPECT_GT(volume, 1e-9) << tissue;
 }

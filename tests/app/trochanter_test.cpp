@@ -10,50 +10,27 @@
 #include <vector>
 
 #include "kerf/units.hpp"
-#include "tests/support/drill_rig.h"
-#include "tests/support/watched_run.h"
+#include "tests/support/operation.h"
 
 namespace kerf {
 namespace {
 
 using namespace literals;
+using test::metric, test::reasons_of, test::rehearsed, test::WatchedRun;
 
-std::optional<Scene> femur(const std::vector<std::string>& settings = {}, const std::string& variant = "",
-                           const std::string& anatomy = "") {
-    Diagnostics diagnostics;
-    DocumentRequest request{.procedure = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml", .anatomy = anatomy};
-    request.changes = {variant, settings};
-    auto documents = check_documents(request, test::plugins(), diagnostics);
-    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
-    EXPECT_TRUE(made) << to_text(diagnostics);
-    return made;
-}
+const char* const procedure_file = KERF_SOURCE_DIR "/procedures/trochanter-fixation.yaml";
 
-RunOutcome followed(const Scene& scene, const std::string& rehearsal) {
-    RunRequest request;
-    request.rehearsal = rehearsal;
-    return run_procedure(scene, test::plugins(), request);
-}
-
-double metric(const RunSummary& summary, const std::string& id) {
-    for (const auto& row : summary.metrics)
-        if (row.id == id) return row.value;
-    throw std::runtime_error("no metric " + id);
-}
-
-std::string reasons_of(const RunOutcome& run) {
-    std::string reasons = run.error;
-    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
-    return reasons;
+Scene femur(const std::vector<std::string>& settings = {}, const std::string& variant = "",
+            const std::string& anatomy = "") {
+    return test::scene_of(procedure_file, variant, settings, anatomy);
 }
 
 class Trochanter : public testing::TestWithParam<const char*> {};
 
 // Tip-apex distance below 25 mm; 5 mm are what experts plunge in normal bone, 8 mm what novices do.
 TEST_P(Trochanter, IsFixedByTheExpertOn) {
-    const auto scene = femur({std::string("haptics.device=") + GetParam()});
-    ASSERT_TRUE(scene);
-    const RunOutcome run = followed(*scene, "expert");
+    const Scene scene = femur({std::string("haptics.device=") + GetParam()});
+    const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
     const RunSummary& s = run.summary;
     EXPECT_LT(metric(s, "reduce.reduction-offset"), 0.5_mm);
@@ -79,25 +56,23 @@ INSTANTIATE_TEST_SUITE_P(Device, Trochanter, testing::Values("touch", "desktop",
                          });
 
 TEST(TrochanterBlunder, FailsForTheReasonThatItNames) {
-    const auto scene = femur();
-    ASSERT_TRUE(scene);
+    const Scene scene = femur();
     for (const char* rehearsal : {"malreduction", "plunge"}) {
-        const RunOutcome run = followed(*scene, rehearsal);
+        const WatchedRun run = rehearsed(scene, rehearsal);
         EXPECT_TRUE(run.is_as_expected) << rehearsal << "\n" << reasons_of(run);
     }
 }
 
 TEST(TrochanterVariant, OfOneScrewPasses) {
-    const auto scene = femur({}, "screw-alone");
-    ASSERT_TRUE(scene);
-    const RunOutcome run = followed(*scene, "expert");
+    const Scene scene = femur({}, "screw-alone");
+    const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
 }
 
 // Its neck is 10 mm shorter than the phantom's: so are the hole and the screw.
 TEST(TrochanterOfARealFemur, IsFixedWithOneScrew) {
     if (std::getenv("KERF_DATA") == nullptr) GTEST_SKIP() << "KERF_DATA names no folder of scans";
-    const auto scene = femur(
+    const Scene scene = femur(
         {"instruments.lag-screw.parameters.shaft_length=54 mm",
          "steps.lag-hole.goals=[{entry: {}}, {depth: {at_least: 70 mm}}]",
          "steps.lag.goals=[{entry: {}}, {depth: {at_least: 67 mm}}]",
@@ -105,8 +80,7 @@ TEST(TrochanterOfARealFemur, IsFixedWithOneScrew) {
          "{step: lag, depth: -30 mm}, {depth: -1 mm}, "
          "{depth: 71 mm, turn: {by: 26.6 turns, speed: 60 rpm}, do: release}]"},
         "screw-alone", KERF_SOURCE_DIR "/tests/real-data/femur-z013-fractured.yaml");
-    ASSERT_TRUE(scene);
-    const RunOutcome run = followed(*scene, "expert");
+    const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_TRUE(run.is_as_expected) << reasons_of(run);
     EXPECT_LT(metric(run.summary, "reduce.reduction-offset"), 0.5_mm);
     EXPECT_NEAR(metric(run.summary, "lag.axes-angle.neck"), 123.75_deg, 2.0_deg) << "from the raters' landmarks";
@@ -117,8 +91,7 @@ TEST(TrochanterPlate, IsMissedWhereAStepFollowsItsHole) {
     const auto scene =
         femur({"rehearsals.expert.path=[{follow: reduction}, {step: lag-hole, depth: -60 mm, insert: plate}, "
                "{depth: -2 mm}, {depth: 5 mm}, {depth: -5 mm}]"});
-    ASSERT_TRUE(scene);
-    const RunOutcome run = followed(*scene, "expert");
+    const WatchedRun run = rehearsed(scene, "expert");
     EXPECT_EQ(run.summary.verdict, Verdict::incomplete);
     EXPECT_NE(reasons_of(run).find("Step `lag-hole`: `plate`, whose hole it follows, was not in the scene."),
               std::string::npos)
@@ -126,13 +99,12 @@ TEST(TrochanterPlate, IsMissedWhereAStepFollowsItsHole) {
 }
 
 TEST(TrochanterFracture, CannotBeUndone) {
-    const auto scene = femur({"rehearsals.expert.expect=incomplete",
-                              "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});
-    ASSERT_TRUE(scene);
+    const Scene scene = femur({"rehearsals.expert.expect=incomplete",
+                               "rehearsals.expert.path=[{depth: -60 mm}, {depth: -50 mm, do: undo}, {depth: -60 mm}]"});
     const test::WatchedRun run = [&] {
         RunRequest request;
         request.rehearsal = "expert";
-        return test::watched_run(*scene, test::plugins(), request);
+        return test::watched_run(scene, test::plugins(), request);
     }();
     EXPECT_EQ(run.summary.pieces.size(), 2u);
     EXPECT_TRUE(std::any_of(run.events.begin(), run.events.end(),

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/drill_rig.h"
+#include "tests/support/watched_run.h"
+
+/// Operations that tests rehearse.
+namespace kerf::test {
+
+/// Returns the scene of a request. Throws what is wrong with it, and the test fails with that.
+inline Scene scene_of(const DocumentRequest& request) {
+    Diagnostics diagnostics;
+    auto documents = check_documents(request, plugins(), diagnostics);
+    auto made = documents ? make_scene(std::move(*documents), diagnostics) : std::nullopt;
+    if (!made) throw std::runtime_error(to_text(diagnostics));
+    return std::move(*made);
+}
+inline Scene scene_of(const std::string& procedure, const std::string& variant = "",
+                      const std::vector<std::string>& settings = {}, const std::string& anatomy = "") {
+    DocumentRequest request{.procedure = procedure, .anatomy = anatomy};
+    request.changes = {variant, settings};
+    return scene_of(request);
+}
+
+/// The first rehearsal where none is named.
+inline WatchedRun rehearsed(const Scene& scene, const std::string& rehearsal = "") {
+    RunRequest request;
+    request.rehearsal = rehearsal;
+    return watched_run(scene, plugins(), request);
+}
+
+/// Rehearsals of one scene; each is run once.
+class Rehearsals {
+public:
+    /// @param scene  outlives this
+    explicit Rehearsals(const Scene& scene) : scene_(&scene) {}
+    const WatchedRun& operator[](const std::string& rehearsal) {
+        const auto found = runs_.find(rehearsal);
+        return found != runs_.end() ? found->second
+                                    : runs_.emplace(rehearsal, rehearsed(*scene_, rehearsal)).first->second;
+    }
+
+private:
+    const Scene* scene_;
+    std::map<std::string, WatchedRun> runs_;
+};
+
+inline const MetricRow& metric_row(const RunSummary& summary, const std::string& id) {
+    for (const MetricRow& row : summary.metrics)
+        if (row.id == id) return row;
+    throw std::runtime_error("no metric " + id);
+}
+inline double metric(const RunSummary& summary, const std::string& id) { return metric_row(summary, id).value; }
+
+/// A line for each reason of the verdict, after the error if there is one.
+inline std::string reasons_of(const RunOutcome& run) {
+    std::string reasons = run.error;
+    for (const std::string& reason : run.summary.reasons) reasons += reason + "\n";
+    return reasons;
+}
+
+}  // namespace kerf::test
