@@ -2,6 +2,7 @@
 #include "app/commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -49,18 +50,29 @@ std::string text_of(const ExactRow& exact) {
     if (!exact.why_not.empty()) return "  no exact surface: " + exact.why_not + "\n";
     std::size_t triangles = 0;
     for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
-    return formatted("  exact surface: %zu bodies, %zu triangles, digest %s\n", exact.pieces.size(), triangles,
-                     hex16(exact.digest).c_str());
+    return formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),
+                     exact.pieces.size() == 1 ? "body" : "bodies", triangles, hex16(exact.digest).c_str());
+}
+
+/// Two digits behind the point, or two that count.
+std::string text_of(const MetricRow& m) {
+    double value = m.value / m.per_unit;
+    if (std::abs(value) < 5e-7) value = 0.0;
+    const bool is_small = value != 0.0 && std::abs(value) < 0.1;
+    return formatted(is_small ? "  %-34s %8.2g" : "  %-34s %8.2f", m.id.c_str(), value) +
+           (m.unit.empty() ? "" : " " + m.unit) + (m.status.starts_with("grade") ? "  " + m.status : "") + "\n";
 }
 
 void print_summary(const RunSummary& s) {
     print(std::string("verdict: ") + to_text(s.verdict) + "\n");
     for (const auto& reason : s.reasons) print("  " + reason + "\n");
+    // A measure that no limit of its step is on stands in summary.json; here, before and after.
+    const auto is_shown = [](const MetricRow& m) {
+        return m.status != "info" || m.id.find(".measure.") == std::string::npos;
+    };
     const auto print_metrics = [&](bool of_simulation) {
         for (const auto& m : s.metrics)
-            if (is_of_simulation(m) == of_simulation)
-                print(formatted("  %-34s %8.2f %s%s\n", m.id.c_str(), m.value / m.per_unit, m.unit.c_str(),
-                                m.status.starts_with("grade") ? ("  " + m.status).c_str() : ""));
+            if (is_of_simulation(m) == of_simulation && is_shown(m)) print(text_of(m));
     };
     print_metrics(false);
     print(formatted("  removed %.1f mm3, %.1f s simulated, force scale 1/%.0f, hash %016llx\n", s.removed * 1e9,

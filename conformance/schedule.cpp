@@ -139,7 +139,7 @@ private:
                     continue;
                 }
             }
-            const Limits limits{.cpu_seconds = task.test->cpu_limit, .wall_seconds = 2 * task.test->cpu_limit + 2};
+            const Limits limits{.cpu_seconds = task.test->cpu_limit, .wall_seconds = 4 * task.test->cpu_limit + 4};
             task.child = std::make_unique<Sandbox>([&] { return examined(path_, task); }, limits);
             --free;
         }

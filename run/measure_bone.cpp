@@ -50,8 +50,8 @@ void measure_before_cuts(Scene& scene, Diagnostics& diagnostics) {
         report.error(
             Code::no_measure, node != nullptr ? node->key_span : TextSpan{},
             "The measure `" + id + "` cannot be made of this bone: " + reading.why_not +
-                ". Check the landmarks, or write a larger `within:`; of a scan or surface, give the anatomy an "
-                "axis there, so that this bone is read.");
+                ". Check the landmarks that it is made of. If a tangent finds no bone, write a larger `within:`; of a "
+                "scan or surface, give the anatomy an axis there, so that this bone is read.");
     }
 }
 

@@ -201,15 +201,25 @@ void add_measures(const StepState& state, const Procedure& procedure, std::vecto
     }
 }
 
-/// The same before the first cut.
-void add_measures_before(const Scene& scene, std::vector<MetricRow>& rows) {
+/// The same of the whole run: before the first cut, and at the end of the last step that was measured.
+void add_measures_of_run(const StepMonitor& monitor, const Scene& scene, std::vector<MetricRow>& rows) {
     for (std::size_t m = 0; m < scene.measured_before.size(); ++m) {
         const Measure& measure = scene.procedure.measures[m];
-        MetricRow row = measure_row(measure, scene.measured_before[m], "run");
-        row.id = "measure." + measure.id + ".before";
-        row.status = "info";
-        row.help = "Before the first cut. " + help_of(measure);
-        rows.push_back(std::move(row));
+        const auto add = [&](const MeasureReading& reading, const char* when, const std::string& status) {
+            MetricRow row = measure_row(measure, reading, "run");
+            row.id = "measure." + measure.id + "." + when;
+            row.status = status;
+            row.help = help_of(measure);
+            rows.push_back(std::move(row));
+        };
+        add(scene.measured_before[m], "before", "info");
+        const auto& steps = monitor.steps();
+        const auto last = std::find_if(steps.rbegin(), steps.rend(), [&](const StepState& state) {
+            return m < state.measures.size() && state.measures[m].value;
+        });
+        if (last == steps.rend()) continue;
+        add(last->measures[m], "after",
+            status_of_limits(*last, [&](const Limit& limit) { return limit.measure == measure.id; }));
     }
 }
 
@@ -388,7 +398,7 @@ std::vector<MetricRow> metrics_of(const StepMonitor& monitor, const Scene& scene
                  "Share of the planned axis behind its entry that lies in bone.");
         add_measures(state, scene.procedure, all);
     }
-    add_measures_before(scene, all);
+    add_measures_of_run(monitor, scene, all);
     return all;
 }
 

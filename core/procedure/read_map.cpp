@@ -93,15 +93,30 @@ std::string closest(std::string_view word, const std::vector<std::string>& candi
     return report.is_full() ? std::string() : closest(word, candidates);
 }
 
+/// Whether two names differ by the side of the patient alone: the one is not meant by the other.
+bool is_other_side(std::string_view one, std::string_view other) {
+    constexpr std::string_view right = "right", left = "left";
+    const auto is_swapped = [&](std::string_view a, std::string_view b) {
+        const std::size_t at = a.find(right);
+        return at != std::string_view::npos && a.size() + left.size() == b.size() + right.size() &&
+               a.substr(0, at) == b.substr(0, at) && b.substr(at, left.size()) == left &&
+               a.substr(at + right.size()) == b.substr(at + left.size());
+    };
+    const auto ends_swapped = [](std::string_view a, std::string_view b) {
+        return a.ends_with("_r") && b.ends_with("_l") && a.substr(0, a.size() - 1) == b.substr(0, b.size() - 1);
+    };
+    return is_swapped(one, other) || is_swapped(other, one) || ends_swapped(one, other) || ends_swapped(other, one);
+}
+
 std::string closest(std::string_view word, const std::vector<std::string>& candidates) {
     if (word.size() > longest_word) return {};
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (std::size_t i = 0; i < std::min(candidates.size(), most_candidates); ++i) {
         const std::string& candidate = candidates[i];
-        if (candidate.size() > longest_word) continue;
+        if (candidate.size() > longest_word || is_other_side(word, candidate)) continue;
         const std::size_t distance = edit_distance(word, candidate);
-        if (distance < best_distance) {
+        if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
             best = candidate;
             best_distance = distance;
         }

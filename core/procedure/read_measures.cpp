@@ -128,8 +128,8 @@ void read_kind(const Node& chosen, const Names& names, Construction& made, Repor
 }
 
 /// One of the measures above, which a difference is made of.
-const Measure* earlier(MapReader& map, const std::string& key, const std::vector<Measure>& above, std::string& id,
-                       Report& report) {
+const Measure* earlier(MapReader& map, const std::string& key, const std::vector<Measure>& above,
+                       const std::vector<std::string>& below, std::string& id, Report& report) {
     const Node* node = map.find(key);
     if (node == nullptr) return nullptr;
     id = read_id(*node, map.name_of(key), report).value_or("");
@@ -138,6 +138,12 @@ const Measure* earlier(MapReader& map, const std::string& key, const std::vector
     for (const Measure& one : above) {
         if (one.id == id) return &one;
         known.push_back(one.id);
+    }
+    if (contains(below, id)) {
+        report.error(Code::unknown_measure, node->span,
+                     "The measure " + quoted_id(id) +
+                         " stands below the difference that it is used in. Move it up, before this one.");
+        return nullptr;
     }
     const std::string meant = closest(straightened(id), known, report);
     report.error(Code::unknown_measure, node->span,
@@ -148,11 +154,12 @@ const Measure* earlier(MapReader& map, const std::string& key, const std::vector
     return nullptr;
 }
 
-void read_difference(const Node& chosen, const std::vector<Measure>& above, Measure& measure, Report& report) {
+void read_difference(const Node& chosen, const std::vector<Measure>& above, const std::vector<std::string>& below,
+                     Measure& measure, Report& report) {
     MapReader map(chosen, shapes::difference_measure, measure.id + "." + chosen.key, report);
     measure.kind = Measure::Kind::difference;
-    const Measure* of = earlier(map, "of", above, measure.of, report);
-    const Measure* from = earlier(map, "from", above, measure.to, report);
+    const Measure* of = earlier(map, "of", above, below, measure.of, report);
+    const Measure* from = earlier(map, "from", above, below, measure.to, report);
     map.finish();
     if (of == nullptr || from == nullptr) return;
     measure.is_of_angles = of->is_angle();
@@ -323,14 +330,17 @@ std::vector<Measure> read_measures(const Node& node, const std::vector<std::stri
     if (!has_room(node, "measures", report)) return measures;
     Names names(landmarks, report);
     for (const Construction& made : constructions) names.add(made.id);
+    std::vector<std::string> below;
+    for (const Node& child : node.children) below.push_back(child.key);
     for (const Node& child : node.children) {
+        below.erase(below.begin());
         check_key(child, "A measure's name", report);
         MapReader map(child, shapes::measure, child.key, report);
         Measure measure;
         measure.id = child.key;
         if (const Node* chosen = map.one_of()) {
             if (chosen->key == "difference")
-                read_difference(*chosen, measures, measure, report);
+                read_difference(*chosen, measures, below, measure, report);
             else
                 read_kind(*chosen, names, measure, report);
         }

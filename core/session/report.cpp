@@ -255,6 +255,7 @@ std::string report_html(const RunSummary& summary, const DrawnRun& run, const Re
                    {"bone-legend", legend_html(summary, "Tissue")},
                    {"forces", plots_html(summary, run)},
                    {"holes", holes_html(summary)},
+                   {"measures", measures_html(summary)},
                    {"steps", steps_html(summary, run, procedure)},
                    {"facts", facts_html(summary)},
                    {"checks", simulation_html(summary)},

@@ -77,6 +77,8 @@ std::string name_of(std::string_view id) {
     if (id.starts_with("breach-")) return "Breach of " + std::string(id.substr(7, id.size() - 9)) + "\u00a0mm";
     if (id.starts_with("measure.") && id.ends_with(".before"))
         return capitalised(words_of(id.substr(8, id.size() - 15))) + " before the first cut";
+    if (id.starts_with("measure.") && id.ends_with(".after"))
+        return capitalised(words_of(id.substr(8, id.size() - 14))) + " in the end";
     if (id.starts_with("measure.")) return capitalised(behind("measure."));
     if (id.starts_with("breach.")) return "Breach, " + behind("breach.");
     if (id.starts_with("gertzbein-robbins.")) return "Breach of the thread, " + behind("gertzbein-robbins.");
@@ -506,6 +508,30 @@ std::string holes_html(const RunSummary& summary) {
     return html.empty() ? html : "<section><h2>Holes and screws</h2>\n" + html + "</section>\n";
 }
 
+std::string measures_html(const RunSummary& summary) {
+    constexpr std::string_view first = "measure.", before = ".before";
+    std::string rows;
+    for (const MetricRow& metric : summary.metrics) {
+        const std::string_view id = metric.id;
+        if (!id.starts_with(first) || !id.ends_with(before)) continue;
+        const std::string measure(id.substr(first.size(), id.size() - first.size() - before.size()));
+        const MetricRow* after = find_metric(summary, metric.scope, "measure." + measure + ".after");
+        const bool is_broken = after != nullptr && after->status == "broken";
+        rows += std::string("<tr") + (is_broken ? " class=\"failed\"" : "") + ">" +
+                what_html(capitalised(words_of(measure)), measure, metric.help) +
+                "<td class=\"number\" data-label=\"Before\">" + value_html(metric) +
+                "</td><td class=\"number\" data-label=\"In the end\">" + (after ? value_html(*after) : "–") +
+                "</td><td class=\"" + (is_broken ? "broken\">✗ broken" : "ok\">") +
+                (!is_broken && after != nullptr && after->status == "ok" ? "✓ ok" : "") + "</td></tr>\n";
+    }
+    return rows.empty() ? rows
+                        : "<section><h2>Measures of the bone</h2>\n<table class=\"stack\"><thead><tr><th "
+                          "scope=\"col\">Measure</th><th scope=\"col\" class=\"number\">Before the first cut</th><th "
+                          "scope=\"col\" class=\"number\">In the end</th><th scope=\"col\">Result</th></tr></thead>"
+                          "<tbody>\n" +
+                              rows + "</tbody></table></section>\n";
+}
+
 std::string steps_html(const RunSummary& summary, const DrawnRun& run, const RecordedProcedure& procedure) {
     std::string html;
     for (std::size_t step = 0; step < summary.steps.size(); ++step) html += step_html(step, summary, run, procedure);
@@ -513,7 +539,8 @@ std::string steps_html(const RunSummary& summary, const DrawnRun& run, const Rec
     for (const MetricRow& metric : summary.metrics) {
         const bool is_of_step = std::any_of(summary.steps.begin(), summary.steps.end(),
                                             [&](const StepRow& step) { return step.id == metric.scope; });
-        if (!is_of_step && !is_of_simulation(metric)) of_run += metric_row_html(metric);
+        const bool is_of_bone = metric.id.starts_with("measure.");  // in a table of its own
+        if (!is_of_step && !is_of_bone && !is_of_simulation(metric)) of_run += metric_row_html(metric);
     }
     if (!of_run.empty()) html += "<h3>Whole run</h3>" + table_html(of_run);
     return html.empty() ? html : "<section class=\"steps\"><h2>Steps</h2>\n" + html + "</section>\n";

@@ -13,6 +13,9 @@ namespace kerf {
 /// One row for each hole, and one for each screw or implant. Empty where there is neither.   [any]
 [[nodiscard]] std::string holes_html(const RunSummary& summary);
 
+/// One row for each measure of the bone: before the first cut and in the end. Empty without any.   [any]
+[[nodiscard]] std::string measures_html(const RunSummary& summary);
+
 /// The steps: goals and limits with what was measured, failing ones first, then the other metrics of the step. At last
 /// the metrics of no step.   [any]
 [[nodiscard]] std::string steps_html(const RunSummary& summary, const DrawnRun& run,

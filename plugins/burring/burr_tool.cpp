@@ -23,7 +23,7 @@ Outline Burr::outline_of(const BurrHead& head) const noexcept {
                       ".");
     // The hand holds the handpiece as a pen. A mass across the shaft would keep a burr on a soft hand running around in
     // its own pit, with what the turn adds: it is left out, as of a saw.
-    return head.outline(length).gripped_at(-length - 40.0_mm);
+    return head.outline(length).gripped_at(-length - 15.0_mm);
 }
 
 /// The ball ends where its circle is as wide as the neck.

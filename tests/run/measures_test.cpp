@@ -117,6 +117,8 @@ TEST(Measures, AreReadBeforeTheFirstCutAndAtTheEndOfAStep) {
     const std::string json = summary_json(hole.run.summary);
     EXPECT_NE(json.find("\"drill.measure.wall\""), std::string::npos);
     EXPECT_NE(json.find("\"measure.wall.before\""), std::string::npos);
+    ASSERT_NE(hole.metric("measure.wall.after"), nullptr);
+    EXPECT_EQ(hole.metric("measure.wall.after")->value, after.value) << "of the last step";
 }
 
 TEST(Measures, BreakALimit) {

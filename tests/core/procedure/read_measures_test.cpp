@@ -143,6 +143,12 @@ TEST(ReadMeasures, RefusesADifferenceOfWhatIsNotThere) {
                    "{«difference»: {of: gonial_angle}}");
 }
 
+TEST(ReadMeasures, SaysThatAMeasureStandsBelowItsDifference) {
+    Diagnostics diagnostics;
+    static_cast<void>(read(replaced(faultless, "from: slope", "from: thicker"), diagnostics));
+    EXPECT_NE(to_text(diagnostics).find("Move it up"), std::string::npos) << to_text(diagnostics);
+}
+
 TEST(ReadMeasures, ADifferenceMayBeNegative) {
     const auto bound = [](const std::string& text) {
         Diagnostics diagnostics;

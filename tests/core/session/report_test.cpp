@@ -295,9 +295,11 @@ steps:
                         0.3 * degree, "info", "Between both."},
                        {"pilot-hole.measure.wall", 1, "pilot-hole", 1, 1, 1.5e-3, "mm", 1e-3, 0.02e-3, "broken", ""},
                        {"pilot-hole.measure.depth", 1, "pilot-hole", 1, 1, 7e-3, "mm", 1e-3, 0.02e-3, "info", ""},
-                       {"measure.wall.before", 1, "run", 1, 1, 5e-3, "mm", 1e-3, 0.02e-3, "info", ""}};
+                       {"measure.wall.before", 1, "run", 1, 1, 5e-3, "mm", 1e-3, 0.02e-3, "info", ""},
+                       {"measure.wall.after", 1, "run", 1, 1, 1.5e-3, "mm", 1e-3, 0.02e-3, "broken", ""}};
     const std::string html = report_html(summary, DrawnRun(), recorded_procedure(text, ""));
-    const std::string angle = row_with(html, "at least 120"), wall = row_with(html, "Wall <code");
+    const std::string steps = html.substr(html.find("<h2>Steps"));
+    const std::string angle = row_with(html, "at least 120"), wall = row_with(steps, "Wall <code");
     EXPECT_TRUE(holds(angle, "Gonial angle")) << angle;
     EXPECT_TRUE(holds(angle, "126.0 ± 0.3")) << angle;
     EXPECT_TRUE(holds(angle, "✓ reached")) << angle;
@@ -307,7 +309,10 @@ steps:
     EXPECT_TRUE(holds(wall, "The wall is thin.")) << wall;
     EXPECT_TRUE(holds(row_with(html, "Floor <code"), "– not measured"));
     EXPECT_TRUE(holds(row_with(html, "measure.depth"), "7.00 ± 0.02")) << "a measure without a limit";
-    EXPECT_TRUE(holds(row_with(html, "Wall before the first cut"), "5.00 ± 0.02"));
+    const std::string measure = row_with(html, "<code>wall</code>");
+    EXPECT_TRUE(holds(measure, "5.00 ± 0.02")) << measure;
+    EXPECT_TRUE(holds(measure, "1.50 ± 0.02")) << measure;
+    EXPECT_TRUE(holds(measure, "✗ broken")) << measure;
 }
 
 TEST(Report, ShowsTheDigitsThatTellAValueFromItsBound) {
