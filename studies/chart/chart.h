@@ -25,17 +25,22 @@ struct Standing {
     std::string method{}, knob{};
     std::vector<std::string> fails{};  ///< by id
     std::string told{};                ///< what each test measured
+    std::string cutter = "drill";
 };
 
 struct MethodNote {
     std::string id{}, title{};
     bool is_as_printed = false;
-    double stiffest = 0.0;  ///< K_max [N/m]
+    double stiffest = 0.0;  ///< K_max [N/m]; 0: it was not looked for
+    std::string cutter = "drill";
 };
 
 struct SceneTitle {
     std::string id{}, title{};
-    bool is_oblique = false;  ///< what is solved walks there, and is held against its replay: by its thrust alone
+    bool is_oblique = false;       ///< what is solved walks there, and is held against its replay: by its thrust alone
+    std::string cutter = "drill";  ///< whose methods are compared there
+    bool has_torque = false;       ///< a torque is compared
+    std::string note{};            ///< what the reference is, where that is not one thing
 };
 
 struct Chart {
@@ -55,7 +60,7 @@ struct Request {
     std::function<void(const std::string&)> progress{};  ///< a line for people, as it goes
 };
 
-/// Runs every method through every scene. Error: no such scene, no drilling plugin.   [main]
+/// Runs every method of its cutter through every scene. Error: no such scene, a plugin is missing.   [main]
 [[nodiscard]] Chart make_chart(const Plugins& plugins, const Request& request, std::string& error);
 
 }  // namespace kerf::chart

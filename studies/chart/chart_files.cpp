@@ -38,7 +38,24 @@ int colour_of(const std::string& method) {
     constexpr const char* order[] = {"M9", "M8", "M4", "M2", "M3", "M5", "M1", "M6", "000", "001"};
     for (int i = 0; i < 10; ++i)
         if (method == order[i]) return i;
+    constexpr const char* powered[] = {"", "M10", "M10 points", "", "", "", "M7", "", "004"};
+    for (int i = 0; i < 9; ++i)
+        if (method == powered[i]) return i;
     return 6;
+}
+
+/// The methods that a scene compares.
+std::vector<MethodNote> methods_on(const Chart& chart, const std::string& cutter) {
+    std::vector<MethodNote> methods;
+    for (const MethodNote& method : chart.methods)
+        if (method.cutter == cutter) methods.push_back(method);
+    return methods;
+}
+
+SceneTitle title_of(const Chart& chart, const std::string& scene) {
+    for (const SceneTitle& one : chart.scenes)
+        if (one.id == scene) return one;
+    return {.id = scene, .title = scene};
 }
 
 std::string stiffness_text(double newtons_per_metre) { return figure(1e-3 * newtons_per_metre, 2) + " N/mm"; }
@@ -83,7 +100,7 @@ drawing::Panel panel_of(const Chart& chart, const std::string& scene, const std:
     panel.x.guides = {{100.0, "100 us"}, {1000.0, "1 ms"}};
     panel.y.title = what;
     double least_x = 1e300, most_x = 0.0, least_y = 1e300, most_y = 0.0;
-    for (const MethodNote& method : chart.methods) {
+    for (const MethodNote& method : methods_on(chart, title_of(chart, scene).cutter)) {
         drawing::Curve curve{
             .colour = colour_of(method.id), .is_dashed = method.is_as_printed, .is_bold = method.id == "M9"};
         for (const Row* row : rows_of(chart, scene)) {
@@ -134,21 +151,43 @@ const Row* cheapest_enough(const std::vector<const Row*>& rows) {
 }
 
 std::string chart_csv(const Chart& chart) {
-    std::string text = std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
-                       "; all else is the same wherever it is run\n"
-                       "scene,method,knob,spacing_mm,points_per_lip,force_error,force_error_worst_grid,volume_error,"
-                       "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,same_hand_error,same_hand_"
-                       "error_of_turns,same_hand_apart_mm,cost_median_us,cost_p999_us,cost_longest_us,"
-                       "K_max_N_per_m,fails\n";
+    std::string text =
+        std::string("# ") + notice_line + ".\n# costs in us of one tick, on " + chart.processor +
+        "; all else is the same wherever it is run\n"
+        "scene,method,knob,spacing_mm,points,force_error,force_error_worst_grid,volume_error,"
+        "peak_step,rms_reference_N,rms_error_N,lateral_where_none_N,gain,same_hand_error,same_hand_"
+        "error_of_turns,same_hand_apart_mm,where_none_N,torque_error,rms_torque_Nmm,exact_share,force_error_"
+        "where_exact,cost_median_us,cost_p999_us,cost_longest_us,"
+        "K_max_N_per_m,fails\n";
     for (const Row& row : chart.rows) {
         const Measured& m = row.measured;
-        const auto at = std::find_if(chart.methods.begin(), chart.methods.end(),
-                                     [&](const MethodNote& note) { return note.id == row.method; });
+        const std::string cutter = title_of(chart, row.scene).cutter;
+        const auto at = std::find_if(chart.methods.begin(), chart.methods.end(), [&](const MethodNote& note) {
+            return note.id == row.method && note.cutter == cutter;
+        });
         text += csv_quoted(row.scene) + "," + csv_quoted(row.method) + "," + csv_quoted(row.knob) + ",";
-        for (const double value :
-             {1e3 * row.fineness.spacing, static_cast<double>(row.fineness.points), m.force_error, m.worst_grid,
-              m.volume_error, m.peak_step, m.reference, m.force_error * m.reference, m.off_lateral, m.gain, m.same_hand,
-              m.same_hand_turn, 1e3 * m.apart, m.cost.median, m.cost.p999, m.cost.longest, at->stiffest})
+        for (const double value : {1e3 * row.fineness.spacing,
+                                   static_cast<double>(row.fineness.points),
+                                   m.force_error,
+                                   m.worst_grid,
+                                   m.volume_error,
+                                   m.peak_step,
+                                   m.reference,
+                                   m.force_error * m.reference,
+                                   m.off_lateral,
+                                   m.gain,
+                                   m.same_hand,
+                                   m.same_hand_turn,
+                                   1e3 * m.apart,
+                                   m.off_none,
+                                   m.torque_error,
+                                   1e3 * m.torque_reference,
+                                   m.exact_share,
+                                   m.exact_error,
+                                   m.cost.median,
+                                   m.cost.p999,
+                                   m.cost.longest,
+                                   at->stiffest})
             text += figure(value, 5) + ",";
         text += csv_quoted(joined(row.fails, " ")) + "\n";
     }
@@ -156,32 +195,28 @@ std::string chart_csv(const Chart& chart) {
 }
 
 std::string tests_csv(const Chart& chart) {
-    std::string text = std::string("# ") + notice_line + ".\nmethod,knob,fails,measured\n";
+    std::string text = std::string("# ") + notice_line + ".\ncutter,method,knob,fails,measured\n";
     for (const Standing& standing : chart.standings)
-        text += csv_quoted(standing.method) + "," + csv_quoted(standing.knob) + "," +
-                csv_quoted(joined(standing.fails, " ")) + "," + csv_quoted(standing.told) + "\n";
+        text += csv_quoted(standing.cutter) + "," + csv_quoted(standing.method) + "," + csv_quoted(standing.knob) +
+                "," + csv_quoted(joined(standing.fails, " ")) + "," + csv_quoted(standing.told) + "\n";
     return text;
 }
 
 std::string scene_svg(const Chart& chart, const std::string& scene) {
-    SceneTitle said{.id = scene, .title = scene};
-    for (const SceneTitle& one : chart.scenes)
-        if (one.id == scene) said = one;
+    const SceneTitle said = title_of(chart, scene);
     const std::string& title = said.title;
+    const std::vector<MethodNote> methods = methods_on(chart, said.cutter);
 
     auto force = panel_of(chart, scene, "Force error", "RMS |F - F_ref| / RMS |F_ref| in %", 1e-4,
                           [](const Measured& m) { return 100.0 * m.force_error; });
     force.y.guides = {{100.0 * just_felt, "7 %: a smaller difference cannot be felt"}};
-    for (drawing::Curve& curve : force.curves)
-        for (const MethodNote& method : chart.methods)
-            if (method.id == curve.name) curve.name += " K " + stiffness_text(method.stiffest);
     for (const Row* row : pareto_front(rows_of(chart, scene)))
         force.front.push_back({row->measured.cost.p999, 100.0 * row->measured.force_error});
     // What every marker of a curve fails stands in the legend; the rest beside the marker.
     for (drawing::Curve& curve : force.curves) {
         std::size_t i = 0;
         for (const Row* row : rows_of(chart, scene)) {
-            if (curve.name.rfind(row->method + " ", 0) != 0 || i >= curve.markers.size()) continue;
+            if (curve.name != row->method || i >= curve.markers.size()) continue;
             drawing::Marker& marker = curve.markers[i];
             const auto common = always_failed(chart, scene, row->method);
             std::vector<std::string> words;
@@ -191,6 +226,11 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
             marker.label = joined(words, " ");
             ++i;
         }
+        for (const MethodNote& method : methods)
+            if (method.id == curve.name && method.stiffest > 0.0) {
+                curve.name += " K " + stiffness_text(method.stiffest);
+                break;
+            }
     }
     const auto volume = panel_of(chart, scene, "Removed volume", "|V - V_exact| / V_exact in %", 1e-3,
                                  [](const Measured& m) { return 100.0 * m.volume_error; });
@@ -204,7 +244,7 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
     content += drawing::panel_svg(volume, 0, top + tall, half, low);
     content += drawing::panel_svg(step, half, top + tall, half, low);
     double y = top + tall + low + 22, x = 12;
-    for (const MethodNote& method : chart.methods) {
+    for (const MethodNote& method : methods) {
         const auto fails = always_failed(chart, scene, method.id);
         content += drawing::marker_svg(x + 4, y - 4, colour_of(method.id), fails.empty());
         content += drawing::text_at(
@@ -213,18 +253,20 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
         x = x > half ? 12 : half + 12;
     }
     const Row* enough = cheapest_enough(rows_of(chart, scene));
-    content += drawing::text_at(12, picture_height - 28,
-                                std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
-                                    (enough != nullptr ? enough->method + " at " + enough->knob + ", " +
-                                                             figure(enough->measured.cost.p999) + " us."
-                                                       : "none.") +
-                                    (said.is_oblique ? " M9 walks here: its thrust alone." : ""));
     content += drawing::text_at(
-        12, picture_height - 10,
-        std::string(notice_line) +
-            ". Filled: passes; hollow: fails. K: the stiffest wall on a bare device without friction. Costs: " +
-            chart.processor + ".",
-        "class=\"kp-note\"");
+        12, picture_height - 28,
+        std::string("Cheapest that passes, under 7 % of force and 2 % of volume: ") +
+            (enough != nullptr
+                 ? enough->method + " at " + enough->knob + ", " + figure(enough->measured.cost.p999) + " us."
+                 : "none.") +
+            (said.is_oblique ? " M9 walks here: its thrust alone." : "") + (said.note.empty() ? "" : " " + said.note));
+    content += drawing::text_at(12, picture_height - 10,
+                                std::string(notice_line) + ". Filled: passes; hollow: fails. " +
+                                    (methods.empty() || methods.front().stiffest > 0.0
+                                         ? "K: the stiffest wall on a bare device without friction. "
+                                         : "") +
+                                    "Costs: " + chart.processor + ".",
+                                "class=\"kp-note\"");
     return drawing::picture(picture_width, picture_height, title, content);
 }
 

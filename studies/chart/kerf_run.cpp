@@ -18,22 +18,24 @@ ToolOutline outline(const ToolSetup& setup) {
     ToolOutline out;
     std::string error;
     const bool is_made = outline_of(setup, out, error);
-    KERF_ASSERT(is_made, "a drill of a scene can be made");
+    KERF_ASSERT(is_made, "a tool of a scene can be made");
     return out;
 }
 
-/// Scaled so that a push which the device can hold feeds the drill as the scene does.
-CouplingGains gains(const ToolSetup& setup, const Body& body, double feed) {
+/// Scaled so that a push which the device can hold feeds the tool as the scene does, or as a procedure says.
+CouplingGains gains(const Setting& setting, const Body& body) {
     const DeviceRecord& device = *find_device("premium-1.5-6dof");
-    return gains_for(device, std::min(1.0, stability::push_of(device) / work_force(setup, body, feed)));
+    if (setting.working_force > 0.0) return in_hands(gains_for(device, force_scale_for(device, setting.working_force)));
+    const double at_feed = work_force(setting.setup, body, setting.feed);
+    return gains_for(device, std::min(1.0, stability::push_of(device) / at_feed));
 }
 
 }  // namespace
 
-KerfRun::KerfRun(const Scene& scene, const ToolSetup& setup, const Fineness& fineness, Way way)
-    : body_(body_of(scene.bone, fineness.spacing, fineness.offset)),
+KerfRun::KerfRun(const Setting& setting, const Fineness& fineness, Way way)
+    : body_(body_of(setting.bone, fineness.spacing, fineness.offset)),
       way_(way),
-      simulation_(body_, setup, outline(setup), gains(setup, body_, scene.feed), scene.pose_at(scene.depth.front())) {}
+      simulation_(body_, setting.setup, outline(setting.setup), gains(setting, body_), setting.start) {}
 
 Felt KerfRun::tick(const Pose& next) {
     Felt felt;
@@ -44,7 +46,7 @@ Felt KerfRun::tick(const Pose& next) {
         result = way_ == Way::direct ? loop.tick_direct({next}) : loop.tick({next});
     });
     simulation_.follow();
-    felt.rate = result.rate[2];
+    felt.rate = result.rate;
     felt.commanded = -dot(linear(result.command.wrench), rotate(next.rotation, {0, 0, 1}));
     const Quat tool_from_world = conjugate(felt.from.rotation);
     felt.wrench = make_vec6(rotate(tool_from_world, linear(result.bone_on_tool)),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studies/chart/method.h"
+#include "studies/chart/run.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
@@ -13,7 +13,7 @@ public:
         direct,  ///< M4: at the rate of a prescribed motion
         solved,  ///< M9: the hand is led, coupling and law are balanced, the tool finds its motion
     };
-    KerfRun(const Scene& scene, const ToolSetup& setup, const Fineness& fineness, Way way);
+    KerfRun(const Setting& setting, const Fineness& fineness, Way way);
 
     Felt tick(const Pose& next) override;
     void command_spindle(double revolutions_per_second) override {

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "studies/chart/along_edge.h"
+
 namespace kerf::chart {
 
 namespace {
 
 constexpr double sin_55 = 0.81915204428899180;
-// Gauss–Legendre on −1 … 1.
-constexpr double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
-constexpr double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
 }  // namespace
 
@@ -89,12 +88,9 @@ Vec6 edge_wrench(const Drill& drill, const CuttingLaw& law, const Engaged& engag
         torque = torque + cross(at, f);
     };
     for (int edge = 0; edge < edge_count; ++edge)
-        for (const Stretch& stretch : engaged[static_cast<std::size_t>(edge)]) {
-            const double middle = 0.5 * (stretch.from + stretch.to), half = 0.5 * (stretch.to - stretch.from);
-            for (int i = 0; i < 4; ++i)
-                for (const double sign : {-1.0, 1.0})
-                    add(edge, middle + sign * half * node[i], half * weight[i], stretch.resistance);
-        }
+        for (const Stretch& stretch : engaged[static_cast<std::size_t>(edge)])
+            for_gauss_points(stretch.from, stretch.to,
+                             [&](double at, double ds) { add(edge, at, ds, stretch.resistance); });
     return make_vec6(force, torque);
 }
 

@@ -106,12 +106,12 @@ Vec6 LipRun::wrench(double rate, const Engaged& engaged, double gap) const {
 Felt LipRun::tick(const Pose& next) {
     Felt felt;
     felt.from = pose_;
-    felt.rate = (inverse(pose_) * next).position.z / dt;
+    felt.rate = rate_between(pose_, next);
     int closed = 0;
     felt.cost = processor_time_of([&] {
         const Engaged found = engaged();
         const double gap = least_gap(found);
-        felt.wrench = wrench(felt.rate, found, gap);
+        felt.wrench = wrench(felt.rate[2], found, gap);
         pose_ = next;
         if (spindle_ > 0.0) {
             closed = tracker_.advance(pose_, tick_);

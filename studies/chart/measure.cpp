@@ -5,23 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "kerf/units.hpp"
 #include "studies/chart/reference.h"
 #include "studies/chart/replay.h"
-#include "studies/times.h"
 
 namespace kerf::chart {
 
 using namespace literals;
-
-namespace {
-
-/// Shifts of the grid in parts of a voxel: any that have nothing to do with each other.
-constexpr Vec3 shifts[] = {{0.31, 0.17, 0.73}, {0.87, 0.59, 0.13}, {0.05, 0.91, 0.47}, {0.63, 0.37, 0.89}};
-
-}  // namespace
 
 Scene block_scene(const Scene& like, double depth) {
     Scene scene;
@@ -59,14 +50,6 @@ double calibration(const Method& method, const Scene& like, const CuttingLaw& la
 
 namespace {
 
-/// What one run felt, tick by tick, and what it should have felt.
-struct Track {
-    std::vector<Felt> felt;
-    std::vector<Vec3> reference;  ///< [N] tool frame
-    std::vector<bool> is_compared;
-    double volume = 0.0, volume_reference = 0.0;  ///< [m³]
-};
-
 Track run_through(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness,
                   double gain) {
     const auto run = method.start(scene, fineness, gain);
@@ -75,7 +58,7 @@ Track run_through(const Method& method, const Scene& scene, const CuttingLaw& la
     for (std::size_t t = 0; t < scene.ticks(); ++t) {
         const Felt& felt = track.felt.emplace_back(run->tick(scene.pose_at(scene.depth[t + 1])));
         const double turned = std::max(0.0, static_cast<double>(t) - method.first_lag);
-        track.reference.push_back(linear(exact.wrench(felt.from, felt.rate, 2.0 * pi * scene.spindle * dt * turned)));
+        track.reference.push_back(exact.wrench(felt.from, felt.rate[2], 2.0 * pi * scene.spindle * dt * turned));
         track.is_compared.push_back(exact.is_within_relief());
     }
     track.volume_reference = exact_volume(scene, exact.deepest());
@@ -86,7 +69,7 @@ Track run_through(const Method& method, const Scene& scene, const CuttingLaw& la
 /// Where a drill that finds its own motion walks, the exact law of a straight way says nothing: its motion is replayed.
 void refer_to_replay(const Method& method, const Scene& scene, Track& track) {
     const Replayed replayed = replay(method, scene, track.felt);
-    for (std::size_t t = 0; t < track.felt.size(); ++t) track.reference[t] = {0, 0, replayed.axial[t]};
+    for (std::size_t t = 0; t < track.felt.size(); ++t) track.reference[t] = make_vec6({0, 0, replayed.axial[t]}, {});
     track.volume_reference = replayed.volume;
 }
 
@@ -124,50 +107,22 @@ std::vector<Felt> led_by_hand(const Method& method, const Scene& scene, const Fi
 
 Measured measure(const Method& method, const Scene& scene, const CuttingLaw& law, const Fineness& fineness, int grids,
                  const std::vector<Felt>& led) {
-    Measured measured;
-    measured.gain = calibration(method, scene, law, fineness);
-    double all_wrong = 0.0, all_right = 0.0, ticks = 0.0;
-    std::vector<double> costs;
+    const double gain = calibration(method, scene, law, fineness);
+    ErrorSum errors(walks(method, scene));
+    Measured beside;  // what is compared with the same hand
     for (int g = 0; g < grids; ++g) {
         Fineness shifted = fineness;
-        shifted.offset = shifts[g % 4];
-        Track track = run_through(method, scene, law, shifted, measured.gain);
+        shifted.offset = grid_shift(g);
+        Track track = run_through(method, scene, law, shifted, gain);
         if (walks(method, scene)) refer_to_replay(method, scene, track);
-        hold_against(led, track.felt, scene, measured);
-        double wrong = 0.0, right = 0.0, largest = 0.0, step = 0.0;
-        Vec3 last_difference{0, 0, 0};
-        bool has_last = false;
-        for (std::size_t t = 0; t < track.felt.size(); ++t) {
-            costs.push_back(track.felt[t].cost);
-            Vec3 force = linear(track.felt[t].wrench), reference = track.reference[t];
-            measured.is_finite = measured.is_finite && is_finite(force);
-            if (!is_finite(force) || !track.is_compared[t]) {
-                has_last = false;
-                continue;
-            }
-            if (walks(method, scene))  // a replay tells the thrust alone
-                force = {0, 0, force.z};
-            else if (std::hypot(reference.x, reference.y) < 1.0)
-                measured.off_lateral = std::max(measured.off_lateral, std::hypot(force.x, force.y));
-            const Vec3 difference = force - reference;
-            wrong += dot(difference, difference);
-            right += dot(reference, reference);
-            largest = std::max(largest, length(reference));
-            if (has_last) step = std::max(step, length(difference - last_difference));
-            last_difference = difference;
-            has_last = true;
-            ticks += 1.0;
-        }
-        all_wrong += wrong;
-        all_right += right;
-        measured.worst_grid = std::max(measured.worst_grid, std::sqrt(wrong / right));
-        measured.peak_step = std::max(measured.peak_step, step / largest);
-        measured.volume_error += std::abs(track.volume - track.volume_reference) / track.volume_reference / grids;
+        hold_against(led, track.felt, scene, beside);
+        errors.add(track);
     }
-    measured.force_error = std::sqrt(all_wrong / all_right);
-    measured.reference = std::sqrt(all_right / ticks);
-    const Times times = times_of(std::move(costs));
-    measured.cost = {times.median, times.p999, times.longest};
+    Measured measured = errors.measured();
+    measured.gain = gain;
+    measured.same_hand = beside.same_hand;
+    measured.same_hand_turn = beside.same_hand_turn;
+    measured.apart = beside.apart;
     return measured;
 }
 

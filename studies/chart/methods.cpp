@@ -3,13 +3,12 @@
 #include "studies/chart/methods.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 
-#include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 #include "studies/chart/kerf_run.h"
 #include "studies/chart/lip_run.h"
+#include "studies/chart/named_setup.h"
 #include "studies/chart/voxel_run.h"
 #include "studies/drawing/svg.h"
 
@@ -18,37 +17,10 @@ namespace kerf::chart {
 namespace {
 
 using namespace literals;
-using Values = std::map<std::string, double>;
 
 constexpr const char* drilling = "kerf.drilling";
 constexpr const char* printed_papers = "bench.as_printed";
 constexpr int usual_points = 31;  // per lip
-
-const ComponentInfo* info_of(const PluginRegistry& registry, const std::string& plugin, const std::string& id) {
-    for (const ComponentInfo& info : registry.catalog())
-        if (info.plugin == plugin && info.id == id) return &info;
-    return nullptr;
-}
-
-std::vector<double> values_of(const std::vector<ParameterInfo>& infos, const Values& set) {
-    std::vector<double> values;
-    for (const ParameterInfo& info : infos) values.push_back(set.contains(info.id) ? set.at(info.id) : info.def);
-    return values;
-}
-
-/// A tool and a force, parameters by name; those of other names are nobody's.
-ToolSetup setup_of(const PluginRegistry& registry, const std::string& plugin, const std::string& tool,
-                   const std::string& force, const Values& set) {
-    ToolSetup setup;
-    setup.tool = registry.find(plugin, KERF_KIND_TOOL, tool);
-    setup.force = registry.find(plugin, KERF_KIND_FORCE, force);
-    setup.tool_parameters = values_of(info_of(registry, plugin, tool)->parameters, set);
-    setup.drives = values_of(info_of(registry, plugin, tool)->drives, set);
-    setup.force_parameters = values_of(info_of(registry, plugin, force)->parameters, set);
-    const std::string why_not = bind_law(setup);
-    KERF_ASSERT(why_not.empty(), "pair a force with a tool that it takes");
-    return setup;
-}
 
 Values drill_of(const Scene& scene) {
     return {{"diameter", scene.drill.diameter},
@@ -63,7 +35,26 @@ ToolSetup own_setup(const Plugins& plugins, const Scene& scene, const Fineness& 
     Values set = drill_of(scene);
     const Span lip = span_of(scene.drill, 0);
     set["element_pitch"] = (lip.to - lip.from) / fineness.points;
-    return setup_of(*plugins.own, drilling, "twist_drill", "drill_cutting", set);
+    return NamedSetup{drilling, "twist_drill", "drill_cutting", set}.in(*plugins.own);
+}
+
+Setting setting_of(const Scene& scene, const ToolSetup& setup) {
+    return {scene.bone, setup, scene.pose_at(scene.depth.front()), scene.feed};
+}
+
+/// The drill's cone and cylinder where its tip was deepest.
+VoxelRun::Swept hole_of(const Scene& scene) {
+    return [=](const std::vector<Pose>& visited) -> std::function<bool(Vec3)> {
+        double deepest = scene.depth.front();
+        for (const Pose& pose : visited) deepest = std::max(deepest, dot(pose.position - scene.entry, scene.along));
+        const Pose tool_from_body = inverse(scene.pose_at(deepest));
+        const double radius = scene.drill.radius(), slope = radius / scene.drill.point_depth();
+        return [=](Vec3 p) {
+            const Vec3 at = tool_from_body * p;
+            const double r = std::min(radius, -at.z * slope);
+            return at.z < 0.0 && at.x * at.x + at.y * at.y <= r * r;
+        };
+    };
 }
 
 /// What the softest tissue resists of the hardest: the one figure a paper's user has to give for cancellous bone.
@@ -84,7 +75,7 @@ ToolSetup printed_setup(const Plugins& plugins, const CuttingLaw& law, const cha
     set["element_interval"] = 0.1_mm * closer;
     set["voxel_width"] = fineness.spacing * closer;
     set["softer"] = softest_share(scene.bone, law);
-    return setup_of(*plugins.printed, printed_papers, "paper_drill", force, set);
+    return NamedSetup{printed_papers, "paper_drill", force, set}.in(*plugins.printed);
 }
 
 std::vector<Fineness> by_spacing(bool quick) {
@@ -106,8 +97,8 @@ std::vector<Fineness> by_points(bool quick) {
 Method on_voxels(const Plugins& plugins, const char* id, const char* title, VoxelBone::Reading reading, bool quick) {
     Method method{.id = id, .title = title, .sweep = by_spacing(quick)};
     method.start = [=](const Scene& scene, const Fineness& fineness, double gain) -> std::unique_ptr<Run> {
-        return std::make_unique<VoxelRun>(scene, own_setup(plugins, scene, fineness), fineness, reading,
-                                          VoxelRun::Removal::when_finished, gain);
+        return std::make_unique<VoxelRun>(setting_of(scene, own_setup(plugins, scene, fineness)), fineness, reading,
+                                          VoxelRun::Removal::when_finished, gain, hole_of(scene));
     };
     method.first_lag = 1;
     return method;
@@ -117,8 +108,8 @@ Method as_printed(const Plugins& plugins, const CuttingLaw& law, const char* id,
                   VoxelBone::Reading reading, VoxelRun::Removal removal, bool quick) {
     Method method{.id = id, .title = title, .sweep = by_spacing(quick), .is_as_printed = true, .is_calibrated = true};
     method.start = [=](const Scene& scene, const Fineness& fineness, double gain) -> std::unique_ptr<Run> {
-        return std::make_unique<VoxelRun>(scene, printed_setup(plugins, law, force, scene, fineness), fineness, reading,
-                                          removal, gain);
+        return std::make_unique<VoxelRun>(setting_of(scene, printed_setup(plugins, law, force, scene, fineness)),
+                                          fineness, reading, removal, gain, hole_of(scene));
     };
     return method;
 }
@@ -140,13 +131,13 @@ Method on_fields(const Plugins& plugins, const char* id, const char* title, Kerf
             return own_setup(plugins, scene, fineness);
         };
         method.replay = [=](const Scene& scene, const Fineness& fineness) -> std::unique_ptr<Run> {
-            return std::make_unique<KerfRun>(with_room(scene), own_setup(plugins, scene, fineness), fineness,
-                                             KerfRun::Way::direct);
+            return std::make_unique<KerfRun>(setting_of(with_room(scene), own_setup(plugins, scene, fineness)),
+                                             fineness, KerfRun::Way::direct);
         };
     }
     method.start = [=](const Scene& scene, const Fineness& fineness, double) -> std::unique_ptr<Run> {
-        return std::make_unique<KerfRun>(way == KerfRun::Way::solved ? with_room(scene) : scene,
-                                         own_setup(plugins, scene, fineness), fineness, way);
+        const Scene wide = way == KerfRun::Way::solved ? with_room(scene) : scene;
+        return std::make_unique<KerfRun>(setting_of(wide, own_setup(plugins, scene, fineness)), fineness, way);
     };
     method.first_lag = 1;
     return method;
@@ -154,9 +145,9 @@ Method on_fields(const Plugins& plugins, const char* id, const char* title, Kerf
 
 }  // namespace
 
-std::string knob_text(const Method& method, const Fineness& fineness) {
-    return method.knob == Knob::spacing ? drawing::figure(fineness.spacing / 1.0_mm) + " mm"
-                                        : std::to_string(fineness.points) + " points";
+std::string knob_text(Knob knob, const Fineness& fineness) {
+    return knob == Knob::spacing ? drawing::figure(fineness.spacing / 1.0_mm) + " mm"
+                                 : std::to_string(fineness.points) + " points";
 }
 
 std::optional<CuttingLaw> shared_law(const Plugins& plugins, std::string& error) {

@@ -5,17 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/plugin/loader.h"
 #include "studies/chart/method.h"
+#include "studies/chart/named_setup.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
-
-/// The plugins that are compared: Kerf's own, and the papers' laws as printed, which no procedure finds.
-struct Plugins {
-    const PluginRegistry* own = nullptr;      ///< must hold kerf.drilling
-    const PluginRegistry* printed = nullptr;  ///< bench.as_printed; without it methods are left out
-};
 
 /// The drilling plugin's law, which every method that is not a paper's shares.   [main]
 /// Error: there is no such plugin, or its parameters have other names.

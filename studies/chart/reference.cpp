@@ -7,13 +7,13 @@
 #include <cstddef>
 
 #include "kerf/units.hpp"
+#include "studies/chart/along_edge.h"
 
 namespace kerf::chart {
 
 namespace {
 
-constexpr int looks = 64;       // along an edge
-constexpr int bisections = 40;  // each
+constexpr int looks = 64;  // along an edge
 
 }  // namespace
 
@@ -26,28 +26,9 @@ Engaged exactly_engaged(const ExactBone& bone, const Drill& drill, const Cutting
             return bone.tissue_at(body_from_tool * place_on_edge(drill, edge, s, angle));
         };
         auto& stretches = engaged[static_cast<std::size_t>(edge)];
-        const auto close = [&](double from, double to, int in) {
-            if (in < 0 || !(to > from)) return;
+        for_stretches(span.from, span.to, looks, tissue, [&](double from, double to, int in) {
             stretches.push_back({from, to, law.resistance(bone.tissues[static_cast<std::size_t>(in)].density)});
-        };
-        double begun = span.from, seen = span.from;
-        int in = tissue(seen);
-        for (int i = 1; i <= looks; ++i) {
-            const double s = span.from + (span.to - span.from) * i / looks;
-            const int next = tissue(s);
-            if (next != in) {
-                double inner = seen, outer = s;
-                for (int k = 0; k < bisections; ++k) {
-                    const double middle = 0.5 * (inner + outer);
-                    (tissue(middle) == in ? inner : outer) = middle;
-                }
-                close(begun, inner, in);
-                begun = inner;
-                in = next;
-            }
-            seen = s;
-        }
-        close(begun, span.to, in);
+        });
     }
     return engaged;
 }

@@ -8,11 +8,10 @@
 
 #include "studies/chart/exact_bone.h"
 #include "studies/chart/lip_integral.h"
+#include "studies/chart/setting.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
-
-inline constexpr double dt = 1e-3;  ///< [s] a tick
 
 /// A drill on a straight way through bone, its feed prescribed.
 struct Scene {

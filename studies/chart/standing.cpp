@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/haptics/coupling.h"
 #include "kerf/units.hpp"
 #include "studies/chart/reference.h"
+#include "studies/chart/trial.h"
 #include "studies/drawing/svg.h"
 #include "studies/stability/bracket.h"
 #include "studies/stability/kerf_loop.h"
@@ -24,13 +24,10 @@ namespace kerf::chart {
 namespace {
 
 using namespace literals;
-using drawing::figure;
 using stability::Port;
 using stability::PortSettings;
 
-constexpr double felt = 0.05;  // [N]
-
-/// What the tests are done with.
+/// What the tests of a drill are done with.
 struct Bench {
     const Method& method;
     const CuttingLaw& law;
@@ -49,86 +46,22 @@ struct Bench {
     [[nodiscard]] double thrust() const {
         return -edge_wrench(scene.drill, law, wholly_engaged(scene.drill), 0.0, scene.feed / (2.0 * scene.spindle))[2];
     }
-    [[nodiscard]] std::unique_ptr<Run> start() const { return start(fineness); }
-    [[nodiscard]] std::unique_ptr<Run> start(const Fineness& at) const { return method.start(scene, at, gain); }
-};
-
-struct Verdict {
-    bool passes;
-    std::string told;
-};
-
-/// Mean force over the last millimetre of a way into the block [N].
-double steady_force(const Bench& bench, const Fineness& fineness) {
-    const auto run = bench.start(fineness);
-    double sum = 0.0, count = 0.0;
-    for (std::size_t t = 0; t < bench.scene.ticks(); ++t) {
-        const Felt one = run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
-        if (bench.scene.depth[t] < bench.scene.depth.back() - 1.0_mm) continue;
-        sum += length(linear(one.wrench));
-        count += 1.0;
+    [[nodiscard]] Trial trial() const {
+        return {.start =
+                    [this](double more_points) {
+                        Fineness at = fineness;
+                        at.points = static_cast<int>(std::lround(more_points * at.points));
+                        return method.start(scene, at, gain);
+                    },
+                .pose_at = [this](double depth) { return scene.pose_at(depth); },
+                .entry = scene.entry,
+                .along = scene.along,
+                .depth = scene.depth,
+                .feed = scene.feed,
+                .bottom = 4.5_mm,
+                .top = 1.0_mm};
     }
-    return sum / count;
-}
-
-Verdict with_twice_the_points(const Bench& bench) {
-    Fineness twice = bench.fineness;
-    twice.points *= 2;
-    const double change = steady_force(bench, twice) / steady_force(bench, bench.fineness) - 1.0;
-    return {std::abs(change) < 0.05, "twice the points: " + figure(100.0 * change) + " %"};
-}
-
-/// Into the block until the tip is 4.5 mm deep, out of the hole to 1 mm and into it again at 20 mm/s: whatever is felt
-/// 0.05 mm and more before the deepest point. A hand that leads goes on until the tool has followed.
-Verdict back_into_the_hole(const Bench& bench) {
-    constexpr double bottom = 4.5_mm, top = 1.0_mm, before = 0.05_mm, speed = 20.0_mm_per_s;
-    constexpr int longest = 20000;  // [ticks] of one way
-    const auto run = bench.start();
-    double hand = bench.scene.depth.front(), tip = hand, deepest = hand, most = 0.0;
-    bool is_back = true;
-    const auto lead = [&](double rate, const auto& is_there, bool is_in_the_hole) {
-        int ticks = 0;
-        for (; ticks < longest && !is_there(); ++ticks) {
-            hand += rate * dt;
-            const Felt one = run->tick(bench.scene.pose_at(hand));
-            const double from = dot(one.from.position - bench.scene.entry, bench.scene.along);
-            tip = from + one.rate * dt;
-            if (is_in_the_hole && std::max(from, tip) < deepest - before)
-                most = std::max(most, length(linear(one.wrench)));
-            deepest = std::max(deepest, tip);
-        }
-        is_back = is_back && ticks < longest;
-    };
-    lead(
-        bench.scene.feed, [&] { return tip >= bottom; }, false);
-    lead(
-        -speed, [&] { return tip <= top; }, false);
-    lead(
-        speed, [&] { return tip >= deepest - before; }, true);
-    return {is_back && most < felt, is_back ? "back in the hole: " + figure(most) + " N" : "never back in the hole"};
-}
-
-/// The handle stands still in bone: first the drill turns, then it does not.
-std::pair<Verdict, Verdict> standing_still(const Bench& bench) {
-    const auto run = bench.start();
-    double turning = 0.0, last = 0.0;
-    bool is_finite_always = true;
-    const auto stand = [&](int ticks) {
-        for (int i = 0; i < ticks; ++i) {
-            const Felt one = run->tick(bench.scene.pose_at(bench.scene.depth.back()));
-            is_finite_always = is_finite_always && is_finite(linear(one.wrench));
-            last = length(linear(one.wrench));
-        }
-    };
-    for (std::size_t t = 0; t < bench.scene.ticks(); ++t)
-        (void)run->tick(bench.scene.pose_at(bench.scene.depth[t + 1]));
-    stand(50);
-    turning = last;
-    run->command_spindle(0.0);
-    stand(50);
-    return {{turning < felt, "standing, turning: " + figure(turning) + " N"},
-            {is_finite_always, is_finite_always ? "" : "spindle off: not finite"}};
-}
+};
 
 /// A hand pushes for two seconds, at a scale at which its push is what the scene's feed needs.
 Verdict pushed_by_a_hand(const Bench& bench) {
@@ -212,18 +145,19 @@ double stiffest(const Method& method, const CuttingLaw& law) {
 
 Standing standing_of(const Method& method, const CuttingLaw& law, const Fineness& fineness) {
     const Bench bench(method, law, fineness);
-    Standing standing{.method = method.id, .knob = knob_text(method, fineness)};
+    Standing standing{.method = method.id, .knob = knob_text(method.knob, fineness)};
     std::vector<std::string> told;
     const auto add = [&](const char* id, const Verdict& verdict) {
         if (!verdict.passes) standing.fails.push_back(id);
         if (!verdict.told.empty()) told.push_back(std::string(id) + " " + verdict.told);
     };
     add("S-01", pushed_by_a_hand(bench));
-    add("S-07", with_twice_the_points(bench));
-    add("S-12", back_into_the_hole(bench));
-    const auto [turning, off] = standing_still(bench);
-    if (!method.is_solved) add("P9", turning);
-    add("S-19", off);
+    const Trial trial = bench.trial();
+    add("S-07", with_more_points(trial));
+    add("S-12", back_in_the_hole(trial));
+    const Still still = still_in_bone(trial);
+    if (!method.is_solved) add("P9", still.on);
+    add("S-19", still.off);
     standing.told = drawing::joined(told, "; ");
     return standing;
 }

@@ -13,35 +13,32 @@
 
 namespace kerf::chart {
 
-VoxelRun::VoxelRun(const Scene& scene, ToolSetup setup, const Fineness& fineness, VoxelBone::Reading reading,
-                   Removal removal, double gain)
-    : scene_(scene),
-      setup_(std::move(setup)),
-      bone_(scene.bone, fineness.spacing, fineness.offset, reading),
+VoxelRun::VoxelRun(Setting setting, const Fineness& fineness, VoxelBone::Reading reading, Removal removal, double gain,
+                   Swept swept)
+    : setting_(std::move(setting)),
+      bone_(setting_.bone, fineness.spacing, fineness.offset, reading),
       removal_(removal),
       gain_(gain),
-      loss_(scene.feed * dt / fineness.spacing),  // gone when an edge has crossed it at the scene's feed
-      pose_(scene.pose_at(scene.depth.front())),
-      deepest_(scene.depth.front()),
-      state_(setup_.force->force->state_size / sizeof(std::max_align_t) + 1) {
-    const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
-    call_begin(*setup_.force, in, state_.data());
+      loss_(setting_.feed * dt / fineness.spacing),  // gone when an edge has crossed it at the scene's feed
+      swept_(std::move(swept)),
+      visited_{setting_.start},
+      state_(setting_.setup.force->force->state_size / sizeof(std::max_align_t) + 1) {
+    const kerf_tick_in in = tick_in_of(setting_.setup, bone_.query(), dt);
+    call_begin(*setting_.setup.force, in, state_.data());
 }
 
 Felt VoxelRun::tick(const Pose& next) {
     Felt felt;
-    felt.from = pose_;
-    const Pose tool_from_next = inverse(pose_) * next;
-    const Vec6 rate =
-        make_vec6((1.0 / dt) * tool_from_next.position, (1.0 / dt) * small_rotation_vector(tool_from_next.rotation));
-    felt.rate = rate[2];
+    felt.from = visited_.back();
+    const Vec6 rate = felt.rate = rate_between(felt.from, next);
+    const ToolSetup& setup = setting_.setup;
     kerf_channel channels[KERF_MAX_CHANNELS];
     kerf_law law{sizeof(kerf_law), 0, channels, {}, {}};
     double lambda[KERF_MAX_CHANNELS] = {};
-    bone_.place(pose_);
+    bone_.place(felt.from);
     felt.cost = processor_time_of([&] {
-        const kerf_tick_in in = tick_in_of(setup_, bone_.query(), dt);
-        if (call_resist(*setup_.force, in, state_.data(), law) != KERF_OK) law.count = 0;
+        const kerf_tick_in in = tick_in_of(setup, bone_.query(), dt);
+        if (call_resist(*setup.force, in, state_.data(), law) != KERF_OK) law.count = 0;
         kerf_advance advance{};
         for (std::size_t i = 0; i < 6; ++i) felt.wrench[i] = gain_ * (advance.following[i] = law.wrench[i]);
         for (std::uint32_t c = 0; c < law.count; ++c) {
@@ -63,24 +60,15 @@ Felt VoxelRun::tick(const Pose& next) {
         out.action = actions;
         out.signal = signals_;
         if (removal_ == Removal::where_asked) bone_.wear(loss_);
-        static_cast<void>(call_commit(*setup_.force, in, advance, state_.data(), out));
+        static_cast<void>(call_commit(*setup.force, in, advance, state_.data(), out));
         bone_.stop_wearing();
     });
-    pose_ = next;
-    deepest_ = std::max(deepest_, dot(next.position - scene_.entry, scene_.along));
+    visited_.push_back(next);
     return felt;
 }
 
 double VoxelRun::removed_volume() {
-    if (removal_ == Removal::when_finished) {
-        const Pose tool_from_body = inverse(scene_.pose_at(deepest_));
-        const double radius = scene_.drill.radius(), slope = radius / scene_.drill.point_depth();
-        bone_.take([&](Vec3 p) {
-            const Vec3 at = tool_from_body * p;
-            const double r = std::min(radius, -at.z * slope);
-            return at.z < 0.0 && at.x * at.x + at.y * at.y <= r * r;
-        });
-    }
+    if (removal_ == Removal::when_finished) bone_.take(swept_(visited_));
     return bone_.removed_volume();
 }
 
