@@ -73,7 +73,7 @@ double powered_calibration(const Plugins& plugins, const PoweredMethod& method, 
         sum += felt[t].wrench[2];
         right += reference.wrench[t][2];
     }
-    return std::abs(sum) > 1e-12 ? right / sum : 1.0;
+    return std::abs(sum) > 1e-12 ? std::abs(right / sum) : 1.0;  // a law that pulls the tool in still does
 }
 
 Standing powered_standing(const Plugins& plugins, const PoweredMethod& method, const PoweredScene& scene,

@@ -46,6 +46,6 @@ PoweredScene powered_block(const PoweredScene& like, double reach, double across
     return scene;
 }
 
-std::vector<PoweredScene> all_powered_scenes() { return {burr_groove_scene(), grazing_scene()}; }
+std::vector<PoweredScene> all_powered_scenes() { return {mandible_scene(), burr_groove_scene(), grazing_scene()}; }
 
 }  // namespace kerf::chart

@@ -42,7 +42,7 @@ struct PoweredScene {
     double feed = 0.0;                    ///< [m/s] of most of it
     double working_force = 30.0;          ///< [N] that a procedure would say under `haptics:`
     double trial_depth = 0.0;             ///< [m] to which the tests feed it into a block
-    double trial_feed = 0.0;  ///< [m/s] at which they do
+    double trial_feed = 0.0;              ///< [m/s] at which they do
     std::vector<Rival> rivals{};
     /// Parameters that `exact` needs. A plugin without one of them is refused.
     std::vector<std::string> needs{};
@@ -68,6 +68,8 @@ void go_straight(std::vector<Pose>& path, Vec3 to, double speed);
 [[nodiscard]] PoweredScene burr_groove_scene();
 /// The same burr 0, 1, 10 and 50 µm below a plane, and back along each of these grooves.
 [[nodiscard]] PoweredScene grazing_scene();
+/// A reciprocating blade across the angle of a mandible, twisted in its slot on the way.
+[[nodiscard]] PoweredScene mandible_scene();
 
 /// All of them, in the order of the chart.
 [[nodiscard]] std::vector<PoweredScene> all_powered_scenes();

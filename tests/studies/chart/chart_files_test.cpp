@@ -158,7 +158,8 @@ TEST(Chart, AnUnknownSceneIsRefusedWithThoseThereAre) {
     std::string error;
     (void)make_chart({&test::own_plugins(), &test::printed_plugins()}, {.scene = "skull"}, error);
     EXPECT_NE(error.find("`skull`"), std::string::npos);
-    for (const char* id : {"slab-10", "burr-groove"}) EXPECT_NE(error.find(id), std::string::npos) << id;
+    for (const char* id : {"slab-10", "mandible-twist", "burr-groove", "grazing"})
+        EXPECT_NE(error.find(id), std::string::npos) << id;
 }
 
 }  // namespace
