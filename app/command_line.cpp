@@ -271,7 +271,8 @@ void describe_to(CLI::App& app, CommandLine& line) {
     stability->footer("Exit code: 0 Kerf passes all tests, 1 it fails one. Published methods may fail.\n" +
                       std::string(notice_line) + ".");
 
-    CLI::App* chart = add("chart", "Compare methods for a drill's force with exact ones, and plot error against cost");
+    CLI::App* chart = add(
+        "chart", "Compare methods for the force of drill, burr and saw with exact ones, and plot error against cost");
     chart->add_flag("--quick", line.is_quick, "One scene, or that of --scene; two values of each setting; one grid");
     add_option(chart, "--scene", line.scene, "SCENE", "Only this scene; default: all", not_empty("the id of a scene"));
     add_option(chart, "-o,--out", line.out, "FOLDER",

@@ -2,9 +2,12 @@
 #include "app/commands.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -37,6 +40,7 @@
 #include "core/session/recorder.h"
 #include "core/session/report.h"
 #include "core/session/write_file.h"
+#include "run/exact/exact_strategies.h"
 #include "run/run_procedure.h"
 #include "studies/chart/chart_files.h"
 #include "studies/stability/atlas.h"
@@ -316,6 +320,21 @@ ExitCode look_at_stability(const CommandLine& line, const PluginRegistry& plugin
     return is_kerf_stable(findings) ? exit_pass : exit_not_passed;
 }
 
+/// The strategies whose surfaces are compared; none if one of them cannot be started.
+std::map<std::string, std::unique_ptr<RemeshChild>> start_chart_strategies(const CommandLine& line) {
+    std::map<std::string, std::unique_ptr<RemeshChild>> started;
+    for (const char* id : {"displace", "local", "exact"}) {
+        std::string error;
+        auto child = start_strategy(remesh_folders(line), id, error);
+        if (child == nullptr) {
+            print_error("kerf: " + error + " The chart goes without surfaces.\n");
+            return {};
+        }
+        started.emplace(id, std::move(child));
+    }
+    return started;
+}
+
 ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, const std::string& printed_folder) {
     const std::string out = line.out.empty() ? "out/chart" : line.out;
     if (const std::string refusal = refusal_of_folder(out); !refusal.empty()) return complain(refusal, exit_bad_input);
@@ -326,6 +345,14 @@ ExitCode draw_chart(const CommandLine& line, const PluginRegistry& plugins, cons
     print(std::string(notice_line) + ".\n");
     chart::Request request{.scene = line.scene, .is_quick = line.is_quick};
     request.progress = [](const std::string& what) { print_error(what + "\n"); };
+    // First, while this process has one thread and little memory.
+    const auto strategies = start_chart_strategies(line);
+    if (!strategies.empty())
+        request.strategies = [&](const std::string& id) -> AskStrategy {
+            RemeshChild* child = strategies.at(id).get();
+            constexpr std::chrono::minutes limit(5);
+            return [child, limit](const RemeshRequest& one) { return child->remesh(one, limit); };
+        };
     std::string error;
     const chart::Chart drawn = chart::make_chart({&plugins, &printed}, request, error);
     if (!error.empty()) return complain(error, exit_bad_input);

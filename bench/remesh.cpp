@@ -29,14 +29,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/removed_volume.h"
 #include "core/import/surface/edges.h"
 #include "core/remesh/accept.h"
 #include "core/remesh/local_cutting.h"
 #include "core/remesh/remesh_module.h"
+#include "studies/chart/burr_on_slab.h"
+#include "studies/chart/groove_surfaces.h"
 #include "studies/times.h"
-#include "tests/support/block.h"
-#include "tests/support/burr_on_slab.h"
 #include "tests/support/sawn_tube.h"
 
 namespace {
@@ -185,99 +184,35 @@ void coplanar(int count) {
                 "sides in the plane of a face", passed[1], tried[1], "along an old cut", passed[2], tried[2]);
 }
 
-/// A groove by a ball burr of 4 mm in a slab: 12 mm long, 1 mm deep, in the middle of the slab.
-constexpr Vec3 groove_from{-6.0_mm, 0.1_mm, -1.0_mm}, groove_to{6.0_mm, 0.1_mm, -1.0_mm};
-constexpr double burr_radius = 2.0_mm;
-double groove_volume() {
-    return 12.0_mm * test::slot_area(burr_radius, 1.0_mm) + test::dimple_volume(burr_radius, 1.0_mm);
-}
-
-/// How far the walls of a mesh are from the capsule that the burr sweeps [m]: at corners, middles of sides and of
-/// faces.
-struct Deviation {
-    double rms = 0.0, most = 0.0;
-};
-Deviation deviation_of(const TaggedMesh& mesh) {
-    const Vec3 begin = groove_from + Vec3{0, 0, burr_radius}, way = groove_to - groove_from;
-    Deviation found;
-    double squares = 0.0, area = 0.0;
-    for (std::size_t f = 0; f < mesh.tags.size(); ++f) {
-        if (mesh.tags[f] != KERF_FACE_WALL) continue;
-        const auto [a, b, c] = mesh.mesh.corners(mesh.mesh.triangles[f]);
-        const double size = length(cross(b - a, c - a));
-        for (const Vec3 p : {a, b, c, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0}) {
-            const double t = std::clamp(dot(p - begin, way) / dot(way, way), 0.0, 1.0);
-            const double off = std::abs(length(p - begin - t * way) - burr_radius);
-            squares += size * off * off;
-            area += size;
-            found.most = std::max(found.most, off);
-        }
-    }
-    if (area > 0.0) found.rms = std::sqrt(squares / area);
-    return found;
-}
-
-void print_groove(const char* name, double removed, double time, std::size_t steps, const TaggedMesh& mesh,
-                  const std::string& flaw) {
-    const std::vector<double> angles = test::least_angles_of_walls(mesh);
-    const Deviation off = deviation_of(mesh);
-    const auto degrees = [&](double share) {
-        return angles.empty()
-                   ? 0.0
-                   : angles[static_cast<std::size_t>(share * static_cast<double>(angles.size() - 1))] / 1.0_deg;
-    };
-    std::printf("%-30s %9.4f %8.3f %% %8.1f %8.1f %8.1f %8zu %7.1f %7.1f  %s\n", name, 1e9 * removed,
-                100.0 * (removed / groove_volume() - 1.0), 1e6 * off.rms, 1e6 * off.most,
-                1e-3 * time / static_cast<double>(steps), angles.size(), degrees(0.05), degrees(0.5), flaw.c_str());
+void print_groove(const char* name, const chart::Groove& groove, const chart::GrooveSurface& made) {
+    std::printf("%-30s %9.4f %8.3f %% %8.1f %8.1f %8.2f %8zu %7.1f %7.1f  %s\n", name, 1e9 * made.removed,
+                100.0 * (made.removed / groove.volume - 1.0), 1e6 * made.rms, 1e6 * made.farthest, made.step_ms,
+                made.walls, made.few_angle / 1.0_deg, made.mid_angle / 1.0_deg, made.flaw.c_str());
 }
 
 void displaced() {
-    const ToolSolid burr = test::ball_burr(burr_radius);
-    const TaggedMesh bone = tagged(test::slab(24.0_mm, 10.0_mm, 6.0_mm, 0.5_mm));
-    std::printf("\na groove 12 mm long, 1 mm deep, by a ball burr of 4 mm, %zu faces; by hand %.4f mm3\n",
-                bone.tags.size(), 1e9 * groove_volume());
+    const chart::Groove groove = chart::groove_within(1.0_mm);
+    const chart::Clock clock = [](const auto& work) { return processor_time_of(work); };
+    const auto strategy = [](const char* name) { return [name](const RemeshRequest& r) { return ask(name, r); }; };
+    std::printf("\na groove 12 mm long, 1 mm deep, by a ball burr of 4 mm; by hand %.4f mm3\n", 1e9 * groove.volume);
     std::printf("%-30s %9s %10s %8s %8s %8s %8s %7s %7s\n", "", "mm3", "error", "rms, um", "max, um", "ms/step",
                 "walls", "5 %", "median");
     for (const double feed : {0.5_mm, 0.1_mm}) {
-        const auto steps = test::in_steps(groove_from, groove_to, feed);
         std::printf("steps of %.1f mm\n", 1e3 * feed);
-        const auto run = [&](const char* name, const char* strategy, double tolerance) {
-            LocalCutting cut(bone, {&burr}, tolerance, [=](const RemeshRequest& r) { return ask(strategy, r); });
-            const double time = processor_time_of([&] {
-                for (const CutStretch& step : steps) cut.cut(step);
-            });
-            print_groove(name, cut.removed(), time, steps.size(), cut.surface().mesh(), flaw_of(bone, cut));
+        const auto run = [&](const char* name, const char* id, double tolerance) {
+            print_groove(name, groove, chart::surface_by_steps(groove, strategy(id), {}, tolerance, feed, clock));
         };
         run("displace, 80 um", "displace", 80e-6);
         run("displace, 20 um", "displace", 20e-6);
         run("displace, 5 um", "displace", 5e-6);
         run("local, 20 um", "local", 20e-6);
     }
-    RemeshRequest request;
-    request.base = bone;
-    request.solids = {&burr};
-    request.cuts = test::in_steps(groove_from, groove_to, 12.0_mm);
-    request.tolerance = 1e-6;
-    RemeshResult exact;
-    const double time = processor_time_of([&] { exact = ask("exact", request); });
     std::printf("all at once\n");
-    print_groove("exact, polygons to 1 um", signed_volume_of(bone.mesh) - signed_volume_of(exact.mesh.mesh), time, 1,
-                 exact.mesh, flaw_of_result(request, exact.mesh));
+    print_groove("exact, polygons to 1 um", groove, chart::surface_at_once(groove, strategy("exact"), clock));
     for (const double voxel : {0.5_mm, 0.25_mm}) {
-        const Body body = test::block({-12.0_mm, -5.0_mm, -6.0_mm}, {12.0_mm, 5.0_mm, 0}, voxel, {0.3, 0.1, 0.7});
-        CutField cut(body, 0);
-        const auto steps = test::in_steps(groove_from, groove_to, 0.1_mm);
-        const double stamped = processor_time_of([&] {
-            for (const CutStretch& step : steps) {
-                CutRecord record;
-                record.from = step.from;
-                record.to = step.to;
-                cut.stamp(record, burr);
-            }
-        });
-        const double removed = bone_volume(body, CutField(body, 0)) - bone_volume(body, cut);
-        std::printf("field, voxels of %4.2f mm       %9.4f %8.3f %%  %35.1f\n", 1e3 * voxel, 1e9 * removed,
-                    100.0 * (removed / groove_volume() - 1.0), 1e-3 * stamped / static_cast<double>(steps.size()));
+        char name[64];
+        std::snprintf(name, sizeof name, "field, voxels of %4.2f mm", 1e3 * voxel);
+        print_groove(name, groove, chart::surface_by_field(groove, voxel, 0.1_mm, clock));
     }
 }
 
@@ -349,7 +284,7 @@ void picture(const char* file) {
 
 /// A groove in a bone, by `displace` in steps of 0.25 mm.
 void groove_picture(const char* file) {
-    const ToolSolid burr = test::ball_burr(burr_radius);
+    const ToolSolid burr = chart::ball_burr(2.0_mm);
     const TaggedMesh bone = tagged(bent_bone(8e3));
     LocalCutting cut(bone, {&burr}, 80e-6, [](const RemeshRequest& r) { return ask("displace", r); });
     const auto at = [](int n) {

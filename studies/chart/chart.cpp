@@ -160,7 +160,17 @@ Chart make_chart(const Plugins& plugins, const Request& request, std::string& er
     chart.checks = published_checks(*law, chart.awl);
     const Making making{plugins, request, chart};
     add_drill(making, scenes);
-    for (const PoweredScene& scene : powered) add_powered(making, scene);
+    for (const PoweredScene& scene : powered) {
+        add_powered(making, scene);
+        if (!request.strategies) continue;
+        for (SurfaceRow& row : burr_surfaces(scene.id, request.strategies, request.is_quick)) {
+            making.say("surface  " + scene.id + "  " + row.groove + "  " + row.maker + "  " + row.knob + "  volume " +
+                       percent(row.made.removed / row.volume - 1.0) + " off, walls " +
+                       drawing::figure(1e6 * row.made.farthest) + " um, " + drawing::figure(row.made.step_ms) +
+                       " ms a step" + (row.made.flaw.empty() ? "" : "; " + row.made.flaw));
+            chart.surfaces.push_back(std::move(row));
+        }
+    }
     return chart;
 }
 

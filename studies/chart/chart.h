@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/chart/burr_surfaces.h"
 #include "studies/chart/measure.h"
 #include "studies/chart/methods.h"
 #include "studies/chart/published.h"
@@ -52,12 +53,14 @@ struct Chart {
     std::vector<MethodNote> methods{};
     std::vector<Standing> standings{};  ///< of every method at every fineness
     std::vector<Row> rows{};
+    std::vector<SurfaceRow> surfaces{};  ///< of the scenes with a burr
 };
 
 struct Request {
     std::string scene{};  ///< id; empty: all
     bool is_quick = false;
     std::function<void(const std::string&)> progress{};  ///< a line for people, as it goes
+    FindStrategy strategies{};                           ///< for exact surfaces; empty: the chart goes without them
 };
 
 /// Runs every method of its cutter through every scene. Error: no such scene, a plugin is missing.   [main]

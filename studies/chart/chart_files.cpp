@@ -236,7 +236,7 @@ std::string scene_svg(const Chart& chart, const std::string& scene) {
                                  [](const Measured& m) { return 100.0 * m.volume_error; });
     auto step = panel_of(chart, scene, "Largest step from tick to tick", "in % of the largest |F_ref|", 1e-3,
                          [](const Measured& m) { return 100.0 * m.peak_step; });
-    step.y.guides = {{100.0 / 31.0, "S-16: one point of 31"}};
+    if (said.cutter == "drill") step.y.guides = {{100.0 / 31.0, "S-16: one point of 31"}};
 
     constexpr double half = 0.5 * picture_width, top = 40, tall = 410, low = 300;
     std::string content = drawing::text_at(12, 24, title, "class=\"kp-title\"");
@@ -279,7 +279,8 @@ std::string chart_html(const Chart& chart) {
     html += report_style;
     html += "figure svg { width: 100%; }</style></head><body><main>\n<header class=\"top\"><div><h1>Accuracy against "
             "speed</h1>"
-            "<p class=\"soft\">How right the force of a drill is, and what it costs. Costs were measured on " +
+            "<p class=\"soft\">How right the force of a drill, a burr and a saw is, and what it costs. Costs were "
+            "measured on " +
             html_escaped(chart.processor) + "; all else is the same wherever it is run.</p></div></header>\n";
     html += "<section><h2>Methods</h2><div class=\"wide\"><table><thead><tr><th>Method</th><th>What</th>"
             "<th class=\"number\">K_max</th><th>Tests failed, by fineness</th></tr></thead><tbody>";
@@ -320,6 +321,7 @@ std::string chart_html(const Chart& chart) {
         }
         html += "</tbody></table></div></details></section>\n";
     }
+    if (!chart.surfaces.empty()) html += "<section><figure>" + surfaces_svg(chart.surfaces) + "</figure></section>\n";
     html += published_html(chart.law, chart.awl, chart.checks);
     return html + "</main>\n<footer><p><strong>" + notice_line + ".</strong></p></footer></body></html>\n";
 }
@@ -337,6 +339,10 @@ std::string write_chart(const std::string& folder, const Chart& chart) {
     write("tests.csv", tests_csv(chart));
     write("physics.svg", published_svg(chart.law, chart.awl));
     write("physics.csv", published_csv(chart.law, chart.checks));
+    if (!chart.surfaces.empty()) {
+        write("surfaces.csv", surfaces_csv(chart.surfaces));
+        write("burr-surfaces.svg", surfaces_svg(chart.surfaces));
+    }
     for (const SceneTitle& scene : chart.scenes) write(scene.id + ".svg", scene_svg(chart, scene.id));
     if (wrong.empty()) made.keep();
     return wrong;

@@ -21,8 +21,9 @@ namespace kerf::chart {
 /// Everything on one page that needs no network and no script.
 [[nodiscard]] std::string chart_html(const Chart& chart);
 
-/// Writes chart.csv, chart.html, one <scene>.svg per scene, tests.csv, physics.csv and physics.svg, each whole or not
-/// at all. Returns what went wrong, for people; empty if nothing did.   [main]
+/// Writes chart.csv, chart.html, one <scene>.svg per scene, tests.csv, physics.csv and physics.svg, with surfaces also
+/// surfaces.csv and burr-surfaces.svg, each whole or not at all. Returns what went wrong, for people; empty if nothing
+/// did.   [main]
 [[nodiscard]] std::string write_chart(const std::string& folder, const Chart& chart);
 
 /// Markers that no other beats in both cost and force error, cheapest first.

@@ -46,7 +46,7 @@ PoweredScene mandible_scene() {
     PoweredScene scene;
     scene.id = "mandible-twist";
     scene.title = "Angle of a mandible, reciprocating blade at 4 mm/s, twisted by 3 deg and back in its slot";
-    scene.note = "Reference: exact where the blade goes straight; a replay on 0.1 mm from the twist on.";
+    scene.note = "Reference: exact until it twists, then a replay.";
     scene.cutter = "reciprocating saw";
     // As in procedures/mandibular-angle-reduction.yaml
     scene.tool = {.plugin = "kerf.sawing",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kerf/units.hpp"
+#include "studies/chart/burr_on_slab.h"
 #include "studies/chart/setting.h"
 
 namespace kerf::chart {
@@ -22,10 +23,7 @@ void go_straight(std::vector<Pose>& path, Vec3 to, double speed) {
 }
 
 double groove_volume(double radius, double depth, double along) noexcept {
-    const double rest = radius - depth;
-    const double slot =
-        radius * radius * std::acos(rest / radius) - rest * std::sqrt(2.0 * radius * depth - depth * depth);
-    return slot * along + 0.5 * pi * depth * depth * (3.0 * radius - depth) / 3.0;
+    return slot_area(radius, depth) * along + 0.5 * dimple_volume(radius, depth);
 }
 
 PoweredScene powered_block(const PoweredScene& like, double reach, double across) {

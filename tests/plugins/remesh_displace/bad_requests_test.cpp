@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using test::ball_burr, test::burr_at;
+using chart::ball_burr, chart::burr_at;
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 

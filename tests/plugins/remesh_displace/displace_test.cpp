@@ -19,8 +19,8 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using test::ball_burr, test::burr_at, test::euler_of, test::in_steps, test::least_angles_of_walls, test::slab,
-    test::stretches_along;
+using chart::ball_burr, chart::burr_at, test::euler_of, chart::in_steps, chart::least_angles_of_walls, chart::slab,
+    chart::stretches_along;
 
 constexpr double radius = 2.0_mm;
 
@@ -38,7 +38,7 @@ TEST_F(Displace, AGrooveHasTheVolumeByHand) {
     EXPECT_EQ(flaw_of(bone, cut), "");
     // 2.457 mm² of slot, and half a dimple of 1 mm at either end
     const double by_hand = 12.0e-3 * 2.4567e-6 + std::numbers::pi * 5.0 / 3.0 * 1e-9;
-    EXPECT_NEAR(12.0e-3 * test::slot_area(radius, 1.0_mm) + test::dimple_volume(radius, 1.0_mm), by_hand, 1e-12);
+    EXPECT_NEAR(12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm), by_hand, 1e-12);
     EXPECT_NEAR(cut.removed(), by_hand, 1e-3 * by_hand);
     EXPECT_NEAR(signed_volume_of(bone.mesh) - volume_of(cut), cut.removed(), 1e-6 * by_hand);
 }
@@ -49,7 +49,7 @@ TEST_F(Displace, ADimpleDeeperThanTheBallOverhangs) {
     LocalCutting cut = cutting(bone, burr);
     EXPECT_TRUE(cut.cut({burr_at({0.1_mm, 0.2_mm, -3.0_mm}), burr_at({0.1_mm, 0.2_mm, -3.0_mm}), 0}));
     EXPECT_EQ(flaw_of(bone, cut), "");
-    const double by_hand = test::dimple_volume(radius, 3.0_mm);  // 9 π mm³: the opening is narrower than the ball
+    const double by_hand = chart::dimple_volume(radius, 3.0_mm);  // 9 π mm³: the opening is narrower than the ball
     EXPECT_NEAR(by_hand, 9.0 * std::numbers::pi * 1e-9, 1e-15);
     EXPECT_NEAR(cut.removed(), by_hand, 2e-3 * by_hand);
 }
@@ -85,7 +85,7 @@ TEST_F(Displace, FacesAsLargeAsTheSlabGiveTheSameGroove) {
     for (const CutStretch& step : in_steps({-6.0_mm, 0, -1.0_mm}, {6.0_mm, 0, -1.0_mm}, 0.5_mm))
         EXPECT_TRUE(cut.cut(step));
     EXPECT_EQ(flaw_of(bone, cut), "");
-    const double by_hand = 12.0e-3 * test::slot_area(radius, 1.0_mm) + test::dimple_volume(radius, 1.0_mm);
+    const double by_hand = 12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm);
     EXPECT_NEAR(cut.removed(), by_hand, 2e-3 * by_hand);
 }
 
@@ -333,7 +333,7 @@ TEST_F(Displace, TakesAClosedMeshToo) {
     const RemeshResult result = displace(request);
     ASSERT_EQ(result.status, KERF_OK) << result.message;
     EXPECT_EQ(flaw_of_result(request, result.mesh), "");
-    const double by_hand = 12.0e-3 * test::slot_area(radius, 1.0_mm) + test::dimple_volume(radius, 1.0_mm);
+    const double by_hand = 12.0e-3 * chart::slot_area(radius, 1.0_mm) + chart::dimple_volume(radius, 1.0_mm);
     EXPECT_NEAR(volume_between(result.mesh.mesh, request.base.mesh), by_hand, 2e-3 * by_hand);
 }
 

@@ -12,7 +12,7 @@ namespace kerf {
 namespace {
 
 using namespace literals;
-using test::ball_burr, test::burr_at, test::euler_of, test::in_steps, test::slab;
+using chart::ball_burr, chart::burr_at, test::euler_of, chart::in_steps, chart::slab;
 
 constexpr double radius = 2.0_mm;
 

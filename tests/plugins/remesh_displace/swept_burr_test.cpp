@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/field/sweep.h"
+#include "studies/chart/burr_on_slab.h"
 #include "tests/support/block.h"
-#include "tests/support/burr_on_slab.h"
 
 namespace kerf {
 namespace {
@@ -29,7 +29,7 @@ const Pose start{{1.0_mm, 2.0_mm, 3.0_mm}, quat_from_rotation_vector({0.3, -0.8,
 
 TEST(SweptBurr, OfABallIsACapsule) {
     const Pose end{start.position + Vec3{3.0_mm, -1.0_mm, 2.0_mm}, start.rotation};
-    const ToolSolid ball = test::ball_burr(2.0_mm, 512);
+    const ToolSolid ball = chart::ball_burr(2.0_mm, 512);
     const SweptBurr burr = swept(ball, start, end);
     const Vec3 a = start * Vec3{0, 0, -2.0_mm}, way = end.position - start.position;
     std::mt19937 random(1);
@@ -84,7 +84,7 @@ TEST(SweptBurr, TakesConvexSolidsOfRevolutionOnly) {
         std::string why;
         return SweptBurr::make(outline, kerf, pose, pose, why) ? std::string() : why;
     };
-    const std::vector<kerf_profile_point> ball = test::ball_burr(2.0_mm).outline();
+    const std::vector<kerf_profile_point> ball = chart::ball_burr(2.0_mm).outline();
     EXPECT_EQ(why_not(ball, 0.0), "");
     EXPECT_EQ(why_not(ball, 0.4_mm), "a blade is no burr: its slot has edges");
     EXPECT_EQ(why_not({}, 0.0), "the tool has no outline");

@@ -13,8 +13,9 @@
 #include "core/remesh/tagged_mesh.h"
 #include "kerf/draft/remesh.h"
 
-/// A round burr and a slab of bone, whose grooves and holes have known volumes.
-namespace kerf::test {
+/// A round burr and a slab of bone, whose grooves and holes have known volumes. For training and research; not for
+/// diagnosis, planning or deciding treatment.
+namespace kerf::chart {
 
 /// The cutting part of a ball burr: a polyline of `pieces` chords with its points on the ball.
 inline ToolSolid ball_burr(double radius, int pieces = 128) {
@@ -110,4 +111,4 @@ inline double dimple_volume(double radius, double depth) {
     return std::numbers::pi * depth * depth * (3.0 * radius - depth) / 3.0;
 }
 
-}  // namespace kerf::test
+}  // namespace kerf::chart
