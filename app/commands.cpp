@@ -288,9 +288,9 @@ ExitCode plan(const CommandLine& line, const PluginRegistry& plugins) {
         return complain(refusal, exit_bad_input);
     const auto scene = read_scene(line.files.front(), line, plugins);
     if (!scene) return exit_bad_input;
-    const PlanOutcome outcome = plan_procedure(*scene, plugins, line.out, remesh_folders(line));
-    print(outcome.text);
-    if (!outcome.error.empty()) return complain(outcome.error, outcome.text.empty() ? exit_bad_input : exit_fault);
+    const PlanOutcome outcome =
+        plan_procedure(*scene, plugins, line.out, remesh_folders(line), [](const std::string& text) { print(text); });
+    if (!outcome.error.empty()) return complain(outcome.error, outcome.is_planned ? exit_fault : exit_bad_input);
     return outcome.is_kept ? exit_pass : exit_not_passed;
 }
 

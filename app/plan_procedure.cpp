@@ -20,8 +20,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double in_air = 2e-3;  // [m] before the entry
-
 const ComponentInfo& info_of(const PluginRegistry& plugins, const Instrument& instrument, std::uint32_t kind) {
     const std::string& id = kind == KERF_KIND_TOOL ? instrument.tool : instrument.force;
     const std::string& plugin = kind == KERF_KIND_TOOL ? instrument.plugin : instrument.force_plugin;
@@ -31,15 +29,17 @@ const ComponentInfo& info_of(const PluginRegistry& plugins, const Instrument& in
     });
 }
 
-/// As deep as the step's own goal; without one as the deepest rehearsal that should pass.
-double depth_of(const Step& step, const Procedure& procedure) {
+/// As deep as the step's own goal; without one as rehearsals that should pass go in it.
+double depth_of(std::size_t s, const Procedure& procedure) {
+    const Step& step = procedure.steps[s];
     double depth = 0.0;
     for (const Goal& goal : step.goals)
         if (goal.quantity == "depth" && goal.bound.at_least) depth = std::max(depth, *goal.bound.at_least);
     if (depth > 0.0) return depth;
     for (const Rehearsal& rehearsal : procedure.rehearsals)
         if (rehearsal.expect == "pass")
-            for (const Waypoint& waypoint : rehearsal.path) depth = std::max(depth, waypoint.depth);
+            for (const Waypoint& waypoint : rehearsal.path)
+                if (waypoint.step == s) depth = std::max(depth, waypoint.depth);
     return depth;
 }
 
@@ -75,20 +75,25 @@ std::string write_plan(const std::string& folder, const std::string& text, const
 }  // namespace
 
 PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
-                           const RemeshFolders& remeshing) {
+                           const RemeshFolders& remeshing, const std::function<void(const std::string& text)>& show) {
     const Procedure& procedure = scene.procedure;
     PlanOutcome outcome;
     outcome.is_kept = true;
     MadeFolders made;  // before the minute's work that goes into it
     if (!folder.empty() && !(outcome.error = made.make(folder)).empty()) return outcome;
-    std::string text = std::string(notice_line) + ".\n" + procedure.id + ", " + procedure.title + "\n";
+    std::string text;
+    const auto add = [&](const std::string& more) {
+        show(more);
+        text += more;
+    };
+    add(std::string(notice_line) + ".\n" + procedure.id + ", " + procedure.title + "\n");
     std::vector<plan::StepPlan> plans;
     for (std::size_t s = 0; s < procedure.steps.size(); ++s) {
         const Step& step = procedure.steps[s];
         const auto instrument = std::find_if(procedure.instruments.begin(), procedure.instruments.end(),
                                              [&](const Instrument& i) { return i.id == step.instrument; });
         if (!step.cuts()) continue;  // nothing there depends on how finely bone is resolved
-        const double depth = depth_of(step, procedure);
+        const double depth = depth_of(s, procedure);
         if (depth <= 0.0) {
             outcome.error = procedure.file + ": step `" + step.id +
                             "` says nowhere how deep it goes. Give it a goal `{depth: {at_least: 30 mm}}`.";
@@ -105,7 +110,7 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         task.tool = info_of(plugins, *instrument, KERF_KIND_TOOL);
         task.force = info_of(plugins, *instrument, KERF_KIND_FORCE);
         task.gains = scene.gains;
-        task.way = {scene.frames[s].pose_at({.depth = -in_air}), in_air + depth, step.feed};
+        task.way = {scene.frames[s].pose_at({.depth = -in_air_before_entry}), in_air_before_entry + depth, step.feed};
         task.spacing = procedure.spacing;
         task.coarsest = coarsest_spacing(scene.tool(s).outline.cutting);
         task.accuracy = procedure.accuracy;
@@ -118,12 +123,16 @@ PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, co
         }
         outcome.is_kept = outcome.is_kept && found->keeps_accuracy && found->keeps(procedure.budget);
         plans.push_back(*found);
-        text += "\n" + plan::plan_text(task, *found) +
-                surface_text(compare_strategies(scene, s, depth, remeshing, {"local", "exact"}, show_work),
-                             procedure.accuracy.volume);
+        add("\n" + plan::plan_text(task, *found));
+        // A blade is no body of revolution: `displace` declines it.
+        const bool is_blade = scene.tool(s).outline.cutting.is_prism();
+        const std::vector<std::string> strategies = is_blade ? std::vector<std::string>{"local", "exact"}
+                                                             : std::vector<std::string>{"displace", "local", "exact"};
+        const auto costs = compare_strategies(scene, s, depth, remeshing, strategies, show_work);
         show_work("");
+        add(surface_text(costs, procedure.accuracy.volume));
     }
-    outcome.text = text;
+    outcome.is_planned = true;
     if (!folder.empty()) outcome.error = write_plan(folder, text, plan::plan_csv(plans));
     if (outcome.error.empty()) made.keep();
     return outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "run/exact/exact_strategies.h"
@@ -10,14 +11,16 @@
 namespace kerf {
 
 struct PlanOutcome {
-    std::string text;      ///< for people; empty where the planned path or the bone will not do
-    bool is_kept = false;  ///< every step keeps the accuracy and the budget
-    std::string error;     ///< with text: it could not be written
+    bool is_planned = false;  ///< all steps; not where the planned path or the bone will not do
+    bool is_kept = false;     ///< every step keeps the accuracy and the budget
+    std::string error;        ///< of a plan: it could not be written
 };
 
 /// Plans every step of `scene`; with `folder` not empty, writes plan.txt and plan.csv there as well.   [main]
 /// @param remeshing   where strategies for exact surfaces are
+/// @param show        takes the plan, for people, step by step
 [[nodiscard]] PlanOutcome plan_procedure(const Scene& scene, const PluginRegistry& plugins, const std::string& folder,
-                                         const RemeshFolders& remeshing);
+                                         const RemeshFolders& remeshing,
+                                         const std::function<void(const std::string& text)>& show);
 
 }  // namespace kerf

@@ -140,9 +140,9 @@ const Measure* earlier(MapReader& map, const std::string& key, const std::vector
         known.push_back(one.id);
     }
     if (contains(below, id)) {
-        report.error(Code::unknown_measure, node->span,
-                     "The measure " + quoted_id(id) +
-                         " stands below the difference that it is used in. Move it up, before this one.");
+        report.error(
+            Code::unknown_measure, node->span,
+            "The measure " + quoted_id(id) + " is used above the line that makes it. Move it up, before this one.");
         return nullptr;
     }
     const std::string meant = closest(straightened(id), known, report);

@@ -13,14 +13,15 @@
 namespace kerf {
 namespace {
 
-constexpr double in_air = 2e-3, advance = 0.1e-3;  // [m] before the entry; of a record
+constexpr double advance = 0.1e-3;  // [m] of a record
 
 std::vector<CutRecord> planned_cut(const Scene& scene, std::size_t step, double depth) {
     std::vector<CutRecord> records;
-    const int count = std::max(1, static_cast<int>(std::ceil((in_air + depth) / advance)));
+    const int count = std::max(1, static_cast<int>(std::ceil((in_air_before_entry + depth) / advance)));
     for (int n = 0; n < count; ++n) {
         const auto pose_at = [&](int i) {
-            return scene.frames[step].pose_at({.depth = (in_air + depth) * i / count - in_air});
+            return scene.frames[step].pose_at(
+                {.depth = (in_air_before_entry + depth) * i / count - in_air_before_entry});
         };
         CutRecord record;
         record.sequence = static_cast<std::uint64_t>(n);

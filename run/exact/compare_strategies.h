@@ -10,6 +10,8 @@
 
 namespace kerf {
 
+inline constexpr double in_air_before_entry = 2e-3;  ///< [m] that the planned cut of a step begins in air
+
 /// What a way to make a surface costs, and how far it is off, for the planned cut of a step.
 struct StrategyCost {
     std::string strategy;   ///< "isosurface": the field's own surface
