@@ -51,7 +51,9 @@ namespace kerf {
 namespace {
 
 std::string text_of(const ExactRow& exact) {
-    if (!exact.why_not.empty()) return "  no exact surface: " + exact.why_not + "\n";
+    constexpr std::string_view none = "no exact surface";
+    if (!exact.why_not.empty())
+        return "  " + (exact.why_not.starts_with(none) ? "" : std::string(none) + ": ") + exact.why_not + "\n";
     std::size_t triangles = 0;
     for (const ExactRow::Piece& piece : exact.pieces) triangles += piece.triangles;
     return formatted("  exact surface: %zu %s, %zu triangles, digest %s\n", exact.pieces.size(),

@@ -22,7 +22,7 @@
 #include "core/import/make_body.h"
 #include "core/procedure/read_anatomy.h"
 #include "core/procedure/step_monitor.h"
-#include "studies/chart/reference.h"
+#include "studies/chart/drill/reference.h"
 #include "tests/support/drill_rig.h"
 
 namespace {

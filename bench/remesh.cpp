@@ -33,8 +33,8 @@
 #include "core/remesh/accept.h"
 #include "core/remesh/local_cutting.h"
 #include "core/remesh/remesh_module.h"
-#include "studies/chart/burr_on_slab.h"
-#include "studies/chart/groove_surfaces.h"
+#include "studies/chart/surfaces/burr_on_slab.h"
+#include "studies/chart/surfaces/groove_surfaces.h"
 #include "studies/times.h"
 #include "tests/support/sawn_tube.h"
 

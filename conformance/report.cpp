@@ -104,6 +104,7 @@ std::string summary_of(const PluginReport& report) {
     const Tally count = tally(report);
     std::string text = report.plugin.empty() ? report.path : report.plugin;
     text += ": " + std::to_string(count.run()) + " of " + counted(count.all(), "tests run");
+    if (count.run() > 0 && count.failed + count.warned == 0) text += ", all passed";
     if (count.failed > 0) text += ", " + counted(count.failed, "failed");
     if (count.warned > 0) text += ", " + counted(count.warned, "with a warning");
     if (count.skipped > 0) {

@@ -113,8 +113,9 @@ ExactSurface ExactSurfaces::finish(const ExactState& state) {
         made.field_base_volume += field_base;
         std::vector<TaggedMesh> meshes = one.surface->finish(bodies);
         if (const auto stale = one.surface->stale(); !stale.empty() && made.error.empty())
-            made.error = "no exact surface could be made of `" + one.field->id + "`: " + stale.front().why +
-                         (stale.size() > 1 ? ", and of " + std::to_string(stale.size() - 1) + " more cuts." : ".");
+            made.error =
+                "no exact surface could be made of `" + one.field->id + "`: " + stale.front().why +
+                (stale.size() > 1 ? "; " + std::to_string(stale.size() - 1) + " more of its cuts are missing." : ".");
         made.removed += one.surface->uncut_volume() - one.surface->crumb_volume();
         made.field_removed += field_base;
         for (std::size_t n = 0; n < bodies.size(); ++n) {

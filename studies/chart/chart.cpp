@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "studies/chart/powered_measure.h"
-#include "studies/chart/standing.h"
+#include "studies/chart/drill/standing.h"
+#include "studies/chart/powered/powered_measure.h"
 #include "studies/drawing/svg.h"
 
 namespace kerf::chart {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "studies/chart/burr_surfaces.h"
-#include "studies/chart/measure.h"
-#include "studies/chart/methods.h"
-#include "studies/chart/published.h"
+#include "studies/chart/drill/measure.h"
+#include "studies/chart/drill/methods.h"
+#include "studies/chart/physics/published.h"
+#include "studies/chart/surfaces/burr_surfaces.h"
 
 /// Accuracy against speed. For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {

@@ -11,7 +11,7 @@
 #include "core/session/report_data.h"
 #include "core/session/report_page.h"
 #include "core/session/write_file.h"
-#include "studies/chart/published_files.h"
+#include "studies/chart/physics/published_files.h"
 #include "studies/drawing/plot.h"
 #include "studies/drawing/svg.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "kerf/units.hpp"
-#include "studies/chart/measure.h"
-#include "studies/chart/methods.h"
+#include "studies/chart/drill/measure.h"
+#include "studies/chart/drill/methods.h"
 
 /// The papers' laws as the host loads them, in a cortical block.
 namespace kerf::test {

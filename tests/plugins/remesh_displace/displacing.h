@@ -13,7 +13,7 @@
 #include "core/remesh/local_cutting.h"
 #include "core/remesh/remesh_module.h"
 #include "kerf/units.hpp"
-#include "studies/chart/burr_on_slab.h"
+#include "studies/chart/surfaces/burr_on_slab.h"
 
 namespace kerf::test {
 

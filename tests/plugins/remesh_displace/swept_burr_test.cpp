@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/field/sweep.h"
-#include "studies/chart/burr_on_slab.h"
+#include "studies/chart/surfaces/burr_on_slab.h"
 #include "tests/support/block.h"
 
 namespace kerf {

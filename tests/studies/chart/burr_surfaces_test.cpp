@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/burr_surfaces.h"
+#include "studies/chart/surfaces/burr_surfaces.h"
 
 #include <gtest/gtest.h>
 

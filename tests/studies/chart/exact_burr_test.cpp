@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/exact_burr.h"
+#include "studies/chart/powered/exact_burr.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cstddef>
 
 #include "kerf/units.hpp"
-#include "studies/chart/powered_reference.h"
-#include "studies/chart/round_burr.h"
+#include "studies/chart/powered/powered_reference.h"
+#include "studies/chart/powered/round_burr.h"
 
 namespace kerf::chart {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/exact_saw.h"
+#include "studies/chart/powered/exact_saw.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "kerf/units.hpp"
-#include "studies/chart/powered_measure.h"
+#include "studies/chart/powered/powered_measure.h"
 #include "tests/bench/as_printed/printed_rig.h"
 
 namespace kerf::chart {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/lip_integral.h"
+#include "studies/chart/drill/lip_integral.h"
 
 #include <gtest/gtest.h>
 

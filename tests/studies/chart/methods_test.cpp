@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/methods.h"
+#include "studies/chart/drill/methods.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "core/haptics/coupling.h"
 #include "kerf/units.hpp"
-#include "studies/chart/standing.h"
+#include "studies/chart/drill/standing.h"
 #include "studies/stability/port.h"
 #include "tests/bench/as_printed/printed_rig.h"
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "studies/chart/powered_measure.h"
-#include "studies/chart/scene.h"
+#include "studies/chart/drill/scene.h"
+#include "studies/chart/powered/powered_measure.h"
 #include "tests/bench/as_printed/printed_rig.h"
 
 namespace kerf::chart {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/published.h"
+#include "studies/chart/physics/published.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/pushed_awl.h"
+#include "studies/chart/physics/pushed_awl.h"
 
 #include <gtest/gtest.h>
 

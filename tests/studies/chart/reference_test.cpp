@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // For training and research; not for diagnosis, planning or deciding treatment.
-#include "studies/chart/reference.h"
+#include "studies/chart/drill/reference.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cstddef>
 
 #include "kerf/units.hpp"
-#include "studies/chart/measure.h"
+#include "studies/chart/drill/measure.h"
 
 namespace kerf::chart {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "kerf/units.hpp"
-#include "studies/chart/scene.h"
+#include "studies/chart/drill/scene.h"
 
 namespace kerf::chart {
 namespace {
