@@ -9,6 +9,7 @@
 #include "studies/chart/drill/methods.h"
 #include "studies/chart/physics/published.h"
 #include "studies/chart/surfaces/burr_surfaces.h"
+#include "studies/chart/trial.h"
 
 /// Accuracy against speed. For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {
@@ -19,14 +20,6 @@ struct Row {
     Fineness fineness{};
     Measured measured{};
     std::vector<std::string> fails{};  ///< tests of this marker and of its method, by id
-};
-
-/// How a method at one fineness does in the tests of force, wherever it is used.
-struct Standing {
-    std::string method{}, knob{};
-    std::vector<std::string> fails{};  ///< by id
-    std::string told{};                ///< what each test measured
-    std::string cutter = "drill";
 };
 
 struct MethodNote {

@@ -86,4 +86,17 @@ Still still_in_bone(const Trial& trial) {
             {is_finite_always, is_finite_always ? "" : "spindle off: not finite"}};
 }
 
+void Standing::add(const char* id, const Verdict& verdict) {
+    if (!verdict.passes) fails.emplace_back(id);
+    if (!verdict.told.empty()) told += (told.empty() ? "" : "; ") + std::string(id) + " " + verdict.told;
+}
+
+void Standing::add_trials(const Trial& trial, bool is_led_by_hand) {
+    if (trial.more_points > 0.0) add("S-07", with_more_points(trial));
+    add("S-12", back_in_the_hole(trial));
+    const Still still = still_in_bone(trial);
+    if (!is_led_by_hand) add("P9", still.on);
+    add("S-19", still.off);
+}
+
 }  // namespace kerf::chart

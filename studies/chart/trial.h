@@ -42,4 +42,17 @@ struct Still {
 };
 [[nodiscard]] Still still_in_bone(const Trial& trial);
 
+/// How a method at one fineness does in the tests of force, wherever it is used.
+struct Standing {
+    std::string method{}, knob{};
+    std::string cutter = "drill";
+    std::vector<std::string> fails{};  ///< by id
+    std::string told{};                ///< what each test measured
+
+    void add(const char* id, const Verdict& verdict);
+    /// S-07, if points are compared, S-12, P9 and S-19. A tool that a hand leads holds a stretch at rest: without P9.
+    /// [main]
+    void add_trials(const Trial& trial, bool is_led_by_hand);
+};
+
 }  // namespace kerf::chart

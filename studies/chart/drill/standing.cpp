@@ -11,9 +11,9 @@
 
 #include "core/haptics/coupling.h"
 #include "kerf/units.hpp"
+#include "studies/chart/drill/measure.h"
 #include "studies/chart/drill/reference.h"
 #include "studies/chart/trial.h"
-#include "studies/drawing/svg.h"
 #include "studies/stability/bracket.h"
 #include "studies/stability/kerf_loop.h"
 #include "studies/stability/press.h"
@@ -146,19 +146,8 @@ double stiffest(const Method& method, const CuttingLaw& law) {
 Standing standing_of(const Method& method, const CuttingLaw& law, const Fineness& fineness) {
     const Bench bench(method, law, fineness);
     Standing standing{.method = method.id, .knob = knob_text(method.knob, fineness)};
-    std::vector<std::string> told;
-    const auto add = [&](const char* id, const Verdict& verdict) {
-        if (!verdict.passes) standing.fails.push_back(id);
-        if (!verdict.told.empty()) told.push_back(std::string(id) + " " + verdict.told);
-    };
-    add("S-01", pushed_by_a_hand(bench));
-    const Trial trial = bench.trial();
-    add("S-07", with_more_points(trial));
-    add("S-12", back_in_the_hole(trial));
-    const Still still = still_in_bone(trial);
-    if (!method.is_solved) add("P9", still.on);
-    add("S-19", still.off);
-    standing.told = drawing::joined(told, "; ");
+    standing.add("S-01", pushed_by_a_hand(bench));
+    standing.add_trials(bench.trial(), method.is_solved);
     return standing;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studies/chart/chart.h"
+#include "studies/chart/drill/lip_integral.h"
+#include "studies/chart/drill/method.h"
+#include "studies/chart/trial.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {

@@ -11,7 +11,6 @@
 #include "kerf/assert.hpp"
 #include "kerf/units.hpp"
 #include "studies/chart/trial.h"
-#include "studies/drawing/svg.h"
 
 namespace kerf::chart {
 
@@ -94,21 +93,11 @@ Standing powered_standing(const Plugins& plugins, const PoweredMethod& method, c
                 .top = 0.3_mm};
     // As many points as the law takes: where it has no more, half of them are compared with all.
     const bool is_most = !scene.points_sweep.empty() && 2 * fineness.points > scene.points_sweep.back();
-    trial.more_points = is_most ? 0.5 : method.more_points;
+    trial.more_points = is_most && method.more_points > 0.0 ? 0.5 : method.more_points;
     for (const Pose& pose : block.path) trial.depth.push_back(-pose.position.z);
 
     Standing standing{.method = method.id, .knob = knob_text(method.knob, fineness), .cutter = scene.cutter};
-    std::vector<std::string> told;
-    const auto add = [&](const char* id, const Verdict& verdict) {
-        if (!verdict.passes) standing.fails.push_back(id);
-        if (!verdict.told.empty()) told.push_back(std::string(id) + " " + verdict.told);
-    };
-    if (method.more_points > 0.0) add("S-07", with_more_points(trial));
-    add("S-12", back_in_the_hole(trial));
-    const Still still = still_in_bone(trial);
-    if (!method.is_solved) add("P9", still.on);
-    add("S-19", still.off);
-    standing.told = drawing::joined(told, "; ");
+    standing.add_trials(trial, method.is_solved);
     return standing;
 }
 

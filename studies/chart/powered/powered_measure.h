@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studies/chart/chart.h"
 #include "studies/chart/powered/powered_methods.h"
 #include "studies/chart/powered/powered_reference.h"
+#include "studies/chart/track.h"
+#include "studies/chart/trial.h"
 
 /// For training and research; not for diagnosis, planning or deciding treatment.
 namespace kerf::chart {

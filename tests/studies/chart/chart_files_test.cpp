@@ -33,7 +33,8 @@ Chart small_chart() {
             row.measured.volume_error = row.measured.peak_step = spacing;
             row.measured.cost = {10.0, 5e-3 / spacing, 100.0};
             if (row.method == "M2") row.fails = {"S-01", "S-12"};
-            chart.standings.push_back({row.method, row.knob, row.fails, "S-01 pushed: 3 counts"});
+            chart.standings.push_back(
+                {.method = row.method, .knob = row.knob, .fails = row.fails, .told = "S-01 pushed: 3 counts"});
             chart.rows.push_back(row);
         }
     return chart;
