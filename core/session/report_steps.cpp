@@ -165,9 +165,14 @@ std::string bound_html(const char* sort, const RecordedDemand& demand, const std
     return text.empty() ? std::string(sort) : std::string("<span class=\"soft\">") + sort + ":</span> " + text;
 }
 
-bool is_within(double value, const RecordedDemand& demand) {
-    return !(demand.at_least && value < *demand.at_least) && !(demand.at_most && value > *demand.at_most);
+/// How far a value is from the bound that it is nearest to; negative: beyond it.
+double margin_of(double value, const RecordedDemand& demand) {
+    double margin = HUGE_VAL;
+    if (demand.at_least) margin = std::min(margin, value - *demand.at_least);
+    if (demand.at_most) margin = std::min(margin, *demand.at_most - value);
+    return margin;
 }
+bool is_within(double value, const RecordedDemand& demand) { return margin_of(value, demand) >= 0.0; }
 
 /// Quantities of the finished cut or hole. The others are watched in every tick.
 bool is_measured_at_end(const std::string& quantity) {
@@ -227,7 +232,7 @@ private:
                 if (metric.scope != step_->id || short_id(metric) != id) continue;
                 explained_ = is_used_[m] ? &metric : explained_;
                 is_used_[m] = true;
-                if (found == nullptr || (is_within(found->value, demand) && !is_within(metric.value, demand)))
+                if (found == nullptr || margin_of(metric.value, demand) < margin_of(found->value, demand))
                     found = &metric;
             }
         return found;

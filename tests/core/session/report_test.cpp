@@ -315,6 +315,23 @@ steps:
     EXPECT_TRUE(holds(measure, "✗ broken")) << measure;
 }
 
+TEST(Report, ShowsTheEndOfASignalThatIsNearerToItsBound) {
+    const char* text = R"yaml(
+metadata: {title: Cut}
+steps:
+  - id: pilot-hole
+    goals: [{entry: {}}]
+    limits:
+      - {signal: {id: twist, at_least: -50 N mm, at_most: 50 N mm}, reason: Twisted.}
+)yaml";
+    RunSummary summary = drilled(30e-3);
+    summary.metrics = {{"pilot-hole.signal.twist", 1, "pilot-hole", 1, 1, 7e-3, "N m", 1.0, 0.0, "ok", ""},
+                       {"pilot-hole.signal.twist.least", 1, "pilot-hole", 1, 1, -11e-3, "N m", 1.0, 0.0, "ok", ""}};
+    const std::string row = row_with(report_html(summary, DrawnRun(), recorded_procedure(text, "")), "signal.twist");
+    EXPECT_TRUE(holds(row, "0.011")) << row;
+    EXPECT_TRUE(holds(row, "✓ kept")) << row;
+}
+
 TEST(Report, ShowsTheDigitsThatTellAValueFromItsBound) {
     EXPECT_TRUE(holds(row_with(drilled_report(31.000004e-3), "at most 31"), "31.000004"));
     EXPECT_TRUE(holds(row_with(drilled_report(31e-3), "at least 30"), "|31.00 ±"));
