@@ -269,6 +269,7 @@ private:
 
     std::optional<double> value() {
         things_.clear();
+        values_.clear();
         return value_of(*measure_);
     }
 
@@ -359,13 +360,15 @@ private:
         return measured->value + wall_shift(measure.id, 0, 1.0);
     }
 
-    /// Both share their landmarks, so what is uncertain in both alike cancels.
+    /// Both share their landmarks, so what is uncertain in both alike cancels. Each measure is made once for each set
+    /// of shifts, however many differences use it.
     std::optional<double> difference(const Measure& measure) {
         const auto named = [&](const std::string& id) -> std::optional<double> {
             const auto& all = scene_->measures;
             const auto found = std::find_if(all.begin(), all.end(), [&](const Measure& one) { return one.id == id; });
             if (found == all.end() || found->id == measure.id) return fail("there is no measure " + quoted_id(id));
-            return value_of(*found);
+            if (const auto known = values_.find(id); known != values_.end()) return known->second;
+            return values_[id] = value_of(*found);
         };
         const auto one = named(measure.of), other = named(measure.to);
         if (!one || !other) return std::nullopt;
@@ -379,7 +382,8 @@ private:
     std::span<const double> shifts_;
     bool has_inputs_ = false;
     std::map<std::string, MaybeThing> things_;
-    std::map<std::string, std::vector<Vec3>> surfaces_;  ///< of each tangent
+    std::map<std::string, std::optional<double>> values_;  ///< of measures that differences use
+    std::map<std::string, std::vector<Vec3>> surfaces_;    ///< of each tangent
     std::string why_not_;
 };
 

@@ -145,6 +145,19 @@ TEST(Evaluate, ADifferenceIsHowMuchLargerOneMeasureIs) {
     EXPECT_NE(bone.read(Kind::difference, "angle", "none").why_not.find("no measure `none`"), std::string::npos);
 }
 
+TEST(Evaluate, DifferencesOfDifferencesTakeNoLonger) {
+    MeasuredMandible bone;
+    using Kind = Measure::Kind;
+    bone.measures = {{.id = "d0", .kind = Kind::distance, .of = "gonion", .to = "menton"}};
+    for (int i = 1; i < 60; ++i) {  // each uses the one before twice
+        const std::string before = "d" + std::to_string(i - 1);
+        bone.measures.push_back({.id = "d" + std::to_string(i), .kind = Kind::difference, .of = before, .to = before});
+    }
+    const MeasureReading last = bone.read(Kind::difference, "d0", "d59");
+    ASSERT_TRUE(last.value);
+    EXPECT_EQ(*last.value, *bone.read(Kind::distance, "gonion", "menton").value);
+}
+
 TEST(Evaluate, NothingMovesWhenTheWholeBoneMoves) {
     MeasuredMandible bone;
     const MeasureReading before = bone.read(Measure::Kind::angle, "ramus", "border");
