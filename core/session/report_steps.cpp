@@ -75,10 +75,6 @@ std::string name_of(std::string_view id) {
     const auto behind = [&](std::string_view prefix) { return words_of(id.substr(prefix.size())); };
     if (id.starts_with("clearance.")) return "Clearance to " + behind("clearance.");
     if (id.starts_with("breach-")) return "Breach of " + std::string(id.substr(7, id.size() - 9)) + "\u00a0mm";
-    if (id.starts_with("measure.") && id.ends_with(".before"))
-        return capitalised(words_of(id.substr(8, id.size() - 15))) + " before the first cut";
-    if (id.starts_with("measure.") && id.ends_with(".after"))
-        return capitalised(words_of(id.substr(8, id.size() - 14))) + " in the end";
     if (id.starts_with("measure.")) return capitalised(behind("measure."));
     if (id.starts_with("breach.")) return "Breach, " + behind("breach.");
     if (id.starts_with("gertzbein-robbins.")) return "Breach of the thread, " + behind("gertzbein-robbins.");
